@@ -1,0 +1,64 @@
+#include <course/checks.hpp>
+#include <tumble/force.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+TEST_CASE_TEMPLATE("A mass that is zero, negative, NaN or infinite is refused by name, value and rule", Real,
+                   EVERY_PRECISION) {
+  const Real infinity = std::numeric_limits<Real>::infinity(), nan = std::numeric_limits<Real>::quiet_NaN();
+  const auto complaint = [](Real mass) { return complaint_of([mass] { make_particle(mass); }); };
+  CHECK(complaint(0) == "mass is 0 kg; it must be greater than 0");
+  CHECK(complaint(-2) == "mass is -2 kg; it must be greater than 0");
+  CHECK(complaint(nan) == "mass is nan kg; it must be greater than 0");
+  CHECK(complaint(infinity) == "mass is inf kg; for a body that nothing can move, use make_static_particle");
+  CHECK(complaint(-infinity) == "mass is -inf kg; it must be greater than 0");
+}
+
+TEST_CASE_TEMPLATE("A mass whose inverse loses digits or overflows is refused", Real, EVERY_PRECISION) {
+  using Limits = std::numeric_limits<Real>;
+  const auto complaint = [](Real mass) { return complaint_of([mass] { make_particle(mass); }); };
+  CHECK(complaint(Limits::denorm_min()).find("it must lie between") != std::string::npos);
+  CHECK(complaint(Limits::max()).find("it must lie between") != std::string::npos);
+  CHECK(complaint(Limits::min()) == "nothing thrown");
+  CHECK(complaint(1 / Limits::min()) == "nothing thrown");
+  CHECK(std::isnormal(make_particle(Limits::min()).inverse_mass));
+  CHECK(std::isnormal(make_particle(1 / Limits::min()).inverse_mass));
+}
+
+TEST_CASE_TEMPLATE("A force that is not finite is refused, and the particle keeps every bit", Real,
+                   EVERY_PRECISION) {
+  Particle<Real> particle = make_particle(Real(2));
+  add_force(particle, Vec3<Real>(1, 2, 3));
+  const Real bad = std::numeric_limits<Real>::quiet_NaN();
+  CHECK(complaint_of([&] { add_force(particle, Vec3<Real>(4, bad, 5)); }) ==
+        "force is (4, nan, 5) N; every component must be finite");
+  CHECK(same_bits(particle.force, Vec3<Real>(1, 2, 3)));
+}
+
+TEST_CASE_TEMPLATE("Positions and velocities that are not finite are refused", Real, EVERY_PRECISION) {
+  const Vec3<Real> bad(0, std::numeric_limits<Real>::infinity(), 0), good(1, 2, 3);
+  CHECK(complaint_of([&] { make_particle(Real(1), bad); }) ==
+        "position is (0, inf, 0) m; every component must be finite");
+  CHECK(complaint_of([&] { make_particle(Real(1), good, bad); }) ==
+        "velocity is (0, inf, 0) m/s; every component must be finite");
+  CHECK(complaint_of([&] { make_static_particle(bad); }) ==
+        "position is (0, inf, 0) m; every component must be finite");
+}
+
+TEST_CASE_TEMPLATE("A time step of zero changes nothing; negative, NaN and infinite ones are refused", Real,
+                   EVERY_PRECISION) {
+  const Vec3<Real> position(1, 2, 3), velocity(4, 5, 6);
+  Particle<Real> particle = make_particle(Real(2), position, velocity);
+  add_force(particle, Vec3<Real>(7, 8, 9));
+  step(particle, checked_time_step(Real(0)));
+  CHECK(same_bits(particle.position, position));
+  CHECK(same_bits(particle.velocity, velocity));
+
+  CHECK(complaint_of([] { checked_time_step(Real(-0.5)); }) ==
+        "time step is -0.5 s; time runs forward: it must be 0 or more");
+  CHECK(complaint_of([] { checked_time_step(std::numeric_limits<Real>::quiet_NaN()); }) ==
+        "time step is nan s; it must be finite");
+  CHECK(complaint_of([] { checked_time_step(std::numeric_limits<Real>::infinity()); }) ==
+        "time step is inf s; it must be finite");
+}

@@ -1,0 +1,145 @@
+# What the course adds to the library: checks, programs, figures and costs. Each runs during the build of the book and
+# leaves what it found in results/CHAPTER, where the book picks it up:
+#   checks.xml         the verdict of every check, in doctest's XML
+#   PROGRAM.txt        what a program printed
+#   PROGRAM.values.tsv the numbers that the prose quotes, and any TABLE.tsv
+#   FIGURE.svg         what gnuplot drew from those tables
+#   COST.json          what Google Benchmark measured
+
+set(TUMBLE_RESULTS ${PROJECT_BINARY_DIR}/results)
+option(TUMBLE_NATIVE "Use every instruction this machine has" OFF)
+set(TUMBLE_BOOK_FOLDER ${PROJECT_BINARY_DIR}/html CACHE PATH "Where the book is written")
+
+find_package(doctest REQUIRED)
+find_package(benchmark QUIET)
+find_program(TUMBLE_GNUPLOT gnuplot)
+
+find_program(TUMBLE_CCACHE ccache)
+if(TUMBLE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  # A precompiled header changes its time stamp; ccache must be told to look at the content alone.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime
+    ${TUMBLE_CCACHE})
+endif()
+
+add_library(tumble_flags INTERFACE)
+target_compile_options(tumble_flags INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  $<$<BOOL:${TUMBLE_WARNINGS_AS_ERRORS}>:-Werror>
+  $<$<BOOL:${TUMBLE_NATIVE}>:-march=native>)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+  # g++ 12 takes "literal" + std::string for an overlong copy (GCC bug 105651, mended in 13).
+  target_compile_options(tumble_flags INTERFACE -Wno-stringop-overflow -Wno-restrict)
+endif()
+if(CMAKE_CXX_COMPILER_LAUNCHER)
+  target_compile_options(tumble_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
+    $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)
+endif()
+if(TUMBLE_SANITIZE)
+  target_compile_options(tumble_flags INTERFACE -fsanitize=${TUMBLE_SANITIZE} -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
+  target_link_options(tumble_flags INTERFACE -fsanitize=${TUMBLE_SANITIZE})
+endif()
+
+# Checks are compiled for a quick verdict, with every assertion of Eigen's on; programs for speed.
+add_library(tumble_check_flags INTERFACE)
+target_compile_options(tumble_check_flags INTERFACE -O1 -UNDEBUG $<$<NOT:$<BOOL:${TUMBLE_SANITIZE}>>:-g0>)
+target_link_libraries(tumble_check_flags INTERFACE tumble_flags tumble_common doctest::doctest)
+add_library(tumble_program_flags INTERFACE)
+target_link_libraries(tumble_program_flags INTERFACE tumble_flags tumble_common)
+
+# One precompiled header for each of the two flag sets. The file with doctest's main stays out of it: a header that was
+# compiled without doctest's implementation cannot supply it.
+file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/empty.cpp CONTENT "")
+add_library(tumble_check_headers OBJECT ${PROJECT_BINARY_DIR}/empty.cpp)
+target_link_libraries(tumble_check_headers PUBLIC tumble_check_flags)
+target_precompile_headers(tumble_check_headers PRIVATE
+  <doctest/doctest.h> <Eigen/Core> <Eigen/Geometry> <Eigen/Eigenvalues> <string> <vector> <array> <random>)
+add_library(tumble_program_headers OBJECT ${PROJECT_BINARY_DIR}/empty.cpp)
+target_link_libraries(tumble_program_headers PUBLIC tumble_program_flags)
+target_precompile_headers(tumble_program_headers PRIVATE
+  <Eigen/Core> <Eigen/Geometry> <cstdio> <fstream> <string> <vector> <array> <random>)
+add_library(tumble_check_main OBJECT ${PROJECT_SOURCE_DIR}/common/course/check_main.cpp)
+target_link_libraries(tumble_check_main PUBLIC tumble_check_flags)
+
+add_custom_target(results)  # everything that the book quotes
+
+# tumble_chapter_target(SUFFIX CHAPTER): the custom target SUFFIX_CHAPTER, made once.
+function(tumble_chapter_target suffix chapter)
+  if(NOT TARGET ${suffix}_${chapter})
+    add_custom_target(${suffix}_${chapter})
+  endif()
+endfunction()
+
+# tumble_add_checks(CHAPTER FILE...): one program with the chapter's checks, one CTest, one checks.xml.
+function(tumble_add_checks chapter)
+  set(program ${chapter}_checks)
+  add_executable(${program} ${ARGN})
+  target_link_libraries(${program} PRIVATE tumble_${chapter} tumble_check_main tumble_check_flags)
+  target_precompile_headers(${program} REUSE_FROM tumble_check_headers)
+  set_target_properties(${program} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/checks)
+  add_test(NAME checks.${chapter} COMMAND ${program})
+  set_tests_properties(checks.${chapter} PROPERTIES LABELS checks)
+
+  set(result ${TUMBLE_RESULTS}/${chapter}/checks.xml)
+  # A failed check must reach the page, so it does not stop the build here: the book prints it in red and says so.
+  add_custom_command(OUTPUT ${result}
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${TUMBLE_RESULTS}/${chapter}
+    COMMAND $<TARGET_FILE:${program}> --reporters=xml --out=${result} || ${CMAKE_COMMAND} -E true
+    DEPENDS ${program} COMMENT "Checking ${chapter}" VERBATIM)
+  add_custom_target(checks_result_${chapter} DEPENDS ${result})
+  add_dependencies(results checks_result_${chapter})
+endfunction()
+
+# tumble_add_program(CHAPTER NAME): compiles NAME.cpp; it is run with the results folder as its one argument.
+function(tumble_add_program chapter name)
+  add_executable(${name} ${name}.cpp)
+  target_link_libraries(${name} PRIVATE tumble_${chapter} tumble_program_flags)
+  target_precompile_headers(${name} REUSE_FROM tumble_program_headers)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/programs/${chapter})
+  tumble_chapter_target(programs ${chapter})
+  add_dependencies(programs_${chapter} ${name})
+  add_test(NAME programs.${name} COMMAND ${name} ${PROJECT_BINARY_DIR}/scratch/${name})
+  set_tests_properties(programs.${name} PROPERTIES LABELS programs)
+
+  set(folder ${TUMBLE_RESULTS}/${chapter})
+  add_custom_command(OUTPUT ${folder}/${name}.txt
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
+    COMMAND $<TARGET_FILE:${name}> ${folder} > ${folder}/${name}.txt
+    DEPENDS ${name} COMMENT "Running ${name}" VERBATIM)
+  add_custom_target(run_${name} DEPENDS ${folder}/${name}.txt)
+  add_dependencies(results run_${name})
+endfunction()
+
+# tumble_add_figure(CHAPTER NAME PROGRAM): gnuplot draws NAME.gp from the tables that PROGRAM wrote.
+function(tumble_add_figure chapter name program)
+  if(NOT TUMBLE_GNUPLOT)
+    return()
+  endif()
+  set(folder ${TUMBLE_RESULTS}/${chapter})
+  set(style ${PROJECT_SOURCE_DIR}/book/theme/figure.gp)
+  add_custom_command(OUTPUT ${folder}/${name}.svg
+    COMMAND ${TUMBLE_GNUPLOT} -e "name='${name}'" ${style} ${CMAKE_CURRENT_SOURCE_DIR}/${name}.gp
+    WORKING_DIRECTORY ${folder}
+    DEPENDS ${folder}/${program}.txt ${style} ${name}.gp COMMENT "Drawing ${name}" VERBATIM)
+  add_custom_target(figure_${chapter}_${name} DEPENDS ${folder}/${name}.svg)
+  add_dependencies(results figure_${chapter}_${name})
+endfunction()
+
+# tumble_add_cost(CHAPTER NAME): what the chapter's functions cost, measured by Google Benchmark where it is installed.
+function(tumble_add_cost chapter name)
+  if(NOT benchmark_FOUND)
+    return()
+  endif()
+  add_executable(${name} ${name}.cpp)
+  target_link_libraries(${name} PRIVATE tumble_${chapter} tumble_program_flags benchmark::benchmark_main)
+  target_precompile_headers(${name} REUSE_FROM tumble_program_headers)
+  set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/costs/${chapter})
+  set(folder ${TUMBLE_RESULTS}/${chapter})
+  add_custom_command(OUTPUT ${folder}/${name}.json
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
+    COMMAND $<TARGET_FILE:${name}> --benchmark_min_time=0.05 --benchmark_repetitions=5
+      --benchmark_enable_random_interleaving=true
+      --benchmark_report_aggregates_only=true --benchmark_out=${folder}/${name}.json > ${folder}/${name}.log 2>&1
+    DEPENDS ${name} COMMENT "Measuring ${name}" VERBATIM)
+  add_custom_target(measure_${name} DEPENDS ${folder}/${name}.json)
+  add_dependencies(results measure_${name})
+endfunction()

@@ -1,0 +1,45 @@
+/// @file
+/// What the checks of every chapter share. A check's name is a sentence that states the fact it checks.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <tumble/real.hpp>
+
+/// The kinds of number that checks run in; long double is the witness that shows how little the others round.
+#define EVERY_PRECISION float, double, long double
+
+namespace tumble::course {
+
+/// Half the distance from 1 to the next number: the largest relative error of one correctly rounded
+/// operation. The bounds in the checks are multiples of it, counted from the operations.
+template <class Real>
+constexpr Real unit_roundoff = std::numeric_limits<Real>::epsilon() / 2;
+
+/// The largest absolute component of a difference.
+template <class Real>
+Real distance(const Vec3<Real>& a, const Vec3<Same<Real>>& b) {
+  return (a - b).cwiseAbs().maxCoeff();
+}
+
+/// True when all bits agree (and neither holds a NaN).
+template <class First, class Second>
+bool same_bits(const Eigen::MatrixBase<First>& a, const Eigen::MatrixBase<Second>& b) {
+  return (a.array() == b.array()).all();
+}
+
+/// The sentence that `action` throws, or "nothing thrown".
+template <class Action>
+std::string complaint_of(const Action& action) {
+  try {
+    action();
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "nothing thrown";
+}
+
+}  // namespace tumble::course
