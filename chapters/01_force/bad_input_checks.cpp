@@ -4,18 +4,22 @@
 using namespace tumble;
 using namespace tumble::course;
 
-TEST_CASE_TEMPLATE("A mass that is zero, negative, NaN or infinite is refused by name, value and rule", Real,
-                   EVERY_PRECISION) {
-  const Real infinity = std::numeric_limits<Real>::infinity(), nan = std::numeric_limits<Real>::quiet_NaN();
+TEST_CASE_TEMPLATE(
+    "A mass that is zero, negative, NaN or infinite is refused by name, value and rule", Real,
+    EVERY_PRECISION) {
+  const Real infinity = std::numeric_limits<Real>::infinity(),
+             nan = std::numeric_limits<Real>::quiet_NaN();
   const auto complaint = [](Real mass) { return complaint_of([mass] { make_particle(mass); }); };
   CHECK(complaint(0) == "mass is 0 kg; it must be greater than 0");
   CHECK(complaint(-2) == "mass is -2 kg; it must be greater than 0");
   CHECK(complaint(nan) == "mass is nan kg; it must be greater than 0");
-  CHECK(complaint(infinity) == "mass is inf kg; for a body that nothing can move, use make_static_particle");
+  CHECK(complaint(infinity) ==
+        "mass is inf kg; for a body that nothing can move, use make_static_particle");
   CHECK(complaint(-infinity) == "mass is -inf kg; it must be greater than 0");
 }
 
-TEST_CASE_TEMPLATE("A mass whose inverse loses digits or overflows is refused", Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("A mass whose inverse loses digits or overflows is refused", Real,
+                   EVERY_PRECISION) {
   using Limits = std::numeric_limits<Real>;
   const auto complaint = [](Real mass) { return complaint_of([mass] { make_particle(mass); }); };
   CHECK(complaint(Limits::denorm_min()).find("it must lie between") != std::string::npos);
@@ -36,7 +40,8 @@ TEST_CASE_TEMPLATE("A force that is not finite is refused, and the particle keep
   CHECK(same_bits(particle.force, Vec3<Real>(1, 2, 3)));
 }
 
-TEST_CASE_TEMPLATE("Positions and velocities that are not finite are refused", Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("Positions and velocities that are not finite are refused", Real,
+                   EVERY_PRECISION) {
   const Vec3<Real> bad(0, std::numeric_limits<Real>::infinity(), 0), good(1, 2, 3);
   CHECK(complaint_of([&] { make_particle(Real(1), bad); }) ==
         "position is (0, inf, 0) m; every component must be finite");
@@ -46,8 +51,9 @@ TEST_CASE_TEMPLATE("Positions and velocities that are not finite are refused", R
         "position is (0, inf, 0) m; every component must be finite");
 }
 
-TEST_CASE_TEMPLATE("A time step of zero changes nothing; negative, NaN and infinite ones are refused", Real,
-                   EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "A time step of zero changes nothing; negative, NaN and infinite ones are refused", Real,
+    EVERY_PRECISION) {
   const Vec3<Real> position(1, 2, 3), velocity(4, 5, 6);
   Particle<Real> particle = make_particle(Real(2), position, velocity);
   add_force(particle, Vec3<Real>(7, 8, 9));

@@ -6,8 +6,8 @@ using namespace tumble;
 using namespace tumble::course;
 
 //! [coasts]
-TEST_CASE_TEMPLATE("Without force a particle coasts: its velocity never changes by a single bit", Real,
-                   EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("Without force a particle coasts: its velocity never changes by a single bit",
+                   Real, EVERY_PRECISION) {
   const Vec3<Real> start(1, 2, 3), velocity(Real(0.1), Real(-0.7), Real(12));
   const Real time_step = Real(1) / 60;
   Particle<Real> particle = make_particle(Real(2), start, velocity);
@@ -39,13 +39,13 @@ TEST_CASE_TEMPLATE("Gravity as a force and gravity as an acceleration give the s
       accelerate(accelerated, gravity, time_step);
       step(accelerated, time_step);
     }
-    // m = 1/(1/m) and the three products round once each, so an increment is off by 5 roundings at most where
-    // the other is off by 1; both sums round once a step at a speed of at most 98.1 m/s.
+    // m = 1/(1/m) and the three products round once each, so an increment is off by 5 roundings at
+    // most where the other is off by 1; both sums round once a step at a speed of at most 98.1 m/s.
     const Real speed = steps * time_step * Real(9.81);
     const Real bound = (5 + 1 + 2 * steps) * unit_roundoff<Real> * speed;
     CHECK(distance(pulled.velocity, accelerated.velocity) <= bound);
-    // The position adds up h v: the error of the velocity for 10 s, and two more roundings a step on each
-    // side.
+    // The position adds up h v: the error of the velocity for 10 s, and two more roundings a step
+    // on each side.
     const Real height = speed * steps * time_step / 2 + speed * time_step;
     CHECK(distance(pulled.position, accelerated.position) <=
           bound * steps * time_step + 4 * steps * unit_roundoff<Real> * height);
@@ -54,8 +54,8 @@ TEST_CASE_TEMPLATE("Gravity as a force and gravity as an acceleration give the s
 //! [gravity_both_ways]
 
 //! [parabola]
-TEST_CASE_TEMPLATE("Under constant force the step is ahead of the parabola by exactly a h t / 2", Real,
-                   EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("Under constant force the step is ahead of the parabola by exactly a h t / 2",
+                   Real, EVERY_PRECISION) {
   const Real acceleration = Real(-9.81), upward = 12;
   for (const int steps_per_second : {10, 60, 240}) {
     CAPTURE(steps_per_second);
@@ -68,8 +68,8 @@ TEST_CASE_TEMPLATE("Under constant force the step is ahead of the parabola by ex
     const Real time = Real(steps) * time_step;
     const Real parabola = upward * time + acceleration * time * time / 2;
     const Real ahead = acceleration * time_step * time / 2;
-    // Speeds stay under 12 m/s and heights under 8 m. A velocity is off by two roundings a step, which the
-    // position sums up over the time; a position by two roundings a step of its own.
+    // Speeds stay under 12 m/s and heights under 8 m. A velocity is off by two roundings a step,
+    // which the position sums up over the time; a position by two roundings a step of its own.
     const Real bound = Real(steps) * unit_roundoff<Real> * (2 * 12 * time + 2 * 8);
     CHECK(std::abs(ball.position.z() - (parabola + ahead)) <= bound);
     CHECK(std::abs(ahead) > 100 * bound);  // so that the line above could tell
@@ -77,7 +77,8 @@ TEST_CASE_TEMPLATE("Under constant force the step is ahead of the parabola by ex
 }
 //! [parabola]
 
-TEST_CASE_TEMPLATE("Halving the time step halves the distance from the parabola", Real, float, double) {
+TEST_CASE_TEMPLATE("Halving the time step halves the distance from the parabola", Real, float,
+                   double) {
   const auto error = [](int steps_per_second) {
     const Real time_step = Real(1) / Real(steps_per_second);
     Particle<Real> ball = make_particle(Real(1));
@@ -124,10 +125,11 @@ TEST_CASE_TEMPLATE("Forces add up, and after clearing none is left", Real, EVERY
   CHECK(same_bits(particle.force, Vec3<Real>::Zero()));
 }
 
-TEST_CASE_TEMPLATE("Mass and force scaled by the same power of two give the same bits of motion", Real, float,
-                   double) {
+TEST_CASE_TEMPLATE("Mass and force scaled by the same power of two give the same bits of motion",
+                   Real, float, double) {
   const auto fly = [](Real scale) {
-    Particle<Real> particle = make_particle(Real(0.7) * scale, Vec3<Real>(1, 2, 3), Vec3<Real>(4, 5, 6));
+    Particle<Real> particle =
+        make_particle(Real(0.7) * scale, Vec3<Real>(1, 2, 3), Vec3<Real>(4, 5, 6));
     for (int n = 0; n < 50; ++n) {
       add_force(particle, Vec3<Real>(Real(0.3), -2, Real(n)) * scale);
       add_gravity(particle, Vec3<Real>(0, 0, Real(-9.81)));
@@ -136,10 +138,12 @@ TEST_CASE_TEMPLATE("Mass and force scaled by the same power of two give the same
     }
     return particle.position;
   };
-  for (const int exponent : {-40, -7, 13, 40}) CHECK(same_bits(fly(std::ldexp(Real(1), exponent)), fly(1)));
+  for (const int exponent : {-40, -7, 13, 40})
+    CHECK(same_bits(fly(std::ldexp(Real(1), exponent)), fly(1)));
 }
 
-TEST_CASE_TEMPLATE("A throw seen in a mirror is the mirrored throw, to the bit", Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("A throw seen in a mirror is the mirrored throw, to the bit", Real,
+                   EVERY_PRECISION) {
   const auto fly = [](const Vec3<Real>& mirror) {
     Particle<Real> particle = make_particle(Real(0.3), Vec3<Real>(1, 2, 3).cwiseProduct(mirror),
                                             Vec3<Real>(4, 5, 6).cwiseProduct(mirror));
@@ -156,11 +160,13 @@ TEST_CASE_TEMPLATE("A throw seen in a mirror is the mirrored throw, to the bit",
   CHECK(same_bits(fly(Vec3<Real>(1, 1, -1)), unmirrored));
 }
 
-TEST_CASE_TEMPLATE("Against a witness in long double every step rounds as little as its operations allow",
-                   Real, float, double) {
+TEST_CASE_TEMPLATE(
+    "Against a witness in long double every step rounds as little as its operations allow", Real,
+    float, double) {
   const int steps = 1000;
   Particle<Real> particle = make_particle(Real(0.3), Vec3<Real>::Zero(), Vec3<Real>(3, 0, 4));
-  // The witness starts from the rounded values, so that it differs by the rounding of the steps alone.
+  // The witness starts from the rounded values, so that it differs by the rounding of the steps
+  // alone.
   Particle<long double> witness = {.position = particle.position.template cast<long double>(),
                                    .velocity = particle.velocity.template cast<long double>(),
                                    .inverse_mass = particle.inverse_mass};
@@ -172,8 +178,9 @@ TEST_CASE_TEMPLATE("Against a witness in long double every step rounds as little
     step(particle, time_step);
     step(witness, time_step);
   }
-  // |v| stays under 75 m/s and |x| under 560 m in each component. A velocity gains at most 3 roundings of its
-  // increment and one of its sum a step; a position sums that up for 16 s and adds 2 of its own a step.
+  // |v| stays under 75 m/s and |x| under 560 m in each component. A velocity gains at most 3
+  // roundings of its increment and one of its sum a step; a position sums that up for 16 s and adds
+  // 2 of its own a step.
   const Real velocity_bound = 2 * steps * unit_roundoff<Real> * 75;
   const Real position_bound = velocity_bound * 16 + 2 * steps * unit_roundoff<Real> * 560;
   CHECK(distance(particle.velocity, witness.velocity.template cast<Real>()) <= velocity_bound);

@@ -38,8 +38,8 @@ int main(int argument_count, char** arguments) {
   for (const int steps_per_second : {10, 20, 60}) {
     const std::string suffix = number("_%.0f", steps_per_second);
     const double error = throw_ball(
-        steps_per_second,
-        notebook.table("throw" + suffix, {"time (s)", "distance (m)", "height (m)", "exact height (m)"}));
+        steps_per_second, notebook.table("throw" + suffix, {"time (s)", "distance (m)",
+                                                            "height (m)", "exact height (m)"}));
     const double predicted = gravity.z() / steps_per_second * 2 / 2;
     std::printf("%16d   %24.6f m   %7.4f m\n", steps_per_second, error, predicted);
     notebook.value("error" + suffix, number("%.3f m", error));

@@ -6,7 +6,8 @@ using namespace tumble;
 
 int main(int argument_count, char** arguments) {
   course::Notebook notebook(argument_count, arguments);
-  course::Table table = notebook.table("forgotten_clear", {"time (s)", "cleared (m)", "never cleared (m)"});
+  course::Table table =
+      notebook.table("forgotten_clear", {"time (s)", "cleared (m)", "never cleared (m)"});
   const Vec3d gravity(0, 0, -9.81);
   const int steps_per_second = 60;
   Particled right = make_particle(1.0), wrong = make_particle(1.0);
@@ -19,8 +20,8 @@ int main(int argument_count, char** arguments) {
     }
     clear_force(right);  // the line that the other one lacks
   }
-  // After n steps the wrong one has been pulled 1 + 2 + ... + n times: its fall grows as t^3, h t^3 g / (6
-  // h^2).
+  // After n steps the wrong one has been pulled 1 + 2 + ... + n times: its fall grows as t^3, h t^3
+  // g / (6 h^2).
   const double ratio = wrong.position.z() / right.position.z();
   std::printf("after 1 s the cleared ball fell %.2f m, the other %.1f m: %.1f times as far\n",
               -right.position.z(), -wrong.position.z(), ratio);

@@ -1,5 +1,5 @@
-// The particle as it grows in chapter 1: each stage compiles and runs, and the page says what is wrong with
-// it.
+// The particle as it grows in chapter 1: each stage compiles and runs, and the page says what is
+// wrong with it.
 #include <course/record.hpp>
 #include <tumble/particle.hpp>
 
@@ -45,11 +45,14 @@ int main(int argument_count, char** arguments) {
   const Vec3d force(0, 0, 12);
 
   first_try::Particle first{.mass = 3, .acceleration = force / 3, .position = Vec3d::Zero()};
-  std::printf("first try:  a force of 12 N on %g kg gives %g m/s^2\n", first.mass, first.acceleration.z());
+  std::printf("first try:  a force of 12 N on %g kg gives %g m/s^2\n", first.mass,
+              first.acceleration.z());
 
-  const second_try::Particle second{.inverse_mass = 1.0 / 3, .force = force, .position = Vec3d::Zero()};
+  const second_try::Particle second{
+      .inverse_mass = 1.0 / 3, .force = force, .position = Vec3d::Zero()};
   const second_try::Particle wall{.inverse_mass = 0, .force = force, .position = Vec3d::Zero()};
-  std::printf("second try: 1/m = %g /kg gives %g m/s^2\n", second.inverse_mass, acceleration(second).z());
+  std::printf("second try: 1/m = %g /kg gives %g m/s^2\n", second.inverse_mass,
+              acceleration(second).z());
   std::printf("            a wall, 1/m = 0, gives %g m/s^2\n", acceleration(wall).z());
 
   const third_try::Particle third{

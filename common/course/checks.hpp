@@ -1,5 +1,6 @@
 /// @file
-/// What the checks of every chapter share. A check's name is a sentence that states the fact it checks.
+/// What the checks of every chapter share. A check's name is a sentence that states the fact it
+/// checks.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -9,7 +10,8 @@
 #include <string>
 #include <tumble/real.hpp>
 
-/// The kinds of number that checks run in; long double is the witness that shows how little the others round.
+/// The kinds of number that checks run in; long double is the witness that shows how little the
+/// others round.
 #define EVERY_PRECISION float, double, long double
 
 namespace tumble::course {

@@ -1,5 +1,6 @@
 /// @file
-/// Where a chapter's program leaves what the book shows: numbers for the prose, tables for figures and pages.
+/// Where a chapter's program leaves what the book shows: numbers for the prose, tables for figures
+/// and pages.
 #pragma once
 
 #include <cstdio>
@@ -27,11 +28,12 @@ inline std::string number(double value) {
   return number("%.17g", value);
 }
 
-/// A table in a file: one row of column names with their units, then rows of numbers or words, separated by
-/// tabs. gnuplot draws from it and the book prints it.
+/// A table in a file: one row of column names with their units, then rows of numbers or words,
+/// separated by tabs. gnuplot draws from it and the book prints it.
 class Table {
  public:
-  Table(const std::filesystem::path& file, std::initializer_list<std::string_view> columns) : out_(file) {
+  Table(const std::filesystem::path& file, std::initializer_list<std::string_view> columns)
+      : out_(file) {
     if (!out_) throw std::runtime_error("cannot write " + file.string());
     write(columns);
   }
@@ -62,15 +64,17 @@ class Table {
   std::size_t columns_ = 0;
 };
 
-/// The notebook of one program: opened with main's arguments, of which the one allowed is the folder to write
-/// into (the current one without it). The numbers go to PROGRAM.values.tsv in that folder.
+/// The notebook of one program: opened with main's arguments, of which the one allowed is the
+/// folder to write into (the current one without it). The numbers go to PROGRAM.values.tsv in that
+/// folder.
 class Notebook {
  public:
   Notebook(int argument_count, char** arguments)
       : folder_(argument_count > 1 ? arguments[1] : "."),
-        values_((std::filesystem::create_directories(folder_),
-                 folder_ / (std::filesystem::path(arguments[0]).filename().string() + ".values.tsv")),
-                {"name", "value"}) {}
+        values_(
+            (std::filesystem::create_directories(folder_),
+             folder_ / (std::filesystem::path(arguments[0]).filename().string() + ".values.tsv")),
+            {"name", "value"}) {}
 
   /// A number that the prose quotes by `name`, already in the form a reader should see.
   void value(std::string_view name, std::string_view shown) { values_.row(name, shown); }
@@ -85,8 +89,8 @@ class Notebook {
   Table values_;
 };
 
-/// Ends the program with a failure unless `fact` holds: a program that shows a mistake asserts that it still
-/// fails in the way the page says.
+/// Ends the program with a failure unless `fact` holds: a program that shows a mistake asserts that
+/// it still fails in the way the page says.
 inline void expect(bool fact, const char* sentence) {
   if (fact) return;
   std::fprintf(stderr, "expected, but not so: %s\n", sentence);

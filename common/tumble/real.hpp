@@ -14,23 +14,23 @@
 /// Everything that the course teaches and a program may use.
 namespace tumble {
 
-/// Three numbers in a column: a position, a velocity, a force. The doc of each use says in which frame and
-/// unit.
+/// Three numbers in a column: a position, a velocity, a force. The doc of each use says in which
+/// frame and unit.
 ///
-/// `Real` stands for the kind of number: `float`, `double` or `long double`. A function written for `Real` is
-/// compiled once for each kind that a program asks for, so precision is chosen in one place and the physics
-/// is written once.
+/// `Real` stands for the kind of number: `float`, `double` or `long double`. A function written for
+/// `Real` is compiled once for each kind that a program asks for, so precision is chosen in one
+/// place and the physics is written once.
 template <class Real>
 using Vec3 = Eigen::Matrix<Real, 3, 1>;
 
-/// Three rows of three numbers, such as an inertia tensor or a change of axes. It acts on a column from the
-/// left.
+/// Three rows of three numbers, such as an inertia tensor or a change of axes. It acts on a column
+/// from the left.
 template <class Real>
 using Mat3 = Eigen::Matrix<Real, 3, 3>;
 
-/// `Real` itself, in a place where the compiler must not guess it. One argument of a function decides which
-/// `Real` is meant; the others are written with `Same<Real>` and take whatever converts to it, a sum of
-/// vectors for example.
+/// `Real` itself, in a place where the compiler must not guess it. One argument of a function
+/// decides which `Real` is meant; the others are written with `Same<Real>` and take whatever
+/// converts to it, a sum of vectors for example.
 template <class Real>
 using Same = std::type_identity_t<Real>;
 
@@ -39,8 +39,9 @@ using Vec3d = Vec3<double>;
 using Mat3f = Mat3<float>;
 using Mat3d = Mat3<double>;
 
-/// `if_true` or `if_false`: a choice between two values that are both computed. Loops that run on many bodies
-/// at once choose in this way, body by body, where an `if` would have to choose once for all of them.
+/// `if_true` or `if_false`: a choice between two values that are both computed. Loops that run on
+/// many bodies at once choose in this way, body by body, where an `if` would have to choose once
+/// for all of them.
 template <class Real>
 Real select(bool condition, Real if_true, Same<Real> if_false) {
   return condition ? if_true : if_false;

@@ -1,5 +1,6 @@
 /// @file
-/// How bad input is refused: where it enters, with a sentence that names the value, its unit and the rule.
+/// How bad input is refused: where it enters, with a sentence that names the value, its unit and
+/// the rule.
 #pragma once
 
 #include <charconv>

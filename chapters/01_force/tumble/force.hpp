@@ -32,20 +32,22 @@ void add_gravity(Particle<Real>& particle, const Vec3<Same<Real>>& gravity) {
 }
 //! [add_gravity]
 
-/// Gravity, or any acceleration that is the same for every mass, without the detour through a force:
-/// Δv = a h, with `acceleration` in m/s², world axes, over `time_step` seconds. A static particle keeps its
-/// velocity.
+/// Gravity, or any acceleration that is the same for every mass, without the detour through a
+/// force: Δv = a h, with `acceleration` in m/s², world axes, over `time_step` seconds. A static
+/// particle keeps its velocity.
 //! [accelerate]
 template <class Real>
-void accelerate(Particle<Real>& particle, const Vec3<Same<Real>>& acceleration, Same<Real> time_step) {
+void accelerate(Particle<Real>& particle, const Vec3<Same<Real>>& acceleration,
+                Same<Real> time_step) {
   particle.velocity += select(is_static(particle), Real(0), time_step) * acceleration;
 }
 //! [accelerate]
 
 /// One step of `time_step` seconds (h): v ← v + h F/m, then x ← x + h v with the new v.
 ///
-/// The force must stay the same from one step to the next for the error to be exactly ½ a h t; chapter 6 says
-/// what happens otherwise. The time step is checked where it enters the program, see checked_time_step().
+/// The force must stay the same from one step to the next for the error to be exactly ½ a h t;
+/// chapter 6 says what happens otherwise. The time step is checked where it enters the program, see
+/// checked_time_step().
 //! [step]
 template <class Real>
 void step(Particle<Real>& particle, Same<Real> time_step) {

@@ -35,9 +35,9 @@ Real mass_of(const Particle<Real>& particle) {
 
 /// A particle of `mass` kg at `position` m, moving with `velocity` m/s.
 ///
-/// @throws std::invalid_argument if the mass is zero, negative, NaN or infinite, if it is so small or so
-/// large that the mass or its inverse leaves the range that `Real` stores with full precision, or if a vector
-/// is not finite.
+/// @throws std::invalid_argument if the mass is zero, negative, NaN or infinite, if it is so small
+/// or so large that the mass or its inverse leaves the range that `Real` stores with full
+/// precision, or if a vector is not finite.
 //! [make_particle]
 template <class Real>
 Particle<Real> make_particle(Real mass, const Vec3<Same<Real>>& position = Vec3<Real>::Zero(),
@@ -46,9 +46,11 @@ Particle<Real> make_particle(Real mass, const Vec3<Same<Real>>& position = Vec3<
   if (!(mass > 0)) reject("mass", mass, "kg", "it must be greater than 0");
   if (std::isinf(mass))
     reject("mass", mass, "kg", "for a body that nothing can move, use make_static_particle");
-  const Real smallest = std::numeric_limits<Real>::min();  // the smallest number with all its digits
+  const Real smallest =
+      std::numeric_limits<Real>::min();  // the smallest number with all its digits
   if (mass < smallest || mass > 1 / smallest)
-    reject("mass", mass, "kg", "it must lie between " + text_of(smallest) + " and " + text_of(1 / smallest));
+    reject("mass", mass, "kg",
+           "it must lie between " + text_of(smallest) + " and " + text_of(1 / smallest));
   require_finite("position", position, "m");
   require_finite("velocity", velocity, "m/s");
   return {.position = position, .velocity = velocity, .inverse_mass = 1 / mass};
