@@ -72,7 +72,7 @@ TEST_CASE_TEMPLATE("Under constant force the step is ahead of the parabola by ex
     // which the position sums up over the time; a position by two roundings a step of its own.
     const Real bound = Real(steps) * unit_roundoff<Real> * (2 * 12 * time + 2 * 8);
     CHECK(std::abs(ball.position.z() - (parabola + ahead)) <= bound);
-    CHECK(std::abs(ahead) > 100 * bound);  // so that the line above could tell
+    CHECK(std::abs(ahead) > 10 * bound);  // so that the line above can tell
   }
 }
 //! [parabola]

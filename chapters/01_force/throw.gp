@@ -1,6 +1,7 @@
-set title "A coarser step flies lower: the error is half of a h t"
+set title "The coarser the step, the lower the ball: by g h t / 2"
 set xlabel "distance (m)"
 set ylabel "height (m)"
-plot "throw_10.tsv" using 2:3 with linespoints title "10 steps a second", \
-     "throw_60.tsv" using 2:3 with lines title "60 steps a second", \
-     "throw_60.tsv" using 2:4 with lines dashtype 2 title "exact parabola"
+set key bottom left
+plot "throw_60.tsv" using 2:4 with lines linestyle 1 title "exact parabola", \
+     "throw_60.tsv" using 2:3 with lines linestyle 2 title "60 steps a second", \
+     "throw_10.tsv" using 2:3 with linespoints linestyle 3 title "10 steps a second"

@@ -22,6 +22,7 @@ namespace tumble {
 /// place and the physics is written once.
 template <class Real>
 using Vec3 = Eigen::Matrix<Real, 3, 1>;
+//! [vectors]
 
 /// Three rows of three numbers, such as an inertia tensor or a change of axes. It acts on a column
 /// from the left.
@@ -34,8 +35,10 @@ using Mat3 = Eigen::Matrix<Real, 3, 3>;
 template <class Real>
 using Same = std::type_identity_t<Real>;
 
+//! [aliases]
 using Vec3f = Vec3<float>;
 using Vec3d = Vec3<double>;
+//! [aliases]
 using Mat3f = Mat3<float>;
 using Mat3d = Mat3<double>;
 
