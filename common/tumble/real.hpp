@@ -3,8 +3,7 @@
 #pragma once
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
-#error \
-    "Tumble needs the arithmetic that it was proved with: compile without -ffast-math, -Ofast, -ffinite-math-only."
+#error "Tumble's results hold for exact IEEE rounding: compile without -ffast-math and -Ofast."
 #endif
 
 #include <Eigen/Core>
@@ -20,6 +19,7 @@ namespace tumble {
 /// `Real` stands for the kind of number: `float`, `double` or `long double`. A function written for
 /// `Real` is compiled once for each kind that a program asks for, so precision is chosen in one
 /// place and the physics is written once.
+//! [vectors]
 template <class Real>
 using Vec3 = Eigen::Matrix<Real, 3, 1>;
 //! [vectors]
