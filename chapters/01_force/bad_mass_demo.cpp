@@ -5,7 +5,8 @@
 int main(int argument_count, char** arguments) {
   tumble::course::Notebook notebook(argument_count, arguments);
   int refused = 0;
-  for (const float mass : {0.0f, -2.0f, 0.0f / 0.0f, 1.0f / 0.0f, 1e-41f}) {
+  using Limits = std::numeric_limits<float>;
+  for (const float mass : {0.0f, -2.0f, Limits::quiet_NaN(), Limits::infinity(), 1e-41f}) {
     try {
       tumble::make_particle(mass);
     } catch (const std::invalid_argument& error) {

@@ -71,20 +71,23 @@ class Notebook {
  public:
   Notebook(int argument_count, char** arguments)
       : folder_(argument_count > 1 ? arguments[1] : "."),
-        values_(
-            (std::filesystem::create_directories(folder_),
-             folder_ / (std::filesystem::path(arguments[0]).filename().string() + ".values.tsv")),
-            {"name", "value"}) {}
+        values_(file_in_folder(std::filesystem::path(arguments[0]).filename() += ".values.tsv"),
+                {"name", "value"}) {}
 
   /// A number that the prose quotes by `name`, already in the form a reader should see.
   void value(std::string_view name, std::string_view shown) { values_.row(name, shown); }
 
   /// A table named `name`.tsv.
   Table table(std::string_view name, std::initializer_list<std::string_view> columns) const {
-    return {folder_ / (std::string(name) + ".tsv"), columns};
+    return {file_in_folder(std::filesystem::path(name) += ".tsv"), columns};
   }
 
  private:
+  std::filesystem::path file_in_folder(const std::filesystem::path& name) const {
+    std::filesystem::create_directories(folder_);
+    return folder_ / name;
+  }
+
   std::filesystem::path folder_;
   Table values_;
 };

@@ -24,17 +24,28 @@ std::string text_of(Real value) {
 template <class Real>
 std::string text_of(const Vec3<Real>& value) {
   std::string text = "(";
-  text += text_of(value.x()) + ", " + text_of(value.y()) + ", " + text_of(value.z()) + ")";
-  return text;
+  text.append(text_of(value.x())).append(", ").append(text_of(value.y()));
+  return text.append(", ").append(text_of(value.z())).append(")");
 }
 
 /// Throws std::invalid_argument with a sentence of the form "NAME is VALUE UNIT; RULE".
 template <class Value>
 [[noreturn]] void reject(std::string_view name, const Value& value, std::string_view unit,
                          std::string_view rule) {
-  std::string sentence = std::string(name) + " is " + text_of(value);
-  if (!unit.empty()) sentence += " " + std::string(unit);
-  throw std::invalid_argument(sentence + "; " + std::string(rule));
+  std::string sentence(name);
+  sentence.append(" is ").append(text_of(value));
+  if (!unit.empty()) sentence.append(" ").append(unit);
+  throw std::invalid_argument(sentence.append("; ").append(rule));
+}
+
+/// Throws unless `value` lies between `smallest` and `largest`, both of them allowed.
+template <class Real>
+void require_between(std::string_view name, Real value, std::string_view unit, Same<Real> smallest,
+                     Same<Real> largest) {
+  if (value >= smallest && value <= largest) return;
+  std::string rule = "it must lie between ";
+  rule.append(text_of(smallest)).append(" and ").append(text_of(largest));
+  reject(name, value, unit, unit.empty() ? rule : rule.append(" ").append(unit));
 }
 
 /// Throws unless `value` is neither infinite nor NaN.

@@ -48,9 +48,7 @@ Particle<Real> make_particle(Real mass, const Vec3<Same<Real>>& position = Vec3<
     reject("mass", mass, "kg", "for a body that nothing can move, use make_static_particle");
   const Real smallest =
       std::numeric_limits<Real>::min();  // the smallest number with all its digits
-  if (mass < smallest || mass > 1 / smallest)
-    reject("mass", mass, "kg",
-           "it must lie between " + text_of(smallest) + " and " + text_of(1 / smallest));
+  require_between("mass", mass, "kg", smallest, 1 / smallest);
   require_finite("position", position, "m");
   require_finite("velocity", velocity, "m/s");
   return {.position = position, .velocity = velocity, .inverse_mass = 1 / mass};
