@@ -1,0 +1,17 @@
+// The rules by name: the name of a rule is also the name of its broken page.
+import {every_link_leads_somewhere, nothing_refers_outside, every_id_is_unique} from './link_rules.mjs';
+import {every_figure_says_what_it_shows} from './figure_rules.mjs';
+import * as text_rules from './text_rules.mjs';
+
+export const rules = {
+  every_link_leads_somewhere,
+  nothing_refers_outside,
+  every_id_is_unique,
+  every_figure_says_what_it_shows,
+  ...text_rules,
+};
+
+/// Every fault of the book as {rule, path, line, problem}.
+export function faults(book) {
+  return Object.entries(rules).flatMap(([rule, find]) => [...find(book)].map(fault => ({rule, ...fault})));
+}

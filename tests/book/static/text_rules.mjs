@@ -1,0 +1,72 @@
+// What the book's tools must not leave behind in the text.
+const is_code = element => element.has_class('fragment') || element.name === 'pre';
+const is_formula = element => element.has_class('katex');
+const is_code_or_formula = element => is_code(element) || is_formula(element);
+
+/// The elements whose own words, not those of their children, match the pattern.
+function* own_words_matching(book, pattern, leave_out) {
+  for (const page of book.pages.values()) {
+    for (const element of page.elements) {
+      if (['script', 'style'].includes(element.name) || element.is_inside(leave_out)) continue;
+      const match = pattern.exec(element.children.filter(child => typeof child === 'string').join(' '));
+      if (match) yield {path: page.path, line: element.line, found: match[0].trim()};
+    }
+  }
+}
+
+export function* every_snippet_has_code(book) {
+  for (const page of book.pages.values()) {
+    for (const snippet of page.with_class('fragment')) {
+      if (!snippet.text().trim()) {
+        yield {path: page.path, line: snippet.line, problem: 'the snippet is empty'};
+      }
+    }
+  }
+}
+
+export function* every_directive_is_expanded(book) {
+  for (const {found, ...place} of own_words_matching(book, /\{\{.{0,40}|\}\}/, is_code)) {
+    yield {...place, problem: `a directive was not expanded: "${found}"`};
+  }
+}
+
+export function* every_formula_is_typeset(book) {
+  const raw = /(\\f[$[\]{(]|\\[()[\]]|\$\$).{0,40}/;
+  for (const {found, ...place} of own_words_matching(book, raw, is_code_or_formula)) {
+    yield {...place, problem: `a formula was not typeset: "${found}"`};
+  }
+}
+
+export function* every_formula_is_valid(book) {
+  for (const page of book.pages.values()) {
+    for (const element of page.elements) {
+      // What KaTeX cannot read it prints in this colour.
+      const is_wrong = element.has_class('katex-error')
+        || (element.is_inside(is_formula) && /#cc0000/i.test(element.attributes.style ?? ''));
+      if (is_wrong) {
+        yield {path: page.path, line: element.line, problem: `KaTeX could not read "${element.text()}"`};
+      }
+    }
+  }
+}
+
+export function* every_check_has_a_verdict(book) {
+  for (const page of book.pages.values()) {
+    for (const check of page.with_class('check')) {
+      if (!/\b(passed|failed)\b/.test(check.text())) {
+        yield {path: page.path, line: check.line, problem: `no verdict: "${check.text().trim()}"`};
+      }
+    }
+  }
+}
+
+export function* no_text_names_this_machine(book) {
+  for (const [path, text] of book.texts) {
+    for (const folder of book.machine_paths) {
+      const position = text.indexOf(folder);
+      if (position < 0) continue;
+      const line = text.slice(0, position).split('\n').length;
+      yield {path, line, problem: `names a folder of the machine that made it, ${folder}`};
+    }
+  }
+}
