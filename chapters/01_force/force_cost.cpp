@@ -7,7 +7,7 @@ using namespace tumble;
 
 namespace {
 
-/// A thousand balls: enough for a steady mean, few enough to stay in the nearest cache.
+/// Enough balls for a steady mean, few enough to stay in the nearest cache.
 template <class Real>
 std::vector<Particle<Real>> balls() {
   return std::vector(

@@ -23,7 +23,7 @@ int main(int argument_count, char** arguments) {
     std::printf("%12g km   %18.1e   %24.1e\n", kilometres, relative_error(near), last);
     course::expect(relative_error(near) < 1e-6, "the lever arm keeps its digits");
     if (kilometres == 10.0f)
-      notebook.value("error_10_km", course::number("%.0f %%", 100 * relative_error(far)));
+      notebook.value("error_10_km", course::number("%.2f %%", 100 * relative_error(far)));
   }
   course::expect(last > 1e-3, "the difference of two large torques loses them");
 }

@@ -9,7 +9,7 @@ namespace {
 
 template <class Real>
 void force_at_a_point(benchmark::State& state) {
-  std::vector<Wrench<Real>> wrenches(1000);
+  std::vector<Wrench<Real>> wrenches(250);
   const Vec3<Real> force(1, 2, 3), point(4, 5, 6);
   for (auto _ : state) {
     for (Wrench<Real>& wrench : wrenches) {
@@ -24,7 +24,7 @@ void force_at_a_point(benchmark::State& state) {
 
 template <class Real>
 void checked_force_at_a_point(benchmark::State& state) {
-  std::vector<Wrench<Real>> wrenches(1000);
+  std::vector<Wrench<Real>> wrenches(250);
   Vec3<Real> force(1, 2, 3), point(4, 5, 6);
   for (auto _ : state) {
     for (Wrench<Real>& wrench : wrenches) {
