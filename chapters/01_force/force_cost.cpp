@@ -11,7 +11,7 @@ namespace {
 template <class Real>
 std::vector<Particle<Real>> balls() {
   return std::vector(
-      1000, make_particle(Real(0.4), Vec3<Real>(Vec3<Real>::Zero()), Vec3<Real>(8, 0, 10)));
+      250, make_particle(Real(0.4), Vec3<Real>(Vec3<Real>::Zero()), Vec3<Real>(8, 0, 10)));
 }
 
 template <class Real>
