@@ -1,0 +1,97 @@
+# shellcheck shell=bash disable=SC2034
+# What is installed, and how. Sourced by ../course, which sets no_install.
+
+# What each command needs: Debian's package, and after a colon the program that stands in for it where there is one.
+base_packages="g++:g++ make:make cmake:cmake libeigen3-dev doctest-dev"
+speed_packages="ninja-build:ninja ccache:ccache" # used when present, never required
+book_packages="doxygen:doxygen doxygen-awesome-css katex nodejs:node node-lunr libjs-lunr gnuplot-nox:gnuplot
+  graphviz:dot libbenchmark-dev"
+browser_packages="chromium:chromium npm:npm"
+all_packages="clang:clang++ clang-format:clang-format clang-tidy:clang-tidy shellcheck:shellcheck"
+
+system_file=/etc/os-release
+
+# missing ENTRY...: the packages among them of which there is neither the program nor the package.
+missing() {
+  local entry installed=" " absent=()
+  for entry in "$@"; do
+    case $entry in *:*) command -v "${entry#*:}" >/dev/null 2>&1 && continue ;; esac
+    absent+=("${entry%%:*}")
+  done
+  [ "${#absent[@]}" -gt 0 ] || return 0
+  if command -v dpkg-query >/dev/null 2>&1; then
+    # shellcheck disable=SC2016  # the braces are dpkg-query's own
+    installed=" $(dpkg-query -W -f '${db:Status-Status}:${Package} ' "${absent[@]}" 2>/dev/null) "
+  fi
+  for entry in "${absent[@]}"; do
+    case $installed in *" installed:$entry "*) ;; *) printf '%s ' "$entry" ;; esac
+  done
+}
+
+# without WORD LIST: the list, in which every word ends with a space, without the word.
+without() {
+  local list=" $2"
+  list=${list/ $1 / }
+  printf '%s' "${list# }"
+}
+
+# Whether this is a system whose packages are known; sets `system` to its name.
+system_has_apt() {
+  local ID="" VERSION_ID=""
+  # shellcheck source=/dev/null
+  [ -r "$system_file" ] && . "$system_file"
+  system=$ID
+  command -v apt-get >/dev/null 2>&1 || return 1
+  case $ID in # Debian's testing and unstable have no number
+    debian) [ "${VERSION_ID:-99}" -ge 12 ] ;;
+    ubuntu) [ "${VERSION_ID%%.*}" -ge 24 ] ;;
+    *) return 1 ;;
+  esac
+}
+
+# ensure REQUIRED OPTIONAL: installs what is missing of both, or says what to do. Stops if required packages stay away.
+ensure() {
+  local required optional wanted system rights=""
+  # shellcheck disable=SC2086  # lists of words
+  {
+    required=$(missing $1)
+    optional=$(missing $2)
+  }
+  wanted=$required$optional
+  [ -n "$wanted" ] || return 0
+  if ! system_has_apt; then
+    [ -z "$required" ] || printf '%s\n' "This is not Debian 12 or Ubuntu 24.04 or later, so nothing is installed here." \
+      "If what follows fails, install by your system's means what Debian calls: $required"
+    return 0
+  fi
+  if [ "$system" = ubuntu ] && [[ " $wanted" = *" chromium "* ]]; then
+    echo "Ubuntu has Chromium as a snap only, which is not installed here; what needs a browser is left out."
+    required=$(without chromium "$required")
+    optional=$(without chromium "$optional")
+    wanted=$required$optional
+    [ -n "$wanted" ] || return 0
+  fi
+  if [ -n "$no_install" ]; then
+    echo "Missing, and not installed because of --no-install: ${wanted% }"
+    return 0
+  fi
+  if [ "$(id -u)" -ne 0 ]; then
+    if command -v sudo >/dev/null 2>&1 && { [ -t 0 ] || sudo -n true 2>/dev/null; }; then
+      rights="sudo"
+    elif [ -n "$required" ]; then
+      die "these packages are missing, and only the administrator can install them: ${required% }" \
+        "The one command for that:  sudo apt-get install --no-install-recommends ${required% }"
+    else
+      return 0
+    fi
+  fi
+  echo "Installing ${wanted% }"
+  [ -z "$rights" ] || sudo -v || die "sudo refused, so nothing was installed"
+  # shellcheck disable=SC2086  # lists of words
+  {
+    stage "Fetched the lists of packages" $rights apt-get update ||
+      echo "Trying with the lists that are here."
+    stage "Installed what was missing" $rights env DEBIAN_FRONTEND=noninteractive \
+      apt-get -o DPkg::Lock::Timeout=120 install -y --no-install-recommends $wanted || exit 1
+  }
+}
