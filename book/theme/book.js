@@ -4,8 +4,6 @@
   const show_mode = () => {
     const on = DoxygenAwesomeDarkModeToggle.darkModeEnabled;
     dark.setAttribute('aria-pressed', String(Boolean(on)));
-    dark.textContent = on ? 'Light' : 'Dark';
-    dark.setAttribute('aria-label', on ? 'Dark page: on' : 'Dark page: off');
   };
   dark.addEventListener('click', () => {
     DoxygenAwesomeDarkModeToggle.userPreference = !DoxygenAwesomeDarkModeToggle.darkModeEnabled;
