@@ -73,7 +73,7 @@ course book --pfd
 verify "the nearest option is offered" says "Did you mean --pdf?"
 verify "no mistake of the reader's starts anything" called_nothing
 
-for word in 1 01 force 01_force; do
+for word in 1 01 force 01_force chapters/01_force/ /a/b/chapters/01_force/tumble/force.hpp; do
   course check $word
   verify "check understands $word" says "The checks of 01_force hold."
 done
