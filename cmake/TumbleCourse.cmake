@@ -87,6 +87,7 @@ function(tumble_add_checks chapter)
     DEPENDS ${program} COMMENT "Checking ${chapter}" VERBATIM)
   add_custom_target(checks_result_${chapter} DEPENDS ${result})
   add_dependencies(results checks_result_${chapter})
+  set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${result})
 endfunction()
 
 # tumble_add_program(CHAPTER NAME): compiles NAME.cpp; it is run with the results folder as its one argument.
@@ -107,6 +108,7 @@ function(tumble_add_program chapter name)
     DEPENDS ${name} COMMENT "Running ${name}" VERBATIM)
   add_custom_target(run_${name} DEPENDS ${folder}/${name}.txt)
   add_dependencies(results run_${name})
+  set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${folder}/${name}.txt)
 endfunction()
 
 # tumble_add_figure(CHAPTER NAME PROGRAM): gnuplot draws NAME.gp from the tables that PROGRAM wrote.
@@ -122,6 +124,7 @@ function(tumble_add_figure chapter name program)
     DEPENDS ${folder}/${program}.txt ${style} ${name}.gp COMMENT "Drawing ${name}" VERBATIM)
   add_custom_target(figure_${chapter}_${name} DEPENDS ${folder}/${name}.svg)
   add_dependencies(results figure_${chapter}_${name})
+  set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${folder}/${name}.svg)
 endfunction()
 
 # tumble_add_cost(CHAPTER NAME): what the chapter's functions cost, measured by Google Benchmark where it is installed.
@@ -142,4 +145,5 @@ function(tumble_add_cost chapter name)
     DEPENDS ${name} COMMENT "Measuring ${name}" VERBATIM)
   add_custom_target(measure_${name} DEPENDS ${folder}/${name}.json)
   add_dependencies(results measure_${name})
+  set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${folder}/${name}.json)
 endfunction()

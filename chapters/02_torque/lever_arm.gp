@@ -4,14 +4,13 @@ unset key
 set size ratio -1
 set xrange [-2.9:2.9]
 set yrange [-1.5:2.4]
-set margins 1, 1, 0, 2
 set title "The torque is the force times d, its line's distance from the centre"
 data = "lever_arm.tsv"
 x_of(kind) = strcol(1) eq kind ? column(2) : NaN
-plot data using (x_of("body")):3 with filledcurves closed fillstyle solid 0.15 linestyle 6 notitle, \
-     data using (x_of("line")):3:4:5 with vectors nohead linestyle 5 dashtype 3, \
-     data using (x_of("distance")):3:4:5 with vectors heads linestyle 3, \
+plot data using (x_of("body")):3 with filledcurves closed fillstyle transparent solid 0.15 border linestyle 6 dashtype solid, \
+     data using (x_of("line")):3:4:5 with vectors nohead linestyle 7, \
+     data using (x_of("distance")):3:4:5 with vectors heads linestyle 3 dashtype solid, \
      data using (x_of("arm")):3:4:5 with vectors head linestyle 1, \
-     data using (x_of("force")):3:4:5 with vectors head linestyle 2 linewidth 3, \
+     data using (x_of("force")):3:4:5 with vectors head linestyle 2 dashtype solid linewidth 3, \
      data using (x_of("dot")):3 with points linestyle 6 pointtype 7 pointsize 1, \
      data using (x_of("label")):3:6 with labels

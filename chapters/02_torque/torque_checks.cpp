@@ -42,7 +42,8 @@ TEST_CASE_TEMPLATE(
     EVERY_PRECISION) {
   const Vec3<Real> centre(Real(0.1), Real(-7.3), Real(1000.7)), push(Real(12), Real(0.3), -4);
   Wrench<Real> wrench{.about = centre};
-  add_couple(wrench, Vec3<Real>(1, 2, 3));
+  add_couple(wrench, Vec3<Real>(5, 0, 1));
+  add_couple(wrench, Vec3<Real>(-4, 2, 2));
   add_force_at(wrench, push, centre);
   CHECK(same_bits(wrench.torque, Vec3<Real>(1, 2, 3)));
 

@@ -31,9 +31,9 @@ TEST_CASE_TEMPLATE("Turning the whole scene by 90 degrees turns the torque with 
 
 //! [far_away]
 TEST_CASE_TEMPLATE("Far from the origin the torque is as exact as near it", Real, float, double) {
-  // Coordinates a multiple of 1/64 are exact, here and there; only the formula can lose digits.
+  // Coordinates are multiples of 1/64, exact here and there: only the formula can lose digits.
   const Vec3<Real> centre(Real(0.25), Real(-0.5), 1), arm(Real(0.5), Real(0.25), Real(-0.125)),
-      force(3, -5, 7);
+      force(Real(0.1), Real(-0.7), Real(0.3));
   for (const Real distance_from_origin : {Real(0), Real(1024), Real(65536)}) {
     const Vec3<Real> origin = distance_from_origin * Vec3<Real>(1, 1, 1);
     CHECK(same_bits(torque_about<Real>(origin + centre, origin + centre + arm, force),

@@ -9,12 +9,18 @@ const is_not_for_reading = element =>
 const plain = text => text.trim().toLowerCase().replace(/[.!?]$/, '');
 const file_name = address => decodeURIComponent(address).split('/').pop();
 
+/// The titles in the drawing, and the caption of the <figure> around it.
+function titles_of(picture) {
+  let outermost = picture;
+  while (outermost.parent?.is_inside(({name}) => name === 'figure')) outermost = outermost.parent;
+  return outermost.find(({name}) => ['title', 'text', 'figcaption'].includes(name)).map(title => plain(title.text()));
+}
+
 function what_is_wrong(figure) {
   const {attributes} = figure;
   const description = (attributes.alt ?? attributes['aria-label'] ?? '').trim();
   if (!description) return 'has no alternative text';
-  const titles = figure.find(({name}) => ['title', 'text'].includes(name)).map(title => plain(title.text()));
-  if (titles.includes(plain(description))) return `only repeats its title: "${description}"`;
+  if (titles_of(figure).includes(plain(description))) return `only repeats its title: "${description}"`;
   const name = plain(file_name(attributes.src ?? attributes.data ?? ''));
   if ([name, name.replace(/\.\w+$/, '')].includes(plain(description))) {
     return `only repeats its file's name: "${description}"`;

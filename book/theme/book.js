@@ -1,0 +1,66 @@
+// The buttons of a page: dark or light, the pages' list on a narrow screen, copying code.
+(() => {
+  const dark = document.getElementById('dark');
+  const show_mode = () => {
+    dark.setAttribute('aria-pressed', String(Boolean(DoxygenAwesomeDarkModeToggle.darkModeEnabled)));
+  };
+  dark.addEventListener('click', () => {
+    DoxygenAwesomeDarkModeToggle.userPreference = !DoxygenAwesomeDarkModeToggle.darkModeEnabled;
+    show_mode();
+  });
+  window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', show_mode);
+  document.addEventListener('visibilitychange', show_mode);
+  show_mode();
+
+  const menu = document.getElementById('menu'),
+    sidebar = document.getElementById('sidebar');
+  const open_menu = open => {
+    sidebar.classList.toggle('open', open);
+    menu.setAttribute('aria-expanded', String(open));
+  };
+  menu.addEventListener('click', () => open_menu(!sidebar.classList.contains('open')));
+  sidebar.addEventListener('keydown', event => {
+    if (event.key !== 'Escape' || !sidebar.classList.contains('open')) return;
+    open_menu(false);
+    menu.focus();
+  });
+  document.querySelector('#navigation [aria-current]')?.scrollIntoView({block: 'nearest'});
+
+  for (const code of document.querySelectorAll(
+    'figure.listing .fragment, figure.listing pre, .contents > pre.fragment',
+  )) {
+    if (!navigator.clipboard) break;
+    const button = document.createElement('button');
+    button.type = 'button';
+    button.className = 'copy';
+    button.textContent = 'Copy';
+    button.addEventListener('click', async () => {
+      const lines = [...code.querySelectorAll('.line')];
+      const text = lines.length ? lines.map(line => line.textContent).join('\n') : code.textContent;
+      await navigator.clipboard.writeText(`${text.trimEnd()}\n`);
+      button.textContent = 'Copied';
+      setTimeout(() => {
+        button.textContent = 'Copy';
+      }, 1500);
+    });
+    (code.closest('figure') ?? code.parentElement).append(button);
+  }
+
+  // What scrolls in its own box must scroll by keyboard too, and only that costs a stop of the Tab key.
+  const boxes = document.querySelectorAll('.scroll, .fragment, pre');
+  const mark_scrolling = () => {
+    for (const box of boxes) {
+      if (box.scrollWidth > box.clientWidth + 1) {
+        box.tabIndex = 0;
+        box.setAttribute('role', 'region');
+        box.setAttribute('aria-label', 'Scrolls sideways');
+      } else if (box.tabIndex === 0) {
+        box.removeAttribute('tabindex');
+        box.removeAttribute('role');
+        box.removeAttribute('aria-label');
+      }
+    }
+  };
+  mark_scrolling();
+  window.addEventListener('resize', mark_scrolling);
+})();

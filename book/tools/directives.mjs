@@ -1,0 +1,87 @@
+// The directives of the book's Markdown, {{name arguments}}. Each is replaced on its own line, so that a line number
+// in a warning of Doxygen is the author's. Doxygen sees a marker in place of each block; what the marker stands for
+// waits in a list until Doxygen is done.
+import {Blocks} from './blocks.mjs';
+import {BookError} from './results.mjs';
+import {escape, typeset, typeset_in_formula} from './text.mjs';
+
+export class Directives {
+  blocks = []; // the HTML that each marker stands for
+
+  constructor(settings, results, pages) {
+    this.makers = new Blocks(settings, results, pages);
+  }
+
+  /** The page's Markdown with every directive replaced; mistakes are added to `complaints`. */
+  expand(page, complaints) {
+    const folds = [];
+    const inside = {code: false, formula: false};
+    const lines = page.text.split('\n').map((line, index) => {
+      try {
+        return this.#expand_line(page, line, inside, folds, index + 1);
+      } catch (error) {
+        if (!(error instanceof BookError)) throw error;
+        complaints.push(`${page.path}:${index + 1}: ${error.message}`);
+        return '';
+      }
+    });
+    for (const {title, line} of folds) {
+      complaints.push(`${page.path}:${line}: {{fold ${title}}} has no {{end}}`);
+    }
+    return lines.join('\n');
+  }
+
+  #expand_line(page, line, inside, folds, number) {
+    if (/^\s*(```|~~~)/.test(line)) inside.code = !inside.code;
+    if (inside.code) return line;
+    const block = /^(\s*)\{\{(?!value\b)(\w+)\s*(.*)\}\}\s*$/.exec(line);
+    if (block && !inside.formula) return block[1] + this.#block(page, block[2], block[3].trim(), folds, number);
+    return line.split(/(\\f[$[\]])/).map(part => {
+      if (part === '\\f$') inside.formula = !inside.formula;
+      else if (part === '\\f[') inside.formula = true;
+      else if (part === '\\f]') inside.formula = false;
+      else return this.#values(page, part, inside.formula);
+      return part;
+    }).join('');
+  }
+
+  #values(page, text, in_formula) {
+    const expanded = text.replace(/\{\{value\s+([^{}]*)\}\}/g, (_, name) => {
+      const value = this.makers.value_of(page, name.trim());
+      return in_formula ? typeset_in_formula(value) : escape(typeset(value)).replace(/\u00a0/g, '&nbsp;');
+    });
+    // A formula may hold double braces of its own.
+    const left = !in_formula && /\{\{(\w*)/.exec(expanded);
+    if (left && left[1] in this.makers.kinds) throw new BookError(`{{${left[1]} ...}} must stand alone on one line`);
+    if (left) throw this.#unknown(left[1]);
+    return expanded;
+  }
+
+  #block(page, name, argument, folds, line) {
+    if (name === 'fold') {
+      if (!argument) throw new BookError('{{fold}} needs a title: {{fold Title}}');
+      folds.push({title: argument, line});
+      return this.#marker(`<details class="fold"><summary>${escape(argument)}</summary>`);
+    }
+    if (name === 'end') {
+      if (!folds.pop()) throw new BookError('{{end}} closes no {{fold Title}}');
+      return this.#marker('</details>');
+    }
+    if (name === 'snippet') {
+      const {caption, command} = this.makers.snippet(page, argument);
+      return this.#marker(caption, 'listing') + command;
+    }
+    if (!(name in this.makers.kinds)) throw this.#unknown(name);
+    return this.#marker(this.makers.kinds[name](page, argument));
+  }
+
+  #marker(html, kind = 'block') {
+    this.blocks.push(html);
+    return `\\htmlonly[block]<tumble-${kind} id="${this.blocks.length - 1}"></tumble-${kind}>\\endhtmlonly`;
+  }
+
+  #unknown(name) {
+    const known = ['value', 'snippet', ...Object.keys(this.makers.kinds), 'fold', 'end'].join(', ');
+    return new BookError(`unknown directive {{${name}}}; there are ${known}`);
+  }
+}

@@ -1,0 +1,89 @@
+// What surrounds the contents of a page: the sidebar, the way here, the table of contents, the pages before and after.
+import {escape, plain} from './text.mjs';
+
+function navigation(pages, current) {
+  const item = page => {
+    const here = page === current || page.file === current.under;
+    return `<li${page.further ? ' class="further"' : ''}><a href="${page.file}"${here ? ' aria-current="page"' : ''}>${escape(page.name)}</a></li>`;
+  };
+  const group = (title, list) => `<h2>${title}</h2><ul>${list.map(item).join('')}</ul>`;
+  return (
+    `<nav id="navigation" aria-label="Pages of the book">${group('Start', pages.front)}${group('Chapters', pages.chapters)}` +
+    `${group('Look up', pages.back)}</nav>`
+  );
+}
+
+function table_of_contents(headings) {
+  const listed = headings.filter(heading => heading.level <= 3);
+  if (listed.length < 3) return '';
+  let html = '',
+    level = 2;
+  for (const heading of listed) {
+    if (heading.level > level) html += '<ul>';
+    if (heading.level < level) html += '</ul>';
+    level = heading.level;
+    html += `<li><a href="#${heading.id}">${heading.html.replace(/<\/?a\b[^>]*>/g, '')}</a></li>`;
+  }
+  return `<nav class="contents-table" aria-label="On this page"><h2>On this page</h2><ul>${html}${level === 3 ? '</ul>' : ''}</ul></nav>`;
+}
+
+function neighbours(pages, current) {
+  const order = pages.all,
+    index = order.indexOf(current);
+  if (index < 0) return '';
+  const link = (page, rel, word) =>
+    page ? `<a rel="${rel}" href="${page.file}"><span>${word}</span> ${escape(page.name)}</a>` : '<span></span>';
+  return (
+    `<nav class="neighbours" aria-label="Previous and next page">${link(order[index - 1], 'prev', '← Previous')}` +
+    `${link(order[index + 1], 'next', 'Next →')}</nav>`
+  );
+}
+
+function way_here(page, reference) {
+  return page.under
+    ? `<nav class="way" aria-label="You are here"><a href="${reference.file}">${escape(reference.name)}</a> › ${escape(page.name)}</nav>`
+    : '';
+}
+
+/** The whole page. `page` is one of `pages` or {name, title, file, under} for a page of the reference. */
+export function layout(page, {html, headings}, pages, book) {
+  const reference = pages.all.find(each => each.id === 'reference');
+  const title = page.file === 'index.html' ? book.name : `${page.title} · ${book.name}`;
+  const kind = page.under ? (page.file.endsWith('_source.html') ? 'source' : 'reference') : 'prose';
+  return `<!DOCTYPE html>
+<html lang="en-GB">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>${escape(title)}</title>
+<link rel="icon" href="icon.svg">
+<link rel="stylesheet" href="doxygen.css">
+<link rel="stylesheet" href="doxygen-awesome.css">
+<link rel="stylesheet" href="katex/katex.min.css">
+<link rel="stylesheet" href="book.css">
+<link rel="stylesheet" href="contents.css">
+<link rel="stylesheet" href="print.css" media="print">
+<script src="doxygen-awesome-darkmode-toggle.js"></script>
+<script src="book.js" defer></script>
+<script src="search.js" defer></script>
+</head>
+<body class="${kind}">
+<a class="skip" href="#text">Skip to the text</a>
+<header id="sidebar">
+<div class="brand"><a href="index.html">${escape(book.name)}</a><button id="dark" type="button" aria-pressed="false">Dark</button><button id="menu" type="button" aria-expanded="false" aria-controls="navigation">Pages</button></div>
+<div id="search" role="search"><input id="query" type="text" role="combobox" aria-label="Search the book" aria-autocomplete="list" aria-expanded="false" aria-controls="found" placeholder="Search ( / )" autocomplete="off" spellcheck="false"><div id="answers" hidden><p id="answer" role="status"></p><ul id="found" role="listbox" aria-label="Places found"></ul></div></div>
+${navigation(pages, page)}
+</header>
+<main id="text" tabindex="-1">
+${way_here(page, reference)}
+<h1>${page.under ? escape(plain(escape(page.title))) : escape(page.title)}</h1>
+${kind === 'prose' ? table_of_contents(headings) : ''}
+<div class="contents">
+${html}
+</div>
+${neighbours(pages, page)}
+</main>
+</body>
+</html>
+`;
+}

@@ -1,0 +1,139 @@
+// Which tensors matter can have, and what the others get.
+#include <course/checks.hpp>
+#include <course/particle_cloud.hpp>
+#include <tumble/spheres.hpp>
+#include <tumble/tetrahedron.hpp>
+#include <tumble/validate_inertia.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+template <class Real>
+Mat3<Real> diagonal(Real x, Real y, Real z) {
+  return Vec3<Real>(x, y, z).asDiagonal();
+}
+
+template <class Real>
+std::string complaint_about(const Mat3<Real>& inertia) {
+  return complaint_of([&] { require_possible_inertia("hammer", inertia); });
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("Every solid of this chapter is possible, the flat and the thin ones too", Real,
+                   EVERY_PRECISION) {
+  Dice dice(31);
+  for (int n = 0; n < 50; ++n) {
+    const Mat3<Real> R = random_rotation<Real>(dice);
+    for (const MassProperties<Real>& body :
+         {mass_properties(Box<Real>{{1, 2, 3}}, 1), mass_properties(ThinPlate<Real>{1, 2}, 1),
+          mass_properties(ThinRod<Real>{1}, 1), mass_properties(Sphere<Real>{1}, 1),
+          mass_properties(Cone<Real>{1, 5}, 1)})
+      CHECK(complaint_of([&] { require_possible("body", moved(body, R, Vec3<Real>(1, 2, 3))); }) ==
+            "nothing thrown");
+  }
+}
+
+//! [triangle_inequality]
+TEST_CASE_TEMPLATE("A tensor that breaks I_1 + I_2 >= I_3 is refused with its three moments", Real,
+                   EVERY_PRECISION) {
+  CHECK(complaint_about(diagonal<Real>(1, 4, 2)) ==
+        "hammer: the principal moments are (1, 2, 4) kg m^2; no matter has such: the two smaller "
+        "must add up to the largest or more, but I_1 + I_2 = 3 < I_3 = 4");
+  Dice dice(32);
+  for (int n = 0; n < 20; ++n) {
+    const Mat3<Real> R = random_rotation<Real>(dice);
+    CHECK(complaint_about(in_other_axes(diagonal<Real>(1, 2, Real(3.001)), R)) != "nothing thrown");
+    CHECK(complaint_about(in_other_axes(diagonal<Real>(1, 2, 3), R)) == "nothing thrown");
+  }
+}
+//! [triangle_inequality]
+
+TEST_CASE_TEMPLATE("The slack is a few roundings of the moments: a little more is refused", Real,
+                   EVERY_PRECISION) {
+  for (const Real scale : {Real(1e-12), Real(1), Real(1e12)}) {
+    CAPTURE(scale);
+    // Six units of moment in all, of which 32 roundings are let pass.
+    const Real let_pass = 6 * 31 * unit_roundoff<Real>, refused = 6 * 34 * unit_roundoff<Real>;
+    CHECK(complaint_about(diagonal<Real>(scale, 2 * scale, scale * (3 + let_pass))) ==
+          "nothing thrown");
+    CHECK(complaint_about(diagonal<Real>(scale, 2 * scale, scale * (3 + refused))) !=
+          "nothing thrown");
+  }
+}
+
+TEST_CASE_TEMPLATE("Negative moments, lopsided and unfinished tensors are refused", Real,
+                   EVERY_PRECISION) {
+  CHECK(complaint_about(diagonal<Real>(2, -1, 2)) ==
+        "hammer: the principal moments are (-1, 2, 2) kg m^2; none can be negative");
+  Mat3<Real> lopsided = diagonal<Real>(1, 1, 1);
+  lopsided(0, 2) = Real(0.25);
+  CHECK(complaint_about(lopsided) ==
+        "hammer: I_xz is 0.25 and I_zx is 0 kg m^2; an inertia tensor is symmetric: they must be "
+        "equal");
+  CHECK(complaint_about(diagonal<Real>(1, std::numeric_limits<Real>::quiet_NaN(), 1)) ==
+        "hammer: an element of the inertia tensor is infinite or NaN; every element must be "
+        "finite");
+  MassProperties<Real> body = mass_properties(Sphere<Real>{1}, 1);
+  body.mass = -1;
+  CHECK(complaint_of([&] { require_possible("hammer", body); }) ==
+        "hammer: mass is -1 kg; it must be greater than 0");
+}
+
+TEST_CASE_TEMPLATE("A zero moment is refused where it would be inverted, never turned into 0", Real,
+                   EVERY_PRECISION) {
+  const std::string why =
+      "the first is zero as far as rounding can tell, and zero has no inverse; give the body some "
+      "thickness";
+  CHECK(complaint_of([] { inverse_moments("rod", Vec3<Real>(0, 1, 1)); }) ==
+        "rod: the principal moments are (0, 1, 1) kg m^2; " + why);
+  CHECK(complaint_of([] { inverse_moments("point", Vec3<Real>(0, 0, 0)); }) ==
+        "point: the principal moments are (0, 0, 0) kg m^2; " + why);
+  // A slanted rod's zero comes out as a rounding, on either side of zero.
+  Dice dice(33);
+  for (int n = 0; n < 50; ++n) {
+    const Mat3<Real> slanted =
+        in_other_axes(mass_properties(ThinRod<Real>{1}, 1).inertia, random_rotation<Real>(dice));
+    CHECK(complaint_of([&] { inverse_inertia("rod", slanted); }).find(why) != std::string::npos);
+  }
+}
+
+TEST_CASE_TEMPLATE(
+    "A needle of 1 to 100 million is inverted to the last bit where it is given as "
+    "three moments",
+    Real, EVERY_PRECISION) {
+  const Vec3<Real> moments(Real(1e-8), 1, 1);
+  CHECK(same_bits(inverse_moments("needle", moments), moments.cwiseInverse()));
+}
+
+//! [alike]
+TEST_CASE_TEMPLATE("Moments from 1e-12 to 1e12 kg m² are judged and inverted alike", Real,
+                   EVERY_PRECISION) {
+  Dice dice(34);
+  for (int n = 0; n < 20; ++n) {
+    const Mat3<Real> plain =
+        in_other_axes(diagonal<Real>(1, 2, Real(2.5)), random_rotation<Real>(dice));
+    const Mat3<Real> inverse = inverse_inertia("body", plain);
+    CHECK((plain * inverse - Mat3<Real>::Identity()).norm() <=
+          // 96 roundings of the principal frame, twice, times the ratio of the moments
+          2 * 96 * unit_roundoff<Real> * Real(2.5));
+    for (int k = -40; k <= 40; k += 8) {  // 2^40 is 1.1e12
+      const Real factor = std::ldexp(Real(1), k);
+      const Mat3<Real> scaled = factor * plain;
+      CHECK(same_bits(inverse_inertia("body", scaled), inverse / factor));
+      CHECK(complaint_about(in_other_axes(diagonal(factor, factor, factor * Real(2.1)),
+                                          Mat3<Real>(Mat3<Real>::Identity()))) != "nothing thrown");
+    }
+  }
+}
+//! [alike]
+
+TEST_CASE_TEMPLATE("Moments whose inverse leaves the range are refused with the limits", Real,
+                   EVERY_PRECISION) {
+  const Real tiny = std::numeric_limits<Real>::denorm_min();
+  CHECK(complaint_of([&] {
+          inverse_moments("dust", Vec3<Real>(tiny, tiny, tiny));
+        }).find("each must lie between") != std::string::npos);
+}

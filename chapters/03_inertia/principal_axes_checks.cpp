@@ -1,0 +1,112 @@
+// Three numbers and a right-handed frame, for every tensor there is.
+#include <Eigen/Eigenvalues>
+#include <course/checks.hpp>
+#include <course/particle_cloud.hpp>
+#include <tumble/mass_properties.hpp>
+#include <tumble/principal_axes.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+// Some 12 rotations with 4 roundings of each element, and as many again in the reconstruction.
+template <class Real>
+constexpr Real slack = 96 * unit_roundoff<Real>;
+
+template <class Real>
+void check_axes(const Mat3<Real>& inertia, const PrincipalAxes<Real>& found) {
+  const auto& [moments, axes] = found;
+  CHECK(moments(0) <= moments(1));
+  CHECK(moments(1) <= moments(2));
+  CHECK((axes.transpose() * axes - Mat3<Real>::Identity()).norm() <= slack<Real>);
+  CHECK(std::abs(axes.determinant() - 1) <= slack<Real>);
+  const Mat3<Real> diagonal = moments.asDiagonal();
+  CHECK((in_other_axes(diagonal, axes) - inertia).norm() <= slack<Real> * inertia.norm());
+}
+
+template <class Real>
+Mat3<Real> turned(const Vec3<Real>& moments, Dice& dice) {
+  const Mat3<Real> diagonal = moments.asDiagonal();
+  return in_other_axes(diagonal, random_rotation<Real>(dice));
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("The principal frame is right-handed and puts the tensor together again", Real,
+                   EVERY_PRECISION) {
+  Dice dice(21);
+  for (int n = 0; n < 100; ++n) {
+    const Mat3<Real> inertia = turned(Vec3<Real>(1, 2, Real(2.5)), dice);
+    check_axes(inertia, principal_axes(inertia));
+  }
+}
+
+TEST_CASE_TEMPLATE("Bodies with two or three equal moments get a right-handed frame too", Real,
+                   EVERY_PRECISION) {
+  Dice dice(22);
+  for (int n = 0; n < 100; ++n)
+    for (const Vec3<Real>& moments :
+         {Vec3<Real>(1, 2, 2), Vec3<Real>(1, 1, 2), Vec3<Real>(3, 3, 3), Vec3<Real>(0, 1, 1)}) {
+      const Mat3<Real> inertia = turned(moments, dice);
+      check_axes(inertia, principal_axes(inertia));
+    }
+}
+
+TEST_CASE_TEMPLATE("Another method, Eigen's, finds the same moments", Real, EVERY_PRECISION) {
+  Dice dice(23);
+  for (int n = 0; n < 100; ++n) {
+    const Vec3<Real> moments =
+        Vec3<Real>(2, 3, 4) + dice.vector<Real>();  // always possible for matter
+    const Mat3<Real> inertia = turned(moments, dice);
+    const Eigen::SelfAdjointEigenSolver<Mat3<Real>> eigen(inertia);
+    CHECK(distance(principal_axes(inertia).moments, eigen.eigenvalues()) <=
+          slack<Real> * inertia.norm());
+  }
+}
+
+TEST_CASE_TEMPLATE("A diagonal tensor comes out with its own numbers, to the bit, in any order",
+                   Real, EVERY_PRECISION) {
+  for (const Vec3<Real>& moments :
+       {Vec3<Real>(Real(0.1), Real(0.2), Real(0.3)), Vec3<Real>(Real(0.3), Real(0.1), Real(0.2)),
+        Vec3<Real>(Real(0.2), Real(0.3), Real(0.1)), Vec3<Real>(Real(0.3), Real(0.2), Real(0.1)),
+        Vec3<Real>(Real(0.7), Real(0.7), Real(0.7)), Vec3<Real>(0, 0, 0)}) {
+    const Mat3<Real> inertia = moments.asDiagonal();
+    const auto [found, axes] = principal_axes(inertia);
+    const Mat3<Real> diagonal = found.asDiagonal();
+    CHECK(same_bits(axes * diagonal * axes.transpose(), inertia));
+    CHECK(axes.determinant() == 1);
+  }
+}
+
+//! [needle]
+TEST_CASE_TEMPLATE("A needle nearly along an axis keeps the relative accuracy of its small moment",
+                   Real, EVERY_PRECISION) {
+  // Moments (s, 1, 1), turned by a small angle a about z: known to the last digits.
+  const Real s = std::ldexp(Real(1), -20), a = std::ldexp(Real(1), -12);
+  const Real sine = std::sin(a), cosine = std::cos(a);
+  Mat3<Real> inertia = Mat3<Real>::Identity();
+  inertia(0, 0) = s * cosine * cosine + sine * sine;
+  inertia(1, 1) = s * sine * sine + cosine * cosine;
+  inertia(0, 1) = inertia(1, 0) = (s - 1) * sine * cosine;
+  // The product of inertia and the moment I_xx are of the order of a and s + a², so scaled by their
+  // moments they are of the order of 1: a relative error of 8 roundings in the elements may grow by
+  // 4 (1 + a²/s) = 4 (1 + 2^-4), no more, where a QR method loses a factor of 1/s.
+  CHECK(std::abs(principal_axes(inertia).moments(0) - s) <=
+        8 * 4 * (1 + a * a / s) * unit_roundoff<Real> * s);
+}
+//! [needle]
+
+TEST_CASE_TEMPLATE("Principal moments scale by powers of two without changing another bit", Real,
+                   EVERY_PRECISION) {
+  Dice dice(24);
+  for (int n = 0; n < 20; ++n) {
+    const Mat3<Real> inertia = turned(Vec3<Real>(1, 2, Real(2.5)), dice);
+    const auto [moments, axes] = principal_axes(inertia);
+    for (const int k : {-60, -41, 7, 41, 60}) {
+      const Mat3<Real> scaled = std::ldexp(Real(1), k) * inertia;
+      CHECK(same_bits(principal_axes(scaled).moments, std::ldexp(Real(1), k) * moments));
+      CHECK(same_bits(principal_axes(scaled).axes, axes));
+    }
+  }
+}

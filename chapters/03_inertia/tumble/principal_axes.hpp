@@ -1,0 +1,84 @@
+/// @file
+/// The axes in which a tensor is three numbers.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <tumble/inertia.hpp>
+
+namespace tumble {
+
+/// The three moments of a tensor and the axes that they belong to: I = R diag(moments) Rᵀ, R being
+/// `axes`.
+//! [principal_axes_struct]
+template <class Real>
+struct PrincipalAxes {
+  Vec3<Real> moments;  ///< kg m², ascending
+  Mat3<Real> axes;     ///< in its columns: length 1, square to each other, right-handed
+};
+//! [principal_axes_struct]
+
+/// One Jacobi rotation: turns the frame in the plane of axes p and q by the angle φ for which I_pq
+/// becomes 0.
+///
+/// In the turned frame I_pq is (cos²φ − sin²φ) I_pq + sin φ cos φ (I_pp − I_qq). With t = tan φ it
+/// is 0 when t² + 2θt − 1 = 0, where θ = (I_qq − I_pp)/(2 I_pq). Of the two roots the smaller one
+/// turns by 45° at most. Where θ² overflows, t is 0 to rounding, and comes out so.
+//! [jacobi_rotation]
+template <class Real>
+void jacobi_rotation(Mat3<Real>& I, Mat3<Real>& axes, int p, int q) {
+  const Real theta = (I(q, q) - I(p, p)) / (2 * I(p, q));
+  const Real t = std::copysign(Real(1), theta) / (std::abs(theta) + std::sqrt(theta * theta + 1));
+  const Real cosine = 1 / std::sqrt(t * t + 1), sine = t * cosine;
+
+  I(p, p) -= t * I(p, q);
+  I(q, q) += t * I(p, q);
+  I(p, q) = I(q, p) = 0;
+  const int r = 3 - p - q;  // the axis that stays
+  const Real I_rp = I(r, p), I_rq = I(r, q);
+  I(r, p) = I(p, r) = cosine * I_rp - sine * I_rq;
+  I(r, q) = I(q, r) = sine * I_rp + cosine * I_rq;
+
+  const Vec3<Real> axis_p = axes.col(p), axis_q = axes.col(q);
+  axes.col(p) = cosine * axis_p - sine * axis_q;
+  axes.col(q) = sine * axis_p + cosine * axis_q;
+}
+//! [jacobi_rotation]
+
+/// The principal moments and axes of a symmetric tensor (kg m²), by Jacobi's method: rotate one
+/// product of inertia away after the other until none is left that matters.
+///
+/// A rotation brings back a part of what the one before removed, but ever less: near the end, the
+/// square of what was left. A product counts as gone once it is below a rounding of the smaller of
+/// its two moments. A tensor that is diagonal already is not touched: its numbers come out to the
+/// bit, in ascending order. Equal moments leave the choice of axes free; some right-handed ones
+/// come out.
+/// @throws std::invalid_argument if the tensor called `name` is not finite or not symmetric.
+//! [principal_axes]
+template <class Real>
+PrincipalAxes<Real> principal_axes(const Mat3<Real>& inertia, std::string_view name = "body") {
+  require_symmetric(name, inertia);
+  Mat3<Real> I = (inertia + inertia.transpose()) / 2, axes = Mat3<Real>::Identity();
+  const auto matters = [&I](int p, int q) {
+    const Real smaller = std::min(std::abs(I(p, p)), std::abs(I(q, q)));
+    return std::abs(I(p, q)) > std::numeric_limits<Real>::epsilon() / 2 * smaller;
+  };
+  const int most_sweeps = 30;  // five are usual
+  for (int sweep = 0; sweep < most_sweeps; ++sweep)
+    for (const auto [p, q] : {std::array{0, 1}, std::array{0, 2}, std::array{1, 2}})
+      if (matters(p, q)) jacobi_rotation(I, axes, p, q);
+
+  std::array<int, 3> order = {0, 1, 2};
+  std::stable_sort(order.begin(), order.end(), [&I](int i, int j) { return I(i, i) < I(j, j); });
+  PrincipalAxes<Real> result;
+  for (int i = 0; i < 3; ++i) {
+    const int from = order[static_cast<std::size_t>(i)];
+    result.moments(i) = I(from, from);
+    result.axes.col(i) = axes.col(from);
+  }
+  if (result.axes.determinant() < 0) result.axes.col(2) *= -1;
+  return result;
+}
+//! [principal_axes]
+
+}  // namespace tumble

@@ -1,0 +1,107 @@
+// Every page opens from its file: without an error, without a request that leaves the folder, set and not too wide.
+import assert from 'node:assert/strict';
+import {after, before, test} from 'node:test';
+import {address, launch, narrow, open_page} from './browser.mjs';
+import {reading_pages, sampled_pages} from './pages.mjs';
+
+let browser, page, narrow_page;
+before(async () => {
+  browser = await launch();
+  page = await open_page(browser);
+  narrow_page = await open_page(browser, {viewport: narrow});
+});
+after(() => browser.close());
+
+/// The formulas without size, and those whose TeX stands on the page for the eye.
+function faults_of_formulas() {
+  const small = [...document.querySelectorAll('.katex')]
+    .filter(formula => formula.checkVisibility() && formula.getBoundingClientRect().width < 2);
+  const raw = /\\f[$[\]{(]|\\[()[\]]|\\(frac|times|cdot|omega|vec|mathbf)\b/.exec(
+    [...document.querySelectorAll('.contents')].map(contents => {
+      const copy = contents.cloneNode(true);
+      copy.querySelectorAll('.katex, .fragment, pre, code, script').forEach(element => element.remove());
+      return copy.textContent;
+    }).join());
+  return [...small.map(formula => `no size: ${formula.textContent}`), ...raw ? [`raw: ${raw[0]}`] : []];
+}
+
+/// What is wider than the window, from the outside in, when the whole page is.
+function what_scrolls_sideways() {
+  const {scrollWidth, clientWidth} = document.scrollingElement;
+  // A page that hides what does not fit would pass by the width alone.
+  const is_contained = element => {
+    for (let box = element.parentElement; box && box !== document.body; box = box.parentElement) {
+      if (getComputedStyle(box).overflowX !== 'visible') return true;
+    }
+    return false;
+  };
+  const too_wide = [...document.querySelectorAll('body *')].filter(element => {
+    const {right, width, height} = element.getBoundingClientRect();
+    return right > clientWidth + 1 && width > 1 && height > 1 && element.checkVisibility() && !is_contained(element);
+  });
+  const names = too_wide.slice(0, 5).map(element => element.outerHTML.slice(0, 90));
+  return scrollWidth > clientWidth || too_wide.length ? [`${scrollWidth} > ${clientWidth}`, ...names] : [];
+}
+
+for (const name of sampled_pages) {
+  test(`${name} opens from its file without an error, and its formulas are set.`, async () => {
+    page.complaints.length = 0;
+    await page.goto(address(name), {waitUntil: 'load'});
+    assert.ok((await page.title()).length > 0, 'the page has no title');
+    assert.deepEqual(await page.evaluate(faults_of_formulas), []);
+    assert.deepEqual(page.complaints, []);
+  });
+
+  test(`${name} does not scroll sideways in 360 pixels.`, async () => {
+    await narrow_page.goto(address(name));
+    assert.deepEqual(await narrow_page.evaluate(what_scrolls_sideways), []);
+  });
+}
+
+test('Formulas were looked at: some page has one.', async () => {
+  let formulas = 0;
+  for (const name of reading_pages) {
+    await page.goto(address(name));
+    formulas += await page.locator('.katex').count();
+  }
+  assert.ok(formulas > 0);
+});
+
+test('Next leads through the whole book in order, and Previous back again.', async () => {
+  for (const [relation, order] of [['next', reading_pages], ['prev', [...reading_pages].reverse()]]) {
+    await page.goto(address(order[0]));
+    const walked = [order[0]];
+    const link = page.locator(`a[rel=${relation}]`);
+    while (await link.count() && walked.length <= order.length) {
+      await link.click();
+      walked.push(new URL(page.url()).pathname.split('/').pop());
+    }
+    assert.deepEqual(walked, order);
+  }
+});
+
+test('On paper there is no sidebar, no button and no way to search.', async () => {
+  await page.emulateMedia({media: 'print'});
+  for (const name of reading_pages) {
+    await page.goto(address(name));
+    const shown = await page.locator('#sidebar, nav, button, input').evaluateAll(
+      controls => controls.filter(control => control.checkVisibility()).map(control => control.outerHTML.slice(0, 80)));
+    assert.deepEqual(shown, [], name);
+  }
+  await page.emulateMedia({media: null});
+});
+
+test('Nothing moves for a reader who asked for less motion.', async () => {
+  const still = await open_page(browser, {reducedMotion: 'reduce'});
+  for (const name of reading_pages) {
+    await still.goto(address(name));
+    const moving = await still.evaluate(() => [document.documentElement, ...document.body.querySelectorAll('*')]
+      .filter(element => {
+        const {transitionDuration, animationName, animationDuration, scrollBehavior} = getComputedStyle(element);
+        const longest = Math.max(...transitionDuration.split(',').map(parseFloat),
+          ...animationName === 'none' ? [0] : animationDuration.split(',').map(parseFloat));
+        return longest > 0.01 || scrollBehavior === 'smooth';
+      }).slice(0, 5).map(element => element.outerHTML.slice(0, 80)));
+    assert.deepEqual(moving, [], name);
+  }
+});

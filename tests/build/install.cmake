@@ -1,0 +1,23 @@
+# Installs Tumble into a scratch folder and moves it, since an installed copy may lie anywhere.
+set(installed ${SCRATCH}/installed)
+set(moved ${SCRATCH}/moved)
+file(REMOVE_RECURSE ${installed} ${moved})
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${installed} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(RENAME ${installed} ${moved})
+
+file(GLOB_RECURSE files ${moved}/*)
+foreach(file ${files})
+  file(READ ${file} content)
+  foreach(folder ${SOURCE} ${installed})
+    string(FIND "${content}" "${folder}" place)
+    if(NOT place EQUAL -1)
+      message(FATAL_ERROR "error: the installed ${file} names the folder ${folder}")
+    endif()
+  endforeach()
+  # A user needs Eigen and the standard library, whose headers have neither a folder nor an ending.
+  string(REGEX MATCHALL "#include <[^>]*>" includes "${content}")
+  list(FILTER includes EXCLUDE REGEX "<(tumble/[a-z0-9_]+\\.hpp|Eigen/[A-Za-z]+|[a-z0-9_]+)>")
+  if(includes)
+    message(FATAL_ERROR "error: the installed ${file} needs more than Eigen: ${includes}")
+  endif()
+endforeach()

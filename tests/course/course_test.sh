@@ -1,0 +1,140 @@
+#!/usr/bin/env bash
+# course_test.sh SOURCE SCRATCH: what ./course answers, on systems that lack things. Nothing outside SCRATCH is touched:
+# its PATH holds a few tools that only read and write text, and stand-ins for everything else.
+# shellcheck disable=SC2016  # what stands in single quotes belongs to the stand-ins
+set -u
+source=$1
+scratch=$2
+failures=0
+
+rm -rf "$scratch"
+mkdir -p "$scratch/tree/chapters/01_force" "$scratch/tree/chapters/02_torque" "$scratch/bin"
+cp -R "$source/course" "$source/tools" "$scratch/tree"
+for tool in bash awk basename cat date dirname env getconf grep mkdir rm sed tail tee touch wc; do
+  ln -s "$(command -v $tool)" "$scratch/bin/$tool"
+done
+# The system that the copy believes to run on.
+sed -i.bak "s|^system_file=.*|system_file='$scratch/os-release'|" "$scratch/tree/tools/packages.sh"
+
+# stand_in NAME: a program that does what its standard input says.
+stand_in() {
+  { echo '#!/usr/bin/env bash' && cat; } >"$scratch/bin/$1"
+  chmod +x "$scratch/bin/$1"
+}
+
+fresh() { # SYSTEM VERSION: a machine with apt and no package
+  printf 'ID=%s\nVERSION_ID="%s"\n' "$1" "$2" >"$scratch/os-release"
+  rm -rf "$scratch/tree/build" "$scratch/called"
+  rm -f "$scratch"/bin/{sudo,g++,cmake}
+  stand_in id <<<'echo 0'
+  stand_in dpkg-query <<<'exit 1'
+  stand_in apt-get <<<'echo "apt-get $*" >>"$CALLED"'
+  stand_in cmake <<<'echo "cmake $*" >>"$CALLED"; mkdir -p build/default/checks
+    printf "#!/usr/bin/env bash\necho checked\nexit ${CHECKS:-0}\n" >build/default/checks/01_force_checks
+    chmod() { "$CHMOD" "$@"; }; chmod +x build/default/checks/01_force_checks'
+}
+
+course() { # ARGUMENT...: its output and exit code go to `output` and `code`
+  output=$(cd / && CALLED=$scratch/called CHMOD=$(command -v chmod) CHECKS=${checks:-0} PATH=$scratch/bin \
+    "$scratch/tree/course" "$@" 2>&1 </dev/null)
+  code=$?
+  called=$(cat "$scratch/called" 2>/dev/null)
+}
+
+verify() { # SENTENCE CONDITION...
+  local sentence=$1
+  shift
+  if "$@"; then
+    echo "passed: $sentence"
+  else
+    failures=$((failures + 1))
+    printf 'error: %s\n  exit code %s, it called: %s\n  it said: %s\n' "$sentence" "$code" "$called" "$output"
+  fi
+}
+
+says() { [[ $output == *"$1"* ]]; }
+ends_with() { [ "$code" -eq "$1" ]; }
+called() { [[ $called == *"$1"* ]]; }
+called_nothing() { [ -z "$called" ]; }
+
+fresh debian 12
+course
+verify "alone it prints a menu of five lines" [ "$(wc -l <<<"$output")" -eq 5 ]
+course chekc
+verify "a word that is no command ends with an error" ends_with 2
+verify "the nearest command is offered" says "Did you mean check?"
+course check fource
+verify "an unknown chapter ends with an error" ends_with 2
+verify "the nearest chapter is offered" says "Did you mean force?"
+verify "the chapters are listed" says "02_torque"
+course check
+verify "a missing chapter is asked for" says "which chapter?"
+course book --pfd
+verify "the nearest option is offered" says "Did you mean --pdf?"
+verify "no mistake of the reader's starts anything" called_nothing
+
+for word in 1 01 force 01_force; do
+  course check $word
+  verify "check understands $word" says "The checks of 01_force hold."
+done
+checks=3 course check 1
+verify "a failed check ends with an error" ends_with 2
+
+fresh debian 12
+course check 1
+verify "the administrator gets what is missing" called "install -y --no-install-recommends g++ make"
+verify "check needs nothing of the book" [ "${called/doxygen/}" = "$called" ]
+verify "the lists are fetched before" called "apt-get update"
+verify "the work goes on after the installation" ends_with 0
+
+fresh debian 12
+stand_in dpkg-query <<<'for package in "${@:4}"; do echo -n "installed:$package "; done'
+course check 1
+verify "where nothing is missing, apt is left alone" [ "${called/apt-get/}" = "$called" ]
+
+fresh debian 12
+stand_in id <<<'echo 1000'
+course book
+verify "without rights it ends with an error" ends_with 2
+verify "without rights it names the one command" says "sudo apt-get install --no-install-recommends g++ make"
+verify "without rights nothing is started" called_nothing
+stand_in sudo <<<'exit 1'
+course book
+verify "a sudo that would ask for a password nobody can give is no right" ends_with 2
+stand_in sudo <<<'while [[ ${1-} == -* ]]; do shift; done; [ $# -eq 0 ] || "$@"'
+course check 1
+verify "a sudo that works is used" called "install -y"
+
+fresh debian 12
+course check 1 --no-install
+verify "--no-install says what is missing" says "not installed because of --no-install: g++ make"
+verify "--no-install installs nothing" [ "${called/apt-get/}" = "$called" ]
+verify "--no-install goes on" called "cmake --build"
+
+fresh ubuntu 22.04
+course check 1
+verify "an Ubuntu before 24.04 is not touched" [ "${called/apt-get/}" = "$called" ]
+verify "and is told so" says "nothing is installed here"
+fresh ubuntu 24.04
+course book --pdf
+verify "Ubuntu 24.04 gets its packages" called "doxygen"
+verify "but not its Chromium" [ "${called/chromium/}" = "$called" ]
+fresh debian 11
+course check 1
+verify "a Debian before 12 is not touched" [ "${called/apt-get/}" = "$called" ]
+
+fresh debian 12
+stand_in apt-get <<<'echo "E: Unable to locate package"; exit 100'
+course check 1
+verify "a failed installation ends with an error" ends_with 1
+verify "and shows what apt said" says "E: Unable to locate package"
+
+fresh debian 12
+stand_in cmake <<<'echo "one line of many"; echo "force.hpp:3:1: error: expected a semicolon"; exit 1'
+course check 1
+verify "a failed compilation ends with an error" ends_with 1
+verify "and shows the compiler's first error" says "error: expected a semicolon"
+verify "and nothing of what went well" [ "${output/one line of many/}" = "$output" ]
+verify "and names the log" says "build/log/check.txt"
+
+[ "$failures" -eq 0 ]
