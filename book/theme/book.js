@@ -2,8 +2,7 @@
 (() => {
   const dark = document.getElementById('dark');
   const show_mode = () => {
-    const on = DoxygenAwesomeDarkModeToggle.darkModeEnabled;
-    dark.setAttribute('aria-pressed', String(Boolean(on)));
+    dark.setAttribute('aria-pressed', String(Boolean(DoxygenAwesomeDarkModeToggle.darkModeEnabled)));
   };
   dark.addEventListener('click', () => {
     DoxygenAwesomeDarkModeToggle.userPreference = !DoxygenAwesomeDarkModeToggle.darkModeEnabled;

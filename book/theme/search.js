@@ -24,8 +24,8 @@
 
   /** Sections that hold every word, the last one perhaps only begun. */
   function search(words) {
-    const wanted = words.filter((word) => lunr.stopWordFilter(new lunr.Token(word, {})) !== undefined);
-    if (!wanted.length) return [];
+    const telling = words.filter((word) => lunr.stopWordFilter(new lunr.Token(word, {})) !== undefined);
+    const wanted = telling.length ? telling : words.slice(-1);
     const hits = index.query((asked) => {
       for (const word of wanted) {
         asked.term(stem(word), { boost: 10, usePipeline: false });

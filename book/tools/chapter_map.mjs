@@ -12,7 +12,7 @@ function wrapped(text, width) {
   return lines.map(escape).join('<br/>');
 }
 
-export function mapOfChapters({ source, floors }, pages) {
+export function map_of_chapters({ source, floors }, pages) {
   const nodes = floors.map(({ name, folder }) => {
     const page = pages.chapters.find((each) => each.chapter === name);
     const headers = existsSync(join(source, folder, 'tumble'))

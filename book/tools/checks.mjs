@@ -14,13 +14,13 @@ function verdict(word, runs) {
 }
 
 /** One line for a check that passed; a failed one also says which expression failed and with which values. */
-export function checkLine(check, path, sourceLink) {
+export function check_line(check, path, source_link) {
   const passed = check.runs.filter((run) => run.passed), failed = check.runs.filter((run) => !run.passed);
   const verdicts = [failed.length && verdict('failed', failed), passed.length && verdict('passed', passed)].filter(Boolean);
   const complaints = failed.flatMap((run) => run.complaints.slice(0, 3).map((complaint) =>
-    `<li>${escape(run.precision)} ${sourceLink(path, complaint.line, `line ${complaint.line}`)}: <code>${escape(complaint.original)}</code>` +
+    `<li>${escape(run.precision ?? '')} ${source_link(path, complaint.line, `line ${complaint.line}`)}: <code>${escape(complaint.original)}</code>` +
     `${complaint.expanded ? ` was <code>${escape(complaint.expanded)}</code>` : ''}</li>`));
   return `<div class="check ${check.passed ? 'passed' : 'failed'}"><span class="mark" aria-hidden="true">${check.passed ? '✓' : '✗'}</span>` +
-    `<div>${sourceLink(path, check.line, escape(check.sentence))} <span class="verdict">${verdicts.join(', ')}; ${counts(check.runs)}</span>` +
+    `<div>${source_link(path, check.line, escape(check.sentence))} <span class="verdict">${verdicts.join(', ')}; ${counts(check.runs)}</span>` +
     `${complaints.length ? `<ul>${complaints.join('')}</ul>` : ''}</div></div>`;
 }

@@ -2,7 +2,7 @@
 import { plain, slug } from './text.mjs';
 
 /** Puts the directives' blocks where their markers stand, and gives each listing its caption. */
-function withBlocks(html, blocks) {
+function with_blocks(html, blocks) {
   return html
     .replace(/<tumble-listing id="(\d+)"><\/tumble-listing>\s*(<div class="fragment">[\s\S]*?<\/div><!-- fragment -->)/g,
       (_, id, fragment) => `<figure class="listing"><figcaption>${blocks[id]}</figcaption>${fragment}</figure>`)
@@ -24,11 +24,11 @@ function tidy(html) {
 }
 
 /** Headings one level down, since the page's title is the first; each gets an address that does not change with its number. */
-function withHeadings(html, isPage) {
+function with_headings(html, is_page) {
   const headings = [], taken = new Set();
   const result = html.replace(/<h([1-5])([^>]*)>\s*(?:<a class="anchor" id="([^"]*)"><\/a>)?\s*([\s\S]*?)<\/h\1>/g,
     (all, level, attributes, id, text) => {
-      if (!isPage) return all;
+      if (!is_page) return all;
       let address = id && !id.startsWith('autotoc') ? id : slug(plain(text));
       while (taken.has(address)) address += '_';
       taken.add(address);
@@ -39,18 +39,18 @@ function withHeadings(html, isPage) {
   return { html: result, headings };
 }
 
-function inScrollers(html) {
+function in_scrollers(html) {
   return html.replace(/<table class="(markdownTable|doxtable|params|exception|tparams|retval|memname|memberdecls)">[\s\S]*?<\/table>/g,
     (table) => `<div class="scroll">${table}</div>`)
     .replace(/<div class="scroll">(<table class="memname">)/g, '<div class="scroll prototype">$1');
 }
 
 /** {html, headings} of one page; `sources` leads from a file's path to the page that shows it. */
-export function finishContents(contents, { blocks, sources, isPage }) {
-  const { html, headings } = withHeadings(tidy(withBlocks(contents, blocks)), isPage);
+export function finish_contents(contents, { blocks, sources, is_page }) {
+  const { html, headings } = with_headings(tidy(with_blocks(contents, blocks)), is_page);
   return {
     headings,
-    html: inScrollers(html).replace(/href="source:([^"#]*)/g, (_, path) => {
+    html: in_scrollers(html).replace(/href="source:([^"#]*)/g, (_, path) => {
       if (!sources.has(path)) throw new Error(`no page shows the source of ${path}`);
       return `href="${sources.get(path)}`;
     }),

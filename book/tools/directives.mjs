@@ -5,12 +5,12 @@ import { existsSync, readFileSync } from 'node:fs';
 import { join, normalize } from 'node:path';
 import { spawnSync } from 'node:child_process';
 import { BookError } from './results.mjs';
-import { cell, escape, typeset, typesetInFormula } from './text.mjs';
-import { checkLine } from './checks.mjs';
+import { cell, escape, typeset, typeset_in_formula } from './text.mjs';
+import { check_line } from './checks.mjs';
 import { figure, graph } from './figures.mjs';
-import { mapOfChapters } from './chapter_map.mjs';
+import { map_of_chapters } from './chapter_map.mjs';
 
-const sourceLink = (path, line, text) =>
+const source_link = (path, line, text) =>
   `<a href="source:${escape(path)}${line ? `#l${String(line).padStart(5, '0')}` : ''}">${text}</a>`;
 const code = (text) => `<code>${escape(text)}</code>`;
 
@@ -23,7 +23,7 @@ export class Directives {
     this.settings = settings;
     this.results = results;
     this.pages = pages;
-    this.values = { colophon: settings.colophon, reading: readingTime(pages) };  // what no program wrote
+    this.values = { colophon: settings.colophon, reading: reading_time(pages) };  // what no program wrote
   }
 
   /** The page's Markdown with every directive replaced; mistakes are added to `complaints`. */
@@ -62,7 +62,7 @@ export class Directives {
     return text.replace(/\{\{(\w+)([^{}]*)\}\}?/g, (all, name, argument) => {
       if (name === 'value') {
         const value = this.#value(page, argument.trim());
-        return formula ? typesetInFormula(value) : escape(typeset(value)).replace(/\u00a0/g, '&nbsp;');
+        return formula ? typeset_in_formula(value) : escape(typeset(value)).replace(/\u00a0/g, '&nbsp;');
       }
       if (formula) return all;
       throw new BookError(this.#knows(name) ? `{{${name}}} must stand alone on its line` : this.#unknown(name));
@@ -79,7 +79,7 @@ export class Directives {
 
   #block(page, name, argument, folds, line) {
     if (name === 'snippet') return this.#snippet(page, argument);
-    return this.#marker(this.#blockHtml(page, name, argument, folds, line));
+    return this.#marker(this.#block_html(page, name, argument, folds, line));
   }
 
   #marker(html, kind = 'block') {
@@ -87,7 +87,7 @@ export class Directives {
     return `\\htmlonly[block]<tumble-${kind} id="${this.blocks.length - 1}"></tumble-${kind}>\\endhtmlonly`;
   }
 
-  #blockHtml(page, name, argument, folds, line) {
+  #block_html(page, name, argument, folds, line) {
     switch (name) {
       case 'output': return this.#output(page, argument);
       case 'table': return this.#table(page, argument);
@@ -149,11 +149,11 @@ export class Directives {
     const marks = lines.flatMap((text, index) => (text.trim() === mark ? [index] : []));
     if (marks.length !== 2)
       throw new BookError(`${path} must hold the line ${mark} twice, around the code; it holds it ${marks.length} times`);
-    const isCode = (text) => text.trim() && !text.trim().startsWith('//! [');
-    const first = lines.findIndex((text, index) => index > marks[0] && isCode(text));
+    const is_code = (text) => text.trim() && !text.trim().startsWith('//! [');
+    const first = lines.findIndex((text, index) => index > marks[0] && is_code(text));
     if (first < 0 || first >= marks[1]) throw new BookError(`the snippet ${match[2]} of ${path} is empty`);
     const shown = path.replace(/^(?:chapters|common)\/(?:[^/]+\/)?(?=(?:tumble|course)\/)/, '').replace(/^.*\/(?=[^/]+\.cpp$)/, '');
-    const caption = `${sourceLink(path, first + 1, code(shown))}, line ${first + 1}`;
+    const caption = `${source_link(path, first + 1, code(shown))}, line ${first + 1}`;
     return `${this.#marker(caption, 'listing')}\\snippet ${path} ${match[2]}`;
   }
 
@@ -162,7 +162,7 @@ export class Directives {
     const text = this.results.text(chapter, program, '.txt', 'output of program');
     if (!text.trim()) throw new BookError(`the program ${program} printed nothing`);
     return '<figure class="listing output"><figcaption>' +
-      `What ${sourceLink(this.#source(chapter, `${program}.cpp`), 0, code(program))} prints</figcaption>` +
+      `What ${source_link(this.#source(chapter, `${program}.cpp`), 0, code(program))} prints</figcaption>` +
       `<pre class="unindexed">${escape(text.trimEnd())}</pre></figure>`;
   }
 
@@ -200,7 +200,7 @@ export class Directives {
         (matches.length ? `They stand at ${matches.map((check) => `${this.#path(check.file)}:${check.line}`).join(' and ')}`
           : `Its checks are:\n${all.map((check) => `    ${check.sentence}`).join('\n')}`));
     this.quoted.add(matches[0]);
-    return checkLine(matches[0], this.#path(matches[0].file), sourceLink);
+    return check_line(matches[0], this.#path(matches[0].file), source_link);
   }
 
   #path(file) {
@@ -208,26 +208,26 @@ export class Directives {
   }
 
   /** The failed checks of a chapter that its pages do not quote. */
-  unquotedFailures(chapter) {
+  unquoted_failures(chapter) {
     const failures = this.results.checks(chapter).filter((check) => !check.passed && !this.quoted.has(check));
-    return failures.map((check) => checkLine(check, this.#path(check.file), sourceLink)).join('');
+    return failures.map((check) => check_line(check, this.#path(check.file), source_link)).join('');
   }
 
   #costs(page, argument) {
     const [chapter, program] = this.#of(page, argument);
-    const source = sourceLink(this.#source(chapter, `${program}.cpp`), 0, code(program));
+    const source = source_link(this.#source(chapter, `${program}.cpp`), 0, code(program));
     const costs = this.results.costs(chapter, program);
     if (!costs) return `<p>${source} was not run: Google Benchmark was not installed when this book was built.</p>`;
     const time = (nanoseconds) => (nanoseconds < 1000 ? `${Number(nanoseconds.toPrecision(2))} ns`
       : `${Number((nanoseconds / 1000).toPrecision(2))} µs`).replace(' ', '\u00a0');
-    return `<figure class="table"><figcaption>Time measured by ${source} on the machine that built this book</figcaption>` +
+    return `<figure class="table unindexed"><figcaption>Time measured by ${source} on the machine that built this book</figcaption>` +
       '<div class="scroll"><table><thead><tr><th scope="col">what</th><th scope="col" class="number">time</th></tr></thead><tbody>' +
       costs.map((cost) => `<tr><td>${escape(cost.name)}</td><td class="number">${time(cost.nanoseconds)}</td></tr>`).join('') +
       '</tbody></table></div></figure>';
   }
 
   #map() {
-    const drawn = spawnSync(this.settings.dot, ['-Tsvg'], { input: mapOfChapters(this.settings, this.pages), encoding: 'utf8' });
+    const drawn = spawnSync(this.settings.dot, ['-Tsvg'], { input: map_of_chapters(this.settings, this.pages), encoding: 'utf8' });
     if (drawn.status !== 0) throw new BookError(`Graphviz could not draw the map: ${drawn.stderr}`);
     return `<figure class="drawing map"><div class="scroll">${graph(drawn.stdout, 'The chapters, each standing on the one below it')}</div></figure>`;
   }
@@ -244,7 +244,7 @@ function split(argument) {
 }
 
 /** How long the chapters take: the prose at 120 words a minute, and half as long again at the reader's own machine. */
-function readingTime(pages) {
+function reading_time(pages) {
   const words = pages.chapters.reduce((sum, page) => sum + page.text.split(/\s+/).length, 0);
   const minutes = Math.max(10, Math.round(words / 120 / 10) * 10);
   return { minutes_reading: String(minutes), hours: String(Math.ceil((minutes * 2.5) / 60)) };

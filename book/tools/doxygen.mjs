@@ -8,16 +8,16 @@ import { unescape } from './text.mjs';
 const marker = '<!--title:';
 
 /** Writes a page's expanded text where Doxygen reads it: the same path and the same lines, with another ending. */
-export function writeExpanded(folder, path, text) {
-  const file = join(folder, expandedName(path));
+export function write_expanded(folder, path, text) {
+  const file = join(folder, expanded_name(path));
   mkdirSync(dirname(file), { recursive: true });
   writeFileSync(file, text);
 }
 
-const expandedName = (path) => path.replace(/[() ]+/g, '_').replace(/(\.md)?$/, '.page');
+const expanded_name = (path) => path.replace(/[() ]+/g, '_').replace(/(\.md)?$/, '.page');
 
 /** {file: {title, contents}}; a warning of Doxygen stops the book. */
-export function runDoxygen({ doxygen, doxyfile, source, work }, pages) {
+export function run_doxygen({ doxygen, doxyfile, source, work }, pages) {
   const output = join(work, 'doxygen');
   rmSync(output, { recursive: true, force: true });
   writeFileSync(join(work, 'header.html'), `${marker}$title-->\n`);
@@ -25,7 +25,7 @@ export function runDoxygen({ doxygen, doxyfile, source, work }, pages) {
   const run = spawnSync(doxygen, [doxyfile], { cwd: work, encoding: 'utf8', maxBuffer: 1 << 28 });
   if (run.error) throw run.error;
   const authors = (text) => pages.reduce((said, page) =>
-    said.replaceAll(join(work, 'expanded', expandedName(page.path)), page.path), text).replaceAll(`${source}/`, '');
+    said.replaceAll(join(work, 'expanded', expanded_name(page.path)), page.path), text).replaceAll(`${source}/`, '');
   const warnings = authors(readFileSync(join(work, 'warnings.log'), 'utf8') + (run.stderr ?? '')).trim();
   if (run.status !== 0 || warnings) throw new BookError(`Doxygen is not content:\n${warnings || `exit status ${run.status}`}`);
 

@@ -11,7 +11,7 @@ function navigation(pages, current) {
     `${group('Look up', pages.back)}</nav>`;
 }
 
-function tableOfContents(headings) {
+function table_of_contents(headings) {
   const listed = headings.filter((heading) => heading.level <= 3);
   if (listed.length < 3) return '';
   let html = '', level = 2;
@@ -32,7 +32,7 @@ function neighbours(pages, current) {
     `${link(order[index + 1], 'next', 'Next →')}</nav>`;
 }
 
-function wayHere(page, reference) {
+function way_here(page, reference) {
   return page.under ? `<nav class="way" aria-label="You are here"><a href="${reference.file}">${escape(reference.name)}</a> › ${escape(page.name)}</nav>` : '';
 }
 
@@ -66,9 +66,9 @@ export function layout(page, { html, headings }, pages, book) {
 ${navigation(pages, page)}
 </header>
 <main id="text" tabindex="-1">
-${wayHere(page, reference)}
+${way_here(page, reference)}
 <h1>${page.under ? escape(plain(escape(page.title))) : escape(page.title)}</h1>
-${kind === 'prose' ? tableOfContents(headings) : ''}
+${kind === 'prose' ? table_of_contents(headings) : ''}
 <div class="contents">
 ${html}
 </div>

@@ -4,14 +4,14 @@ import { join } from 'node:path';
 import { BookError } from './results.mjs';
 
 /** A Markdown file that begins with "# Title {#address}". `home` is the folder that its directives start from. */
-export function readPage(source, path, chapter = undefined) {
+export function read_page(source, path, chapter = undefined) {
   const text = readFileSync(join(source, path), 'utf8');
   const heading = /^# (.+?) \{#(\w+)\}\s*\n/.exec(text);
   if (!heading) throw new BookError(`${path}:1: the first line must be "# Title {#address}"`);
-  return makePage(path, heading[1], heading[2], text, chapter);
+  return make_page(path, heading[1], heading[2], text, chapter);
 }
 
-export function makePage(path, title, id, text, chapter = undefined) {
+export function make_page(path, title, id, text, chapter = undefined) {
   const [name, question] = title.split(': ');
   return { path, title, id, text, chapter, name, question, file: id === 'mainpage' ? 'index.html' : `${id}.html` };
 }
@@ -22,7 +22,7 @@ function brief(source, path) {
   return match ? match[1].replace(/^\/\/\/ /gm, '').replace(/\n/g, ' ').trim() : '';
 }
 
-function referencePage(source, floors, titles) {
+function reference_page(source, floors, titles) {
   const lines = ['# Reference {#reference}', '',
     'What the library offers, header by header, in the order of the chapters that explain it. Everything lies in the ' +
     'namespace \\ref tumble "tumble".', ''];
@@ -38,27 +38,27 @@ function referencePage(source, floors, titles) {
     }
     lines.push('');
   }
-  return { page: makePage('(made by the book) reference', 'Reference', 'reference', lines.join('\n')), headers };
+  return { page: make_page('(made by the book) reference', 'Reference', 'reference', lines.join('\n')), headers };
 }
 
 /** {front, chapters, back, all}: floors are {name, folder}, from the ground up. */
-export function readPages(source, floors) {
-  const front = ['index', 'how_to_read', 'conventions', 'chapter_map'].map((name) => readPage(source, `book/pages/${name}.md`));
+export function read_pages(source, floors) {
+  const front = ['index', 'how_to_read', 'conventions', 'chapter_map'].map((name) => read_page(source, `book/pages/${name}.md`));
   const chapters = [];
   for (const { name, folder } of floors) {
     if (!existsSync(join(source, folder, 'chapter.md'))) continue;
     // A big chapter has further pages; they follow its first one in the order of their names.
     const further = readdirSync(join(source, folder)).filter((file) => file.endsWith('.md') && file !== 'chapter.md').sort();
     for (const file of ['chapter.md', ...further]) {
-      const page = readPage(source, join(folder, file), name);
+      const page = read_page(source, join(folder, file), name);
       if (file === 'chapter.md' && page.id !== `chapter_${name}`)
         throw new BookError(`${page.path}:1: the address is {#${page.id}}; it must be {#chapter_${name}}`);
       chapters.push({ ...page, further: file !== 'chapter.md' });
     }
   }
   const titles = new Map(chapters.filter((page) => !page.further).map((page) => [page.chapter, page.title]));
-  const { page: reference, headers } = referencePage(source, floors, titles);
-  const back = [reference, readPage(source, 'book/pages/colophon.md')];
+  const { page: reference, headers } = reference_page(source, floors, titles);
+  const back = [reference, read_page(source, 'book/pages/colophon.md')];
   const all = [...front, ...chapters, ...back];
   for (const page of all)
     if (all.find((other) => other.id === page.id) !== page)

@@ -43,24 +43,30 @@ export class Results {
     return row[1];
   }
 
-  /** [{name, nanoseconds}], or undefined where Google Benchmark did not measure. */
+  /**
+   * [{name, nanoseconds}], or undefined where Google Benchmark did not measure. A benchmark that counts the bodies it
+   * treats tells the time of one body.
+   */
   costs(chapter, name) {
     if (!existsSync(join(this.folder, chapter, `${name}.json`))) return undefined;
     const scale = { ns: 1, us: 1e3, ms: 1e6, s: 1e9 };
     return JSON.parse(this.text(chapter, name, '.json', 'costs')).benchmarks
       .filter((run) => run.aggregate_name === 'median')
-      .map((run) => ({ name: run.run_name, nanoseconds: run.cpu_time * scale[run.time_unit] }));
+      .map((run) => ({
+        name: run.run_name,
+        nanoseconds: run.items_per_second ? 1e9 / run.items_per_second : run.cpu_time * scale[run.time_unit],
+      }));
   }
 
   /** Every check of a chapter: its sentence, where it stands and how it went in each precision. */
   checks(chapter) {
     const key = `checks of ${chapter}`;
-    if (!this.#cache.has(key)) this.#cache.set(key, readChecks(this.text(chapter, 'checks', '.xml', 'report'), chapter));
+    if (!this.#cache.has(key)) this.#cache.set(key, read_checks(this.text(chapter, 'checks', '.xml', 'report'), chapter));
     return this.#cache.get(key);
   }
 }
 
-function readChecks(xml, chapter) {
+function read_checks(xml, chapter) {
   if (!xml.trimEnd().endsWith('</doctest>'))
     throw new BookError(`the checks of chapter ${chapter} broke off: their report has no end. Run ${chapter}_checks to see why`);
   const checks = new Map();

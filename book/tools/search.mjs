@@ -3,14 +3,14 @@
 import { createRequire } from 'node:module';
 import { join } from 'node:path';
 import { plain } from './text.mjs';
-import { withoutFormulas } from './formulas.mjs';
+import { without_formulas } from './formulas.mjs';
 
 const silent = [/<pre[\s\S]*?<\/pre>/g, /<div class="fragment">[\s\S]*?<\/div><!-- fragment -->/g, /<svg[\s\S]*?<\/svg>/g,
   /<figcaption>[\s\S]*?<\/figcaption>/g, /<a class="anchorlink"[\s\S]*?<\/a>/g, /<span class="verdict">[\s\S]*?<\/span>/g,
   /<span class="mark"[\s\S]*?<\/span>/g];
 
 /** Takes out elements of the class `unindexed`, with all that they hold. */
-function withoutUnindexed(html) {
+function without_unindexed(html) {
   for (;;) {
     const start = /<(\w+)\b[^>]*\bclass="[^"]*\bunindexed\b[^"]*"[^>]*>/.exec(html);
     if (!start) return html;
@@ -28,7 +28,7 @@ function withoutUnindexed(html) {
   }
 }
 
-const words = (html) => plain(withoutFormulas(silent.reduce((text, pattern) => text.replace(pattern, ' '), withoutUnindexed(html))));
+const words = (html) => plain(without_formulas(silent.reduce((text, pattern) => text.replace(pattern, ' '), without_unindexed(html))));
 
 /** The sections of a page: what stands before the first heading, then one for each heading. */
 export function sections(page, html) {
@@ -40,7 +40,7 @@ export function sections(page, html) {
 }
 
 /** The script that a page loads when a reader begins to search. */
-export function searchScript(folder, documents) {
+export function search_script(folder, documents) {
   const lunr = createRequire(import.meta.url)(join(folder, 'lunr.js'));
   const index = lunr(function () {
     this.ref('number');

@@ -31,7 +31,7 @@ export function typeset(value) {
 }
 
 /** The same inside a formula. */
-export function typesetInFormula(value) {
+export function typeset_in_formula(value) {
   const match = number.exec(value);
   if (!match) return value;
   const [all, sign, digits, exponent] = match;
@@ -48,7 +48,7 @@ export function cell(value) {
 
 /** What a page says, without its tags. */
 export function plain(html) {
-  return unescape(html.replace(/<[^>]*>/g, ' ')).replace(/\s+/g, ' ').trim();
+  return unescape(html.replace(/<\/?(?:a|b|code|em|i|span|strong|sub|sup)\b[^>]*>/g, '').replace(/<[^>]*>/g, ' ')).replace(/\s+/g, ' ').trim();
 }
 
 /** A heading as part of an address. */
