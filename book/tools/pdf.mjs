@@ -12,8 +12,12 @@ function page_objects(objects, number) {
 /** From a target's name to its page, counted from 1. */
 export function pages_of_destinations(pdf) {
   const text = pdf.toString('latin1');
-  const objects = new Map([...text.matchAll(/\n(\d+) 0 obj\n([\s\S]*?)\nendobj/g)].map(([, number, object]) => [number, object]));
+  const objects = new Map(
+    [...text.matchAll(/\n(\d+) 0 obj\n([\s\S]*?)\nendobj/g)].map(([, number, object]) => [number, object]),
+  );
   const root = [...objects].find(([, object]) => /\/Type \/Pages\b/.test(object) && !object.includes('/Parent'))[0];
   const place = new Map(page_objects(objects, root).map((number, index) => [number, index + 1]));
-  return new Map([...text.matchAll(/\/([\w.-]+) \[(\d+) 0 R \/XYZ/g)].map(([, name, page]) => [name, place.get(page)]));
+  return new Map(
+    [...text.matchAll(/\/([\w.-]+) \[(\d+) 0 R \/XYZ/g)].map(([, name, page]) => [name, place.get(page)]),
+  );
 }
