@@ -10,9 +10,9 @@ namespace tumble {
 /// How a body may turn.
 //! [turning]
 enum class Turning {
-  free,              ///< about every axis; each needs a moment that can be inverted
-  locked_where_thin, ///< not about axes without inertia: the line of a rod, every axis of a point
-  locked             ///< not at all
+  free,               ///< about every axis; each needs a moment that can be inverted
+  locked_where_thin,  ///< not about axes without inertia: the line of a rod, every axis of a point
+  locked              ///< not at all
 };
 //! [turning]
 
@@ -99,6 +99,7 @@ ModelledBody<Real> make_rigid_body(std::string_view name, const MassProperties<R
 
   ModelledBody<Real> made;
   made.model_in_body = inverse(body_in_model);
+  require_finite(std::string(name) + ": velocity", velocity, "m/s");
   made.body.centre = make_particle(properties.mass, pose.position, velocity);
   made.body.top.orientation = normalized(pose.orientation);
   made.body.top.inverse_moments = {inverses(a), inverses(b), inverses(c)};

@@ -2,8 +2,8 @@
 /// Where something is and which way it faces, and how one pose is given in another.
 #pragma once
 
-#include <tumble/rotation_vector.hpp>
 #include <tumble/require.hpp>
+#include <tumble/rotation_vector.hpp>
 
 namespace tumble {
 
@@ -13,7 +13,7 @@ namespace tumble {
 template <class Real>
 struct Pose {
   Vec3<Real> position = Vec3<Real>::Zero();  ///< of the inner origin, m, outer axes
-  Quaternion<Real> orientation;              ///< from inner axes to outer ones
+  Quaternion<Real> orientation = {};         ///< from inner axes to outer ones
 };
 //! [pose]
 
@@ -34,7 +34,8 @@ Vec3<Real> point_inward(const Pose<Real>& pose, const Vec3<Same<Real>>& point) {
   return rotate_back<Real>(pose.orientation, point - pose.position);
 }
 
-/// `inner` is given in `middle`, and `middle` in the outer axes: the same `inner` in the outer axes.
+/// `inner` is given in `middle`, and `middle` in the outer axes: the same `inner` in the outer
+/// axes.
 //! [composed]
 template <class Real>
 Pose<Real> composed(const Pose<Real>& middle, const Pose<Real>& inner) {

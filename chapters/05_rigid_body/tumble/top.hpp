@@ -14,10 +14,10 @@ namespace tumble {
 //! [top]
 template <class Real>
 struct Top {
-  Quaternion<Real> orientation;                            ///< from body axes to world axes
-  Vec3<Real> angular_momentum_body = Vec3<Real>::Zero();   ///< kg m²/s, body axes
-  Vec3<Real> torque = Vec3<Real>::Zero();                  ///< this step's sum, N m, world axes
-  Vec3<Real> inverse_moments = Vec3<Real>::Zero();         ///< 1/(kg m²); 0: locked about that axis
+  Quaternion<Real> orientation = {};                      ///< from body axes to world axes
+  Vec3<Real> angular_momentum_body = Vec3<Real>::Zero();  ///< kg m²/s, body axes
+  Vec3<Real> torque = Vec3<Real>::Zero();                 ///< this step's sum, N m, world axes
+  Vec3<Real> inverse_moments = Vec3<Real>::Zero();        ///< 1/(kg m²); 0: locked about that axis
 };
 //! [top]
 
