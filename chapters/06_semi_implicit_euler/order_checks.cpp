@@ -1,3 +1,4 @@
+#include <course/body_bounds.hpp>
 #include <course/checks.hpp>
 #include <tumble/semi_implicit_euler.hpp>
 
@@ -39,6 +40,25 @@ TEST_CASE_TEMPLATE("A step is the kick and then the drift, to the bit", Real, EV
     REQUIRE(same_bits(stepped.velocity, halves.velocity));
     REQUIRE(same_bits(stepped.position, halves.position));
   }
+}
+
+TEST_CASE_TEMPLATE("A rigid body's centre is kicked, hit and drifted as a particle is", Real,
+                   EVERY_PRECISION) {
+  std::mt19937_64 generator(6);
+  RigidBody<Real> body = random_brick<Real>(generator);
+  Particle<Real> particle = body.centre;
+  const Top<Real> top = body.top;
+  const Vec3<Real> force(3, -5, 7), impulse(1, 2, -3);
+  for (Particle<Real>* centre : {&body.centre, &particle}) add_force(*centre, force);
+  step(body.centre, Real(0.1));
+  step(particle, Real(0.1));
+  // A blow at the centre of mass is the same whether the body or its centre takes it.
+  apply_impulse_at(body, impulse, body.centre.position);
+  apply_impulse(particle, impulse);
+  CHECK(same_bits(body.centre.position, particle.position));
+  CHECK(same_bits(body.centre.velocity, particle.velocity));
+  CHECK(same_bits(body.top.angular_momentum_body, top.angular_momentum_body));
+  CHECK(same_bits(body.top.orientation.imaginary, top.orientation.imaginary));
 }
 
 TEST_CASE_TEMPLATE("Drift first with forces gathered after it is the same walk, to the bit", Real,
