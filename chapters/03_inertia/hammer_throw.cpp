@@ -53,12 +53,12 @@ void outline(course::Table& table, const std::string& kind, const Vec3d& low, co
 int main(int argument_count, char** arguments) {
   course::Notebook notebook(argument_count, arguments);
   const MassPropertiesd hammer = make_hammer();
-  const double first_angle = 0.47;
+  const double first_angle = 0.64;
   const Mat3d first_turn = turn(first_angle);
 
   //! [throw]
   const Vec3d grip = -(first_turn * hammer.centre_of_mass);  // seen from the centre of mass
-  const Vec3d push = turn(0.041) * grip * (-4.9 * hammer.mass / grip.norm());  // N s
+  const Vec3d push = turn(0.056) * grip * (-4.7 * hammer.mass / grip.norm());  // N s
   const Vec3d velocity = push / hammer.mass;
   const Mat3d inverse_inertia_world =
       in_other_axes(inverse_inertia("hammer", hammer.inertia), first_turn);

@@ -1,4 +1,4 @@
-set terminal svg size 640,420
+set terminal svg size 640,400
 set output name.".svg"
 unset border
 unset tics

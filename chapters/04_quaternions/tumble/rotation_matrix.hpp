@@ -26,7 +26,7 @@ Mat3<Real> matrix_of(const Quaternion<Real>& q) {
 /// @throws std::invalid_argument unless the columns of `matrix` have length 1 and are square to
 /// each other, within 0.01, and right-handed.
 template <class Real>
-void require_rotation(std::string_view name, const Mat3<Real>& matrix) {
+void require_nearly_rotation(std::string_view name, const Mat3<Real>& matrix) {
   for (int column = 0; column < 3; ++column)
     require_finite<Real>("a column of " + std::string(name), matrix.col(column), "");
   const Mat3<Real> off = matrix.transpose() * matrix - Mat3<Real>::Identity();
@@ -46,11 +46,11 @@ void require_rotation(std::string_view name, const Mat3<Real>& matrix) {
 /// times each, so every column of the table below is a multiple of q. The one with the largest
 /// diagonal element has lost no digits: it is normalised. At 180° the first column is zero.
 /// @throws std::invalid_argument if the matrix called `name` is not a rotation, see
-/// require_rotation().
+/// require_nearly_rotation().
 //! [quaternion_of]
 template <class Real>
 Quaternion<Real> quaternion_of(const Mat3<Real>& R, std::string_view name = "rotation") {
-  require_rotation(name, R);
+  require_nearly_rotation(name, R);
   Eigen::Matrix<Real, 4, 4> products;
   products(0, 0) = 1 + R.trace();
   products.template bottomLeftCorner<3, 1>() << R(2, 1) - R(1, 2), R(0, 2) - R(2, 0),
