@@ -1,0 +1,40 @@
+/// @file
+/// What a top does between blows when it isn't round: Euler's equations, and when they have nothing
+/// to say.
+#pragma once
+
+#include <tumble/rotation_vector.hpp>
+#include <tumble/top.hpp>
+
+namespace tumble {
+
+/// L × ω (N m, body axes): how fast the body sees its own angular momentum change while none acts
+/// on it. The world's L stands still; the body turns beneath it.
+//! [gyroscopic_torque]
+template <class Real>
+Vec3<Real> gyroscopic_torque(const Top<Real>& top) {
+  return top.angular_momentum_body.cross(angular_velocity_body(top));
+}
+//! [gyroscopic_torque]
+
+/// True when L × ω can be other than zero: some moments differ, and no axis is locked. Every other
+/// top turns steadily, see turn_steadily().
+//! [is_gyroscopic]
+template <class Real>
+bool is_gyroscopic(const Top<Real>& top) {
+  const Vec3<Real>& inverse = top.inverse_moments;
+  const bool round = inverse.x() == inverse.y() && inverse.y() == inverse.z();
+  return !round && (inverse.array() != 0).all();
+}
+//! [is_gyroscopic]
+
+/// What the accumulated torque does to the angular momentum in `time_step` seconds (h):
+/// L ← L + h τ. Chapter 6's kick, for turning.
+//! [kick]
+template <class Real>
+void kick(Top<Real>& top, Same<Real> time_step) {
+  add_angular_momentum(top, time_step * top.torque);
+}
+//! [kick]
+
+}  // namespace tumble
