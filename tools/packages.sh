@@ -4,8 +4,9 @@
 # What each command needs: Debian's package, and after a colon the program that stands in for it where there is one.
 base_packages="g++:g++ make:make cmake:cmake libeigen3-dev doctest-dev"
 speed_packages="ninja-build:ninja ccache:ccache" # used when present, never required
-book_packages="doxygen:doxygen doxygen-awesome-css katex nodejs:node node-lunr libjs-lunr gnuplot-nox:gnuplot
-  graphviz:dot libbenchmark-dev"
+book_packages="doxygen:doxygen doxygen-awesome-css libjs-katex libjs-lunr nodejs:node gnuplot-nox:gnuplot graphviz:dot
+  libbenchmark-dev"
+test_packages="node-parse5" # the tests read the book's pages with it
 browser_packages="chromium:chromium npm:npm"
 all_packages="clang:clang++ clang-format:clang-format clang-tidy:clang-tidy shellcheck:shellcheck"
 

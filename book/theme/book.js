@@ -2,8 +2,7 @@
 (() => {
   const dark = document.getElementById('dark');
   const show_mode = () => {
-    const on = DoxygenAwesomeDarkModeToggle.darkModeEnabled;
-    dark.setAttribute('aria-pressed', String(Boolean(on)));
+    dark.setAttribute('aria-pressed', String(Boolean(DoxygenAwesomeDarkModeToggle.darkModeEnabled)));
   };
   dark.addEventListener('click', () => {
     DoxygenAwesomeDarkModeToggle.userPreference = !DoxygenAwesomeDarkModeToggle.darkModeEnabled;
@@ -13,20 +12,23 @@
   document.addEventListener('visibilitychange', show_mode);
   show_mode();
 
-  const menu = document.getElementById('menu'), sidebar = document.getElementById('sidebar');
-  const open_menu = (open) => {
+  const menu = document.getElementById('menu'),
+    sidebar = document.getElementById('sidebar');
+  const open_menu = open => {
     sidebar.classList.toggle('open', open);
     menu.setAttribute('aria-expanded', String(open));
   };
   menu.addEventListener('click', () => open_menu(!sidebar.classList.contains('open')));
-  sidebar.addEventListener('keydown', (event) => {
+  sidebar.addEventListener('keydown', event => {
     if (event.key !== 'Escape' || !sidebar.classList.contains('open')) return;
     open_menu(false);
     menu.focus();
   });
-  document.querySelector('#navigation [aria-current]')?.scrollIntoView({ block: 'nearest' });
+  document.querySelector('#navigation [aria-current]')?.scrollIntoView({block: 'nearest'});
 
-  for (const code of document.querySelectorAll('figure.listing .fragment, figure.listing pre, .contents > pre.fragment')) {
+  for (const code of document.querySelectorAll(
+    'figure.listing .fragment, figure.listing pre, .contents > pre.fragment',
+  )) {
     if (!navigator.clipboard) break;
     const button = document.createElement('button');
     button.type = 'button';
@@ -34,10 +36,12 @@
     button.textContent = 'Copy';
     button.addEventListener('click', async () => {
       const lines = [...code.querySelectorAll('.line')];
-      const text = lines.length ? lines.map((line) => line.textContent).join('\n') : code.textContent;
+      const text = lines.length ? lines.map(line => line.textContent).join('\n') : code.textContent;
       await navigator.clipboard.writeText(`${text.trimEnd()}\n`);
       button.textContent = 'Copied';
-      setTimeout(() => { button.textContent = 'Copy'; }, 1500);
+      setTimeout(() => {
+        button.textContent = 'Copy';
+      }, 1500);
     });
     (code.closest('figure') ?? code.parentElement).append(button);
   }

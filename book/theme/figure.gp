@@ -7,8 +7,8 @@
 #   #555555           what helps to read: frames, arrows, labels
 #   #b9c2c9           the grid
 # The title states the finding. Its size marks it: the book takes it out and sets it as text above the drawing, where it
-# can break into lines. So leave its font alone.
-set terminal svg size 480,330 dynamic font "sans-serif,15" name name noenhanced background rgb "#fffffe"
+# can break into lines. So leave its font alone. Empty paper around the drawing is cut away.
+set terminal svg size 480,400 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
 set output name.".svg"
 set datafile separator "\t"
 set key autotitle columnhead
@@ -26,6 +26,6 @@ set border 3 linecolor rgb "#555555" linewidth 1
 set tics nomirror scale 0.6 textcolor rgb "#22303a"
 set grid linecolor rgb "#b9c2c9" linewidth 0.6 dashtype solid
 set title font "sans-serif,18" textcolor rgb "#22303a"
-set xlabel textcolor rgb "#22303a"
+set xlabel offset 0,0.4 textcolor rgb "#22303a"
 set ylabel textcolor rgb "#22303a"
-set key below center horizontal samplen 2.5 spacing 1.2 textcolor rgb "#22303a"
+set key below left Left reverse samplen 2.5 spacing 1.15 height 0.7 textcolor rgb "#22303a"

@@ -1,47 +1,58 @@
 // The search box. The index is loaded when the reader first goes to the box, by script tags: a page that was opened from a
 // file may not fetch.
 (() => {
-  const query = document.getElementById('query'), answers = document.getElementById('answers');
-  const answer = document.getElementById('answer'), found = document.getElementById('found');
+  const query = document.getElementById('query'),
+    answers = document.getElementById('answers');
+  const answer = document.getElementById('answer'),
+    found = document.getElementById('found');
   const most = 12;
-  let index, chosen = -1;
+  let index,
+    chosen = -1;
 
-  const load = (file) => new Promise((resolve, reject) => {
-    const script = document.createElement('script');
-    script.src = file;
-    script.onload = resolve;
-    script.onerror = () => reject(new Error(`cannot load ${file}`));
-    document.head.append(script);
-  });
+  const load = file =>
+    new Promise((resolve, reject) => {
+      const script = document.createElement('script');
+      script.src = file;
+      script.onload = resolve;
+      script.onerror = () => reject(new Error(`cannot load ${file}`));
+      document.head.append(script);
+    });
   let loading;
   const ready = () => {
-    loading ??= Promise.all([load('lunr.js'), load('search_index.js')]).then(() => { index = lunr.Index.load(window.bookIndex.index); });
+    loading ??= Promise.all([load('lunr.js'), load('search_index.js')]).then(() => {
+      index = lunr.Index.load(window.bookIndex.index);
+    });
     return loading;
   };
 
-  const words_of = (text) => text.toLowerCase().split(/[^\p{L}\p{N}_]+/u).filter(Boolean);
-  const stem = (word) => lunr.stemmer(new lunr.Token(word, {})).toString();
+  const words_of = text =>
+    text
+      .toLowerCase()
+      .split(/[^\p{L}\p{N}_]+/u)
+      .filter(Boolean);
+  const stem = word => lunr.stemmer(new lunr.Token(word, {})).toString();
 
   /** Sections that hold every word, the last one perhaps only begun. */
   function search(words) {
-    const wanted = words.filter((word) => lunr.stopWordFilter(new lunr.Token(word, {})) !== undefined);
-    if (!wanted.length) return [];
-    const hits = index.query((asked) => {
+    const telling = words.filter(word => lunr.stopWordFilter(new lunr.Token(word, {})) !== undefined);
+    const wanted = telling.length ? telling : words.slice(-1);
+    const hits = index.query(asked => {
       for (const word of wanted) {
-        asked.term(stem(word), { boost: 10, usePipeline: false });
-        asked.term(word, { boost: 2, usePipeline: false, wildcard: lunr.Query.wildcard.TRAILING });
+        asked.term(stem(word), {boost: 10, usePipeline: false});
+        asked.term(word, {boost: 2, usePipeline: false, wildcard: lunr.Query.wildcard.TRAILING});
       }
     });
-    return hits.filter(({ matchData }) => {
+    return hits.filter(({matchData}) => {
       const terms = Object.keys(matchData.metadata);
-      return wanted.every((word) => terms.some((term) => term === stem(word) || term.startsWith(word)));
+      return wanted.every(word => terms.some(term => term === stem(word) || term.startsWith(word)));
     });
   }
 
   /** The line of the text around the first word that was asked for, the words marked. */
   function context(text, words) {
-    const escaped = words.map((word) => stem(word).length < word.length ? stem(word) : word)
-      .map((word) => word.replace(/[.*+?^${}()|[\]\\]/g, '\\$&'));
+    const escaped = words
+      .map(word => (stem(word).length < word.length ? stem(word) : word))
+      .map(word => word.replace(/[.*+?^${}()|[\]\\]/g, '\\$&'));
     const pattern = new RegExp(`(?<![\\p{L}\\p{N}])(?:${escaped.join('|')})[\\p{L}\\p{N}]*`, 'giu');
     const phrase = new RegExp(`(?<![\\p{L}\\p{N}])${escaped.join('[\\p{L}]*[^\\p{L}]+')}`, 'iu');
     const first = text.search(phrase) >= 0 ? text.search(phrase) : Math.max(0, text.search(pattern));
@@ -63,7 +74,7 @@
   }
 
   function option(hit, number, words) {
-    const { address, page, section, text } = window.bookIndex.documents[hit.ref];
+    const {address, page, section, text} = window.bookIndex.documents[hit.ref];
     const item = document.createElement('li');
     item.id = `found_${number}`;
     item.setAttribute('role', 'option');
@@ -73,7 +84,7 @@
     where.className = 'where';
     where.textContent = section ? `${page} › ${section}` : page;
     item.append(where, context(text, words));
-    item.addEventListener('mousedown', (event) => event.preventDefault());
+    item.addEventListener('mousedown', event => event.preventDefault());
     item.addEventListener('click', () => go(item));
     return item;
   }
@@ -89,7 +100,7 @@
     items[chosen]?.setAttribute('aria-selected', 'false');
     chosen = (number + items.length) % items.length;
     items[chosen].setAttribute('aria-selected', 'true');
-    items[chosen].scrollIntoView({ block: 'nearest' });
+    items[chosen].scrollIntoView({block: 'nearest'});
     query.setAttribute('aria-activedescendant', items[chosen].id);
   }
 
@@ -101,7 +112,8 @@
   }
 
   async function show() {
-    const text = query.value, words = words_of(text);
+    const text = query.value,
+      words = words_of(text);
     if (!words.length) return close();
     try {
       await ready();
@@ -115,25 +127,34 @@
     chosen = -1;
     query.removeAttribute('aria-activedescendant');
     found.replaceChildren(...hits.slice(0, most).map((hit, number) => option(hit, number, words)));
-    const shown = hits.length > most ? `The best ${most} of ${hits.length} places` : `${hits.length} place${hits.length > 1 ? 's' : ''}`;
+    const shown =
+      hits.length > most
+        ? `The best ${most} of ${hits.length} places`
+        : `${hits.length} place${hits.length > 1 ? 's' : ''}`;
     answer.textContent = hits.length ? shown : `Nothing found for “${text.trim()}”.`;
     answers.hidden = false;
     query.setAttribute('aria-expanded', String(hits.length > 0));
     return undefined;
   }
 
-  query.addEventListener('focus', () => { ready().catch(() => {}); if (query.value) show(); });
+  query.addEventListener('focus', () => {
+    ready().catch(() => {});
+    if (query.value) show();
+  });
   query.addEventListener('input', show);
   query.addEventListener('blur', close);
-  query.addEventListener('keydown', (event) => {
+  query.addEventListener('keydown', event => {
     if (event.key === 'ArrowDown') choose(chosen + 1);
     else if (event.key === 'ArrowUp') choose(chosen < 0 ? -1 : chosen - 1);
-    else if (event.key === 'Enter' && found.children.length && !answers.hidden) go(found.children[Math.max(0, chosen)]);
-    else if (event.key === 'Escape') { if (answers.hidden) query.value = ''; close(); }
-    else return;
+    else if (event.key === 'Enter' && found.children.length && !answers.hidden)
+      go(found.children[Math.max(0, chosen)]);
+    else if (event.key === 'Escape') {
+      if (answers.hidden) query.value = '';
+      close();
+    } else return;
     event.preventDefault();
   });
-  document.addEventListener('keydown', (event) => {
+  document.addEventListener('keydown', event => {
     if (!['/', 's'].includes(event.key) || event.ctrlKey || event.metaKey || event.altKey) return;
     if (/^(INPUT|TEXTAREA|SELECT)$/.test(event.target.tagName) || event.target.isContentEditable) return;
     event.preventDefault();

@@ -1,32 +1,46 @@
 // Builds the book: node book.mjs SETTINGS.json
-import { copyFileSync, cpSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
-import { join } from 'node:path';
-import { BookError, Results } from './results.mjs';
-import { Directives } from './directives.mjs';
-import { Formulas } from './formulas.mjs';
-import { finishContents } from './contents.mjs';
-import { layout } from './layout.mjs';
-import { readPages } from './pages.mjs';
-import { runDoxygen, writeExpanded } from './doxygen.mjs';
-import { searchScript, sections } from './search.mjs';
-import { counted } from './text.mjs';
+import {
+  copyFileSync,
+  cpSync,
+  existsSync,
+  mkdirSync,
+  readFileSync,
+  readdirSync,
+  renameSync,
+  rmSync,
+  writeFileSync,
+} from 'node:fs';
+import {join} from 'node:path';
+import {BookError, Results} from './results.mjs';
+import {Directives} from './directives.mjs';
+import {Formulas} from './formulas.mjs';
+import {finish_contents} from './contents.mjs';
+import {layout} from './layout.mjs';
+import {read_pages} from './pages.mjs';
+import {run_doxygen, write_expanded} from './doxygen.mjs';
+import {search_script, sections} from './search.mjs';
+import {counted} from './text.mjs';
 
 const settings = JSON.parse(readFileSync(process.argv[2], 'utf8'));
 settings.colophon = JSON.parse(readFileSync(settings.colophon, 'utf8'));
 
-function expandPages(pages, directives) {
+function expand_pages(pages, directives) {
   const folder = join(settings.work, 'expanded');
-  rmSync(folder, { recursive: true, force: true });
+  rmSync(folder, {recursive: true, force: true});
   const complaints = [];
-  for (const page of pages.all) writeExpanded(folder, page.path, directives.expand(page, complaints));
+  for (const page of pages.all) {
+    page.expanded = directives.expand(page, complaints);
+    write_expanded(folder, page.path, page.expanded);
+  }
   if (complaints.length) throw new BookError(complaints.join('\n'));
 }
 
 /** Pages of the reference and of the sources, as far as a reader can come by following links. */
-function reachable(written, start, linksOf) {
-  const found = new Set(start), waiting = [...start];
+function reachable(written, start, links_of) {
+  const found = new Set(start),
+    waiting = [...start];
   while (waiting.length)
-    for (const [, target] of linksOf(waiting.pop()).matchAll(/href="([^"#:]+\.html)/g))
+    for (const [, target] of links_of(waiting.pop()).matchAll(/href="([^"#:]+\.html)/g))
       if (written[target] && !found.has(target)) {
         found.add(target);
         waiting.push(target);
@@ -34,50 +48,78 @@ function reachable(written, start, linksOf) {
   return found;
 }
 
-function writePages(folder, pages, written, directives) {
+/** A page that Doxygen made on its own: of a header, a struct, the namespace or a source. */
+function reference_page(file, title) {
+  const name = title
+    .replace(/ (Source File|File Reference|(\w+ )?(Template )?Reference)$/, '')
+    .replace(/< .* >/, '')
+    .replace(/^.*\/(?=tumble\/)/, file.endsWith('_source.html') ? '$&' : '')
+    .replace(/^/, file.startsWith('namespace') ? 'Namespace ' : '');
+  return {file, under: 'reference.html', title: name, name};
+}
+
+function write_pages(folder, pages, written, directives) {
   const sources = new Map();
-  for (const [file, { title }] of Object.entries(written))
+  for (const [file, {title}] of Object.entries(written))
     if (file.endsWith('_source.html')) sources.set(title.replace(/ Source File$/, ''), file);
   const formulas = new Formulas(settings.katex);
-  const byFile = new Map(pages.all.map((page) => [page.file, page]));
+  const by_file = new Map(pages.all.map(page => [page.file, page]));
   for (const page of pages.all)
     if (!written[page.file]) throw new BookError(`${page.path}: Doxygen made no page ${page.file} of it`);
 
   const finished = new Map();
-  const finish = (file) => {
+  const finish = file => {
     if (!finished.has(file))
-      finished.set(file, finishContents(written[file].contents, { blocks: directives.blocks, sources, isPage: byFile.has(file) }));
+      finished.set(
+        file,
+        finish_contents(written[file].contents, {blocks: directives.blocks, sources, is_page: by_file.has(file)}),
+      );
     return finished.get(file);
   };
   const documents = [];
-  for (const file of reachable(written, [...byFile.keys()], (name) => finish(name).html)) {
-    const title = written[file].title;
-    const page = byFile.get(file) ?? { file, under: 'reference.html', title, name: title.replace(/ (Source File|File Reference|\w+ (Template )?Reference)$/, '') };
-    const { html, headings } = finish(file);
-    const more = page.chapter && !page.further ? directives.unquotedFailures(page.chapter) : '';
-    const whole = more ? `${html}<h2 id="failed_checks">Checks that failed and that no page quotes</h2>${more}` : html;
+  for (const file of reachable(written, [...by_file.keys()], name => finish(name).html)) {
+    const page = by_file.get(file) ?? reference_page(file, written[file].title);
+    const {html, headings} = finish(file);
+    const more = page.chapter && !page.further ? directives.makers.unquoted_failures(page.chapter) : '';
+    const whole = more
+      ? `${html}<h2 id="failed_checks">Checks that failed and that no page quotes</h2>${more}`
+      : html;
     if (!file.endsWith('_source.html'))
-      documents.push(...sections(page, whole).map((section) => ({ ...section, weight: page.chapter ? 3 : page.under ? 0.2 : 1.5 })));
-    const typesetHeadings = headings.map((heading) => ({ ...heading, html: formulas.inPage(heading.html, page.path ?? file) }));
-    writeFileSync(join(folder, file), layout(page, { html: formulas.inPage(whole, page.path ?? file), headings: typesetHeadings }, pages, settings.book));
+      documents.push(
+        ...sections(page, whole).map(section => ({...section, weight: page.chapter ? 3 : page.under ? 0.2 : 1.5})),
+      );
+    const typeset_headings = headings.map(heading => ({...heading, html: formulas.in_page(heading.html, page)}));
+    writeFileSync(
+      join(folder, file),
+      layout(page, {html: formulas.in_page(whole, page), headings: typeset_headings}, pages, settings.book),
+    );
   }
-  writeFileSync(join(folder, 'search_index.js'), searchScript(settings.lunr, documents));
-  writeFileSync(join(folder, 'reading_order.json'), JSON.stringify(pages.all.map(({ file, title, id }) => ({ file, title, id }))));
+  writeFileSync(join(folder, 'search_index.js'), search_script(settings.lunr, documents));
+  writeFileSync(
+    join(folder, 'reading_order.json'),
+    JSON.stringify(pages.all.map(({file, title, id}) => ({file, title, id}))),
+  );
 }
 
-function copyTheme(folder) {
+function copy_theme(folder) {
   const own = join(settings.source, 'book/theme');
-  for (const name of readdirSync(own).filter((file) => /\.(css|js|svg)$/.test(file))) copyFileSync(join(own, name), join(folder, name));
+  for (const name of readdirSync(own).filter(file => /\.(css|js|svg)$/.test(file)))
+    copyFileSync(join(own, name), join(folder, name));
   // Doxygen's own style sheet draws arrows and tabs from images that our pages do not use.
   const style = readFileSync(join(settings.work, 'doxygen/html/doxygen.css'), 'utf8');
   writeFileSync(join(folder, 'doxygen.css'), style.replace(/^.*url\(.*$\n/gm, ''));
-  for (const name of ['doxygen-awesome.css', 'doxygen-awesome-darkmode-toggle.js']) copyFileSync(join(settings.awesome, name), join(folder, name));
+  for (const name of ['doxygen-awesome.css', 'doxygen-awesome-darkmode-toggle.js'])
+    copyFileSync(join(settings.awesome, name), join(folder, name));
   mkdirSync(join(folder, 'katex'));
   const katex = readFileSync(join(settings.katex, 'katex.min.css'), 'utf8');
-  const fonts = [...new Set([...katex.matchAll(/url\(["']?fonts\/([^"')]+\.woff2)/g)].map((match) => match[1]))];
-  writeFileSync(join(folder, 'katex/katex.min.css'), katex.replace(/,url\([^)]*\.(?:woff|ttf)["']?\) ?format\([^)]*\)/g, ''));
+  const fonts = [...new Set([...katex.matchAll(/url\(["']?fonts\/([^"')]+\.woff2)/g)].map(match => match[1]))];
+  writeFileSync(
+    join(folder, 'katex/katex.min.css'),
+    katex.replace(/,url\([^)]*\.(?:woff|ttf)["']?\) ?format\([^)]*\)/g, ''),
+  );
   mkdirSync(join(folder, 'katex/fonts'));
-  for (const font of fonts) cpSync(join(settings.katex, 'fonts', font), join(folder, 'katex/fonts', font), { dereference: true });
+  for (const font of fonts)
+    cpSync(join(settings.katex, 'fonts', font), join(folder, 'katex/fonts', font), {dereference: true});
   copyFileSync(join(settings.lunr, 'lunr.js'), join(folder, 'lunr.js'));
 }
 
@@ -85,29 +127,31 @@ function copyTheme(folder) {
 function publish(fresh, folder) {
   if (existsSync(folder)) {
     if (readdirSync(folder).length && !existsSync(join(folder, 'reading_order.json')))
-      throw new BookError(`the book's folder ${folder} holds something else; empty it or set TUMBLE_BOOK_FOLDER to another`);
-    rmSync(folder, { recursive: true });
+      throw new BookError(
+        `the book's folder ${folder} holds something else; empty it or set TUMBLE_BOOK_FOLDER to another`,
+      );
+    rmSync(folder, {recursive: true});
   }
   renameSync(fresh, folder);
 }
 
 function build() {
-  mkdirSync(settings.work, { recursive: true });
-  const pages = readPages(settings.source, settings.floors);
+  mkdirSync(settings.work, {recursive: true});
+  const pages = read_pages(settings.source, settings.floors);
   const results = new Results(settings.results);
   const directives = new Directives(settings, results, pages);
-  expandPages(pages, directives);
-  const written = runDoxygen(settings, pages.all);
+  expand_pages(pages, directives);
+  const written = run_doxygen(settings, pages.all);
 
   const fresh = `${settings.folder}.new`;
-  rmSync(fresh, { recursive: true, force: true });
-  mkdirSync(fresh, { recursive: true });
-  writePages(fresh, pages, written, directives);
-  copyTheme(fresh);
+  rmSync(fresh, {recursive: true, force: true});
+  mkdirSync(fresh, {recursive: true});
+  write_pages(fresh, pages, written, directives);
+  copy_theme(fresh);
   publish(fresh, settings.folder);
 
-  const chapters = new Set(pages.chapters.map((page) => page.chapter));
-  const failed = [...chapters].flatMap((chapter) => results.checks(chapter)).filter((check) => !check.passed);
+  const chapters = new Set(pages.chapters.map(page => page.chapter));
+  const failed = [...chapters].flatMap(chapter => results.checks(chapter)).filter(check => !check.passed);
   if (failed.length) throw new BookError(`${counted(failed.length, 'check')} failed; the pages show which`);
 }
 

@@ -1,26 +1,38 @@
 // A check on a page: its sentence, its verdict in each precision, and what failed.
-import { counted, escape, listed } from './text.mjs';
+import {counted, escape, listed} from './text.mjs';
 
 function counts(runs) {
-  const numbers = [...new Set(runs.map((run) => run.assertions))];
+  const numbers = [...new Set(runs.map(run => run.assertions))];
   if (runs.length === 1) return counted(numbers[0], 'assertion');
-  return numbers.length === 1 ? `${counted(numbers[0], 'assertion')} each`
-    : `${listed(runs.map((run) => String(run.assertions)))} assertions`;
+  return numbers.length === 1
+    ? `${counted(numbers[0], 'assertion')} each`
+    : `${listed(runs.map(run => String(run.assertions)))} assertions`;
 }
 
 function verdict(word, runs) {
-  const precisions = runs.map((run) => run.precision).filter(Boolean);
+  const precisions = runs.map(run => run.precision).filter(Boolean);
   return `<b>${word}</b>${precisions.length ? ` in ${escape(listed(precisions))}` : ''}`;
 }
 
 /** One line for a check that passed; a failed one also says which expression failed and with which values. */
-export function checkLine(check, path, sourceLink) {
-  const passed = check.runs.filter((run) => run.passed), failed = check.runs.filter((run) => !run.passed);
-  const verdicts = [failed.length && verdict('failed', failed), passed.length && verdict('passed', passed)].filter(Boolean);
-  const complaints = failed.flatMap((run) => run.complaints.slice(0, 3).map((complaint) =>
-    `<li>${escape(run.precision)} ${sourceLink(path, complaint.line, `line ${complaint.line}`)}: <code>${escape(complaint.original)}</code>` +
-    `${complaint.expanded ? ` was <code>${escape(complaint.expanded)}</code>` : ''}</li>`));
-  return `<div class="check ${check.passed ? 'passed' : 'failed'}"><span class="mark" aria-hidden="true">${check.passed ? '✓' : '✗'}</span>` +
-    `<div>${sourceLink(path, check.line, escape(check.sentence))} <span class="verdict">${verdicts.join(', ')}; ${counts(check.runs)}</span>` +
-    `${complaints.length ? `<ul>${complaints.join('')}</ul>` : ''}</div></div>`;
+export function check_line(check, path, source_link) {
+  const passed = check.runs.filter(run => run.passed),
+    failed = check.runs.filter(run => !run.passed);
+  const verdicts = [failed.length && verdict('failed', failed), passed.length && verdict('passed', passed)].filter(
+    Boolean,
+  );
+  const complaints = failed.flatMap(run =>
+    run.complaints
+      .slice(0, 3)
+      .map(
+        complaint =>
+          `<li>${escape(run.precision ?? '')} ${source_link(path, complaint.line, `line ${complaint.line}`)}: <code>${escape(complaint.original)}</code>` +
+          `${complaint.expanded ? ` was <code>${escape(complaint.expanded)}</code>` : ''}</li>`,
+      ),
+  );
+  return (
+    `<div class="check ${check.passed ? 'passed' : 'failed'}"><span class="mark" aria-hidden="true">${check.passed ? '✓' : '✗'}</span>` +
+    `<div>${source_link(path, check.line, escape(check.sentence))} <span class="verdict">${verdicts.join(', ')}; ${counts(check.runs)}</span>` +
+    `${complaints.length ? `<ul>${complaints.join('')}</ul>` : ''}</div></div>`
+  );
 }

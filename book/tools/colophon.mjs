@@ -1,15 +1,19 @@
 // How this copy of the book came about: node colophon.mjs SETTINGS.json
-import { execFileSync } from 'node:child_process';
-import { createRequire } from 'node:module';
-import { cpus } from 'node:os';
-import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
-import { dirname, join } from 'node:path';
+import {execFileSync} from 'node:child_process';
+import {createRequire} from 'node:module';
+import {cpus} from 'node:os';
+import {existsSync, mkdirSync, readFileSync, writeFileSync} from 'node:fs';
+import {dirname, join} from 'node:path';
 
 const settings = JSON.parse(readFileSync(process.argv[2], 'utf8'));
 
 function told_by(program, ...options) {
   try {
-    return execFileSync(program, options, { cwd: settings.source, encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }).trim();
+    return execFileSync(program, options, {
+      cwd: settings.source,
+      encoding: 'utf8',
+      stdio: ['ignore', 'pipe', 'ignore'],
+    }).trim();
   } catch {
     return '';
   }
@@ -27,7 +31,7 @@ function operating_system() {
 }
 
 const require = createRequire(import.meta.url);
-const tidy = (flags) => [...new Set(flags.split(/\s+/).filter(Boolean))].join(' ');
+const tidy = flags => [...new Set(flags.split(/\s+/).filter(Boolean))].join(' ');
 const values = {
   compiler: settings.compiler,
   check_flags: tidy(settings.check_flags),
@@ -45,7 +49,7 @@ const values = {
 };
 
 const old = existsSync(settings.colophon) ? JSON.parse(readFileSync(settings.colophon, 'utf8')) : {};
-if (JSON.stringify({ ...old, date: undefined }) !== JSON.stringify({ ...values, date: undefined })) {
-  mkdirSync(dirname(settings.colophon), { recursive: true });
-  writeFileSync(settings.colophon, JSON.stringify({ ...values, date: new Date().toISOString().slice(0, 10) }));
+if (JSON.stringify({...old, date: undefined}) !== JSON.stringify({...values, date: undefined})) {
+  mkdirSync(dirname(settings.colophon), {recursive: true});
+  writeFileSync(settings.colophon, JSON.stringify({...values, date: new Date().toISOString().slice(0, 10)}));
 }

@@ -1,11 +1,13 @@
 // From what Doxygen wrote between a page's header and footer to what the book shows there.
-import { plain, slug } from './text.mjs';
+import {plain, slug} from './text.mjs';
 
 /** Puts the directives' blocks where their markers stand, and gives each listing its caption. */
-function withBlocks(html, blocks) {
+function with_blocks(html, blocks) {
   return html
-    .replace(/<tumble-listing id="(\d+)"><\/tumble-listing>\s*(<div class="fragment">[\s\S]*?<\/div><!-- fragment -->)/g,
-      (_, id, fragment) => `<figure class="listing"><figcaption>${blocks[id]}</figcaption>${fragment}</figure>`)
+    .replace(
+      /<tumble-listing id="(\d+)"><\/tumble-listing>\s*(<div class="fragment">[\s\S]*?<\/div><!-- fragment -->)/g,
+      (_, id, fragment) => `<figure class="listing"><figcaption>${blocks[id]}</figcaption>${fragment}</figure>`,
+    )
     .replace(/<p[^>]*>\s*((?:<tumble-block id="\d+"><\/tumble-block>\s*)+)<\/p>/g, '$1')
     .replace(/<tumble-block id="(\d+)"><\/tumble-block>/g, (_, id) => blocks[id]);
 }
@@ -13,44 +15,57 @@ function withBlocks(html, blocks) {
 /** Doxygen's ways with HTML that a reader or a browser would stumble over. */
 function tidy(html) {
   return html
-    .replace(/<div class="ttc"[\s\S]*?<\/div><\/div>\n/g, '')              // hidden notes for a script that we don't have
-    .replace(/<div class="line">\/\/! \[\w+\]<\/div>\n|<div class="line"><span class="comment">\/\/! \[\w+\]<\/span><\/div>\n/g, '')
+    .replace(/<div class="ttc"[\s\S]*?<\/div><\/div>\n/g, '') // hidden notes for a script that we don't have
+    .replace(
+      /<div class="line">\/\/! \[\w+\]<\/div>\n|<div class="line"><span class="comment">\/\/! \[\w+\]<\/span><\/div>\n/g,
+      '',
+    )
     .replace(/ name="[^"]*"(?= )| name="[^"]*"(?=>)/g, '')
     .replace(/ (align|valign|border|cellspacing|cellpadding)="[^"]*"/g, '')
-    .replace(/&lt;tt&gt;(.*?)&lt;\/tt&gt;/g, '<code>$1</code>')           // `code` in a heading
-    .replace(/<p >/g, '<p>').replace(/<p>\s*<\/p>/g, '')
-    .replace(/<tt>/g, '<code>').replace(/<\/tt>/g, '</code>')
-    .replace(/<p class="definition">[\s\S]*?<\/p>/g, (all) => all.replace(/^<p class="definition">Definition at/, '<p class="definition">Defined at'));
+    .replace(/&lt;tt&gt;(.*?)&lt;\/tt&gt;/g, '<code>$1</code>') // `code` in a heading
+    .replace(/<p >/g, '<p>')
+    .replace(/<p>\s*<\/p>/g, '')
+    .replace(/<tt>/g, '<code>')
+    .replace(/<\/tt>/g, '</code>')
+    .replace(/<p class="definition">[\s\S]*?<\/p>/g, all =>
+      all.replace(/^<p class="definition">Definition at/, '<p class="definition">Defined at'),
+    );
 }
 
 /** Headings one level down, since the page's title is the first; each gets an address that does not change with its number. */
-function withHeadings(html, isPage) {
-  const headings = [], taken = new Set();
-  const result = html.replace(/<h([1-5])([^>]*)>\s*(?:<a class="anchor" id="([^"]*)"><\/a>)?\s*([\s\S]*?)<\/h\1>/g,
+function with_headings(html, is_page) {
+  const headings = [],
+    taken = new Set();
+  const result = html.replace(
+    /<h([1-5])([^>]*)>\s*(?:<a class="anchor" id="([^"]*)"><\/a>)?\s*([\s\S]*?)<\/h\1>/g,
     (all, level, attributes, id, text) => {
-      if (!isPage) return all;
+      if (!is_page) return all;
       let address = id && !id.startsWith('autotoc') ? id : slug(plain(text));
       while (taken.has(address)) address += '_';
       taken.add(address);
-      headings.push({ level: Number(level) + 1, id: address, html: text.trim() });
+      headings.push({level: Number(level) + 1, id: address, html: text.trim()});
       const tag = `h${Number(level) + 1}`;
       return `<${tag} id="${address}">${text.trim()} <a class="anchorlink" href="#${address}" aria-label="Link to this section">#</a></${tag}>`;
-    });
-  return { html: result, headings };
+    },
+  );
+  return {html: result, headings};
 }
 
-function inScrollers(html) {
-  return html.replace(/<table class="(markdownTable|doxtable|params|exception|tparams|retval|memname|memberdecls)">[\s\S]*?<\/table>/g,
-    (table) => `<div class="scroll">${table}</div>`)
+function in_scrollers(html) {
+  return html
+    .replace(
+      /<table class="(markdownTable|doxtable|params|exception|tparams|retval|memname|memberdecls)">[\s\S]*?<\/table>/g,
+      table => `<div class="scroll">${table}</div>`,
+    )
     .replace(/<div class="scroll">(<table class="memname">)/g, '<div class="scroll prototype">$1');
 }
 
 /** {html, headings} of one page; `sources` leads from a file's path to the page that shows it. */
-export function finishContents(contents, { blocks, sources, isPage }) {
-  const { html, headings } = withHeadings(tidy(withBlocks(contents, blocks)), isPage);
+export function finish_contents(contents, {blocks, sources, is_page}) {
+  const {html, headings} = with_headings(tidy(with_blocks(contents, blocks)), is_page);
   return {
     headings,
-    html: inScrollers(html).replace(/href="source:([^"#]*)/g, (_, path) => {
+    html: in_scrollers(html).replace(/href="source:([^"#]*)/g, (_, path) => {
       if (!sources.has(path)) throw new Error(`no page shows the source of ${path}`);
       return `href="${sources.get(path)}`;
     }),

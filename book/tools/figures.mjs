@@ -1,20 +1,29 @@
 // Drawings by gnuplot and Graphviz, made part of a page: they take the page's colours and its font.
-import { escape, unescape } from './text.mjs';
-import { BookError } from './results.mjs';
+import {escape, unescape} from './text.mjs';
+import {BookError} from './results.mjs';
 
 // The colours of theme/figure.gp and of the map, by the property of the style sheet that takes their place.
 const colours = {
-  '#0b6aa2': '--figure-1', '#c2500a': '--figure-2', '#12805c': '--figure-3', '#96408a': '--figure-4',
-  '#8a6a00': '--figure-5', '#4d5bc4': '--figure-6', '#22303a': '--figure-ink', '#555555': '--figure-frame',
-  '#b9c2c9': '--figure-grid', '#eef3f6': '--figure-fill', '#fffffe': '--figure-paper', black: '--figure-ink',
+  '#0b6aa2': '--figure-1',
+  '#c2500a': '--figure-2',
+  '#12805c': '--figure-3',
+  '#96408a': '--figure-4',
+  '#8a6a00': '--figure-5',
+  '#4d5bc4': '--figure-6',
+  '#22303a': '--figure-ink',
+  '#555555': '--figure-frame',
+  '#b9c2c9': '--figure-grid',
+  '#eef3f6': '--figure-fill',
+  '#fffffe': '--figure-paper',
+  black: '--figure-ink',
   '#000000': '--figure-ink',
 };
-const titleSize = '18.00';
+const title_size = '18.00';
 let drawings = 0;
 
-const hex = (...parts) => `#${parts.map((part) => Number(part).toString(16).padStart(2, '0')).join('')}`;
+const hex = (...parts) => `#${parts.map(part => Number(part).toString(16).padStart(2, '0')).join('')}`;
 
-function inPageColours(svg) {
+function in_page_colours(svg) {
   return svg
     .replace(/rgb\(\s*(\d+),\s*(\d+),\s*(\d+)\s*\)/g, (_, red, green, blue) => hex(red, green, blue))
     .replace(/\b(stroke|fill|color)=(["'])(#[0-9a-fA-F]{6}|black)\2/g, (all, property, quote, colour) => {
@@ -24,7 +33,7 @@ function inPageColours(svg) {
 }
 
 // A page may hold several drawings, and every one of gnuplot's calls its first marker gpPt0.
-function withOwnNames(svg) {
+function with_own_names(svg) {
   const prefix = `drawing${++drawings}_`;
   return svg
     .replace(/\sid=(["'])([^"']*)\1/g, (_, quote, id) => ` id="${prefix}${id}"`)
@@ -33,36 +42,84 @@ function withOwnNames(svg) {
 }
 
 function bare(svg) {
-  return svg.replace(/^.*?(?=<svg)/s, '').replace(/<title>.*?<\/title>|<desc>.*?<\/desc>|<!--.*?-->|<filter.*?<\/filter>/gs, '')
-    .replace(/\sxmlns(:xlink)?="[^"]*"/g, '').replace(/>\s+</g, '><').trim();
+  return svg
+    .replace(/^.*?(?=<svg)/s, '')
+    .replace(/<title>.*?<\/title>|<desc>.*?<\/desc>|<!--.*?-->|<filter.*?<\/filter>/gs, '')
+    .replace(/\sxmlns(:xlink)?="[^"]*"/g, '')
+    .replace(/>\s+</g, '><')
+    .trim();
+}
+
+/** [left, top, right, bottom] of what gnuplot drew. */
+function extent(svg) {
+  const xs = [],
+    ys = [];
+  const point = (x, y) => {
+    xs.push(Number(x));
+    ys.push(Number(y));
+  };
+  const drawn = svg.replace(/<defs>.*?<\/defs>/gs, '');
+  for (const [, path] of drawn.matchAll(/ (?:d|points)=["']([^"']*)["']/g))
+    for (const [, x, y] of path.matchAll(/(-?[\d.]+),(-?[\d.]+)/g)) point(x, y);
+  for (const [, x, y] of drawn.matchAll(/<use [^>]*transform=["']translate\((-?[\d.]+),(-?[\d.]+)\)/g)) point(x, y);
+  const written =
+    /<g transform="translate\((-?[\d.]+),(-?[\d.]+)\)( rotate\(-?[\d.]+\))?"[^>]*font-size="([\d.]+)"[^>]*text-anchor="(\w+)"[^>]*>(.*?)<\/g>/gs;
+  for (const [, x, y, turned, size, anchor, text] of drawn.matchAll(written)) {
+    // A letter is about 0.6 of its size wide.
+    const length = 0.6 * Number(size) * unescape(text.replace(/<[^>]*>/g, '')).trim().length;
+    const before = {start: 0, middle: length / 2, end: length}[anchor],
+      height = Number(size) * 0.8;
+    const [left, right] = [Number(x) - before, Number(x) + length - before];
+    if (turned)
+      [
+        [Number(x) - height, Number(y) + before - length],
+        [x, Number(y) + before],
+      ].forEach(([a, b]) => point(a, b));
+    else
+      [
+        [left, Number(y) - height],
+        [right, Number(y) + height / 3],
+      ].forEach(([a, b]) => point(a, b));
+  }
+  return [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
 }
 
 /** gnuplot's drawing as {title, svg}; `says` is what it tells a reader who cannot see it. */
 export function figure(source, says, name) {
   let svg = bare(source);
   const titles = [];
-  let bottom = 0;
   svg = svg.replace(
-    new RegExp(`<g transform="translate\\(([\\d.]+),([\\d.]+)\\)"[^>]*font-size="${titleSize}"[^>]*>\\s*(<text>.*?</text>)\\s*</g>`, 'gs'),
-    (_, x, y, text) => {
+    new RegExp(
+      `<g transform="translate\\([\\d.-]+,[\\d.-]+\\)"[^>]*font-size="${title_size}"[^>]*>\\s*(<text>.*?</text>)\\s*</g>`,
+      'gs',
+    ),
+    (_, text) => {
       titles.push(unescape(text.replace(/<[^>]*>/g, ' ').trim()));
-      bottom = Math.max(bottom, Number(y) + 8);
       return '';
-    });
+    },
+  );
   if (!titles.length)
     throw new BookError(`figure "${name}" has no title; give it one that states what it shows: set title "..."`);
-  const [, width, height] = /viewBox="0 0 (\d+) (\d+)"/.exec(svg);
-  // The paper, which the page supplies, and the empty strip that the title left.
-  svg = svg.replace(/<rect x="0" y="0"[^>]*fill="#fffffe"\/>/, '')
-    .replace(/<svg[^>]*>/, `<svg role="img" aria-label="${escape(says)}" viewBox="0 ${bottom} ${width} ${height - bottom}" style="--width: ${width}">`);
-  return { title: titles.join(' '), svg: inPageColours(withOwnNames(svg)) };
+  svg = svg.replace(/<rect x="0" y="0"[^>]*fill="#fffffe"\/>/, ''); // the paper, which the page supplies
+  const edge = 6,
+    [left, top, right, bottom] = extent(svg).map((value, side) => Math.round(value + (side < 2 ? -edge : edge)));
+  svg = svg.replace(
+    /<svg[^>]*>/,
+    `<svg role="img" aria-label="${escape(says)}" viewBox="${left} ${top} ${right - left} ${bottom - top}" ` +
+      `style="--width: ${right - left}">`,
+  );
+  return {title: titles.join(' '), svg: in_page_colours(with_own_names(svg))};
 }
 
 /** Graphviz' drawing, whose nodes may be links. */
 export function graph(source, label) {
   const [, width, height] = /width="(\d+)pt" height="(\d+)pt"/.exec(source);
-  return inPageColours(withOwnNames(bare(source)))
-    .replace(/xlink:(href|title)=/g, '$1=').replace(/ title="[^"]*"/g, '')
-    .replace(/<svg[^>]*?viewBox="([^"]*)"[^>]*>/s,
-      (_, box) => `<svg role="group" aria-label="${escape(label)}" viewBox="${box}" style="--width: ${Math.round(width * 4 / 3)}" data-height="${height}">`);
+  return in_page_colours(with_own_names(bare(source)))
+    .replace(/xlink:(href|title)=/g, '$1=')
+    .replace(/ title="[^"]*"/g, '')
+    .replace(
+      /<svg[^>]*?viewBox="([^"]*)"[^>]*>/s,
+      (_, box) =>
+        `<svg role="group" aria-label="${escape(label)}" viewBox="${box}" style="--width: ${Math.round((width * 4) / 3)}" data-height="${height}">`,
+    );
 }

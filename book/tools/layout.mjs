@@ -1,20 +1,23 @@
 // What surrounds the contents of a page: the sidebar, the way here, the table of contents, the pages before and after.
-import { escape, plain } from './text.mjs';
+import {escape, plain} from './text.mjs';
 
 function navigation(pages, current) {
-  const item = (page) => {
+  const item = page => {
     const here = page === current || page.file === current.under;
     return `<li${page.further ? ' class="further"' : ''}><a href="${page.file}"${here ? ' aria-current="page"' : ''}>${escape(page.name)}</a></li>`;
   };
   const group = (title, list) => `<h2>${title}</h2><ul>${list.map(item).join('')}</ul>`;
-  return `<nav id="navigation" aria-label="Pages of the book">${group('Start', pages.front)}${group('Chapters', pages.chapters)}` +
-    `${group('Look up', pages.back)}</nav>`;
+  return (
+    `<nav id="navigation" aria-label="Pages of the book">${group('Start', pages.front)}${group('Chapters', pages.chapters)}` +
+    `${group('Look up', pages.back)}</nav>`
+  );
 }
 
-function tableOfContents(headings) {
-  const listed = headings.filter((heading) => heading.level <= 3);
+function table_of_contents(headings) {
+  const listed = headings.filter(heading => heading.level <= 3);
   if (listed.length < 3) return '';
-  let html = '', level = 2;
+  let html = '',
+    level = 2;
   for (const heading of listed) {
     if (heading.level > level) html += '<ul>';
     if (heading.level < level) html += '</ul>';
@@ -25,20 +28,26 @@ function tableOfContents(headings) {
 }
 
 function neighbours(pages, current) {
-  const order = pages.all, index = order.indexOf(current);
+  const order = pages.all,
+    index = order.indexOf(current);
   if (index < 0) return '';
-  const link = (page, rel, word) => (page ? `<a rel="${rel}" href="${page.file}"><span>${word}</span> ${escape(page.name)}</a>` : '<span></span>');
-  return `<nav class="neighbours" aria-label="Previous and next page">${link(order[index - 1], 'prev', '← Previous')}` +
-    `${link(order[index + 1], 'next', 'Next →')}</nav>`;
+  const link = (page, rel, word) =>
+    page ? `<a rel="${rel}" href="${page.file}"><span>${word}</span> ${escape(page.name)}</a>` : '<span></span>';
+  return (
+    `<nav class="neighbours" aria-label="Previous and next page">${link(order[index - 1], 'prev', '← Previous')}` +
+    `${link(order[index + 1], 'next', 'Next →')}</nav>`
+  );
 }
 
-function wayHere(page, reference) {
-  return page.under ? `<nav class="way" aria-label="You are here"><a href="${reference.file}">${escape(reference.name)}</a> › ${escape(page.name)}</nav>` : '';
+function way_here(page, reference) {
+  return page.under
+    ? `<nav class="way" aria-label="You are here"><a href="${reference.file}">${escape(reference.name)}</a> › ${escape(page.name)}</nav>`
+    : '';
 }
 
 /** The whole page. `page` is one of `pages` or {name, title, file, under} for a page of the reference. */
-export function layout(page, { html, headings }, pages, book) {
-  const reference = pages.all.find((each) => each.id === 'reference');
+export function layout(page, {html, headings}, pages, book) {
+  const reference = pages.all.find(each => each.id === 'reference');
   const title = page.file === 'index.html' ? book.name : `${page.title} · ${book.name}`;
   const kind = page.under ? (page.file.endsWith('_source.html') ? 'source' : 'reference') : 'prose';
   return `<!DOCTYPE html>
@@ -66,9 +75,9 @@ export function layout(page, { html, headings }, pages, book) {
 ${navigation(pages, page)}
 </header>
 <main id="text" tabindex="-1">
-${wayHere(page, reference)}
+${way_here(page, reference)}
 <h1>${page.under ? escape(plain(escape(page.title))) : escape(page.title)}</h1>
-${kind === 'prose' ? tableOfContents(headings) : ''}
+${kind === 'prose' ? table_of_contents(headings) : ''}
 <div class="contents">
 ${html}
 </div>

@@ -1,12 +1,12 @@
 // What the build found out: values, tables, outputs, costs and the verdicts of the checks.
-import { existsSync, readFileSync, readdirSync } from 'node:fs';
-import { join } from 'node:path';
-import { unescape } from './text.mjs';
+import {existsSync, readFileSync, readdirSync} from 'node:fs';
+import {join} from 'node:path';
+import {unescape} from './text.mjs';
 
 /** A mistake of an author, told with what was expected instead. */
 export class BookError extends Error {}
 
-const known = (names) => (names.length ? `there are: ${names.join(', ')}` : 'there are none');
+const known = names => (names.length ? `there are: ${names.join(', ')}` : 'there are none');
 
 export class Results {
   #cache = new Map();
@@ -18,7 +18,9 @@ export class Results {
   names(chapter, ending) {
     const folder = join(this.folder, chapter);
     if (!existsSync(folder)) return [];
-    return readdirSync(folder).filter((name) => name.endsWith(ending)).map((name) => name.slice(0, -ending.length));
+    return readdirSync(folder)
+      .filter(name => name.endsWith(ending))
+      .map(name => name.slice(0, -ending.length));
   }
 
   text(chapter, name, ending, kind) {
@@ -32,50 +34,70 @@ export class Results {
   }
 
   table(chapter, name, ending = '.tsv', kind = 'table') {
-    const rows = this.text(chapter, name, ending, kind).trimEnd().split('\n').map((line) => line.split('\t'));
-    return { columns: rows[0], rows: rows.slice(1) };
+    const rows = this.text(chapter, name, ending, kind)
+      .trimEnd()
+      .split('\n')
+      .map(line => line.split('\t'));
+    return {columns: rows[0], rows: rows.slice(1)};
   }
 
   value(chapter, program, name) {
-    const { rows } = this.table(chapter, program, '.values.tsv', 'values of program');
-    const row = rows.find((cells) => cells[0] === name);
-    if (!row) throw new BookError(`program ${program} wrote no value "${name}"; ${known(rows.map((cells) => cells[0]))}`);
+    const {rows} = this.table(chapter, program, '.values.tsv', 'values of program');
+    const row = rows.find(cells => cells[0] === name);
+    if (!row)
+      throw new BookError(`program ${program} wrote no value "${name}"; ${known(rows.map(cells => cells[0]))}`);
     return row[1];
   }
 
-  /** [{name, nanoseconds}], or undefined where Google Benchmark did not measure. */
+  /**
+   * [{name, nanoseconds}], or undefined where Google Benchmark did not measure. A benchmark that counts the bodies it
+   * treats tells the time of one body.
+   */
   costs(chapter, name) {
     if (!existsSync(join(this.folder, chapter, `${name}.json`))) return undefined;
-    const scale = { ns: 1, us: 1e3, ms: 1e6, s: 1e9 };
-    return JSON.parse(this.text(chapter, name, '.json', 'costs')).benchmarks
-      .filter((run) => run.aggregate_name === 'median')
-      .map((run) => ({ name: run.run_name, nanoseconds: run.cpu_time * scale[run.time_unit] }));
+    const scale = {ns: 1, us: 1e3, ms: 1e6, s: 1e9};
+    return JSON.parse(this.text(chapter, name, '.json', 'costs'))
+      .benchmarks.filter(run => run.aggregate_name === 'median')
+      .map(run => ({
+        name: run.run_name,
+        nanoseconds: run.items_per_second ? 1e9 / run.items_per_second : run.cpu_time * scale[run.time_unit],
+      }));
   }
 
   /** Every check of a chapter: its sentence, where it stands and how it went in each precision. */
   checks(chapter) {
     const key = `checks of ${chapter}`;
-    if (!this.#cache.has(key)) this.#cache.set(key, readChecks(this.text(chapter, 'checks', '.xml', 'report'), chapter));
+    if (!this.#cache.has(key))
+      this.#cache.set(key, read_checks(this.text(chapter, 'checks', '.xml', 'report'), chapter));
     return this.#cache.get(key);
   }
 }
 
-function readChecks(xml, chapter) {
+function read_checks(xml, chapter) {
   if (!xml.trimEnd().endsWith('</doctest>'))
-    throw new BookError(`the checks of chapter ${chapter} broke off: their report has no end. Run ${chapter}_checks to see why`);
+    throw new BookError(
+      `the checks of chapter ${chapter} broke off: their report has no end. Run ${chapter}_checks to see why`,
+    );
   const checks = new Map();
   for (const [, attributes, body] of xml.matchAll(/<TestCase ([^>]*(?:"[^"]*"[^>]*)*?[^/])>\n(.*?)<\/TestCase>/gs)) {
-    const attribute = (name) => unescape(new RegExp(`\\b${name}="([^"]*)"`).exec(attributes)?.[1] ?? '');
+    const attribute = name => unescape(new RegExp(`\\b${name}="([^"]*)"`).exec(attributes)?.[1] ?? '');
     const [, sentence, precision] = /^(.*?)(?:<([^<>]*)>)?$/s.exec(attribute('name'));
     const key = `${sentence}\n${attribute('filename')}\n${attribute('line')}`;
     if (!checks.has(key))
-      checks.set(key, { sentence, file: attribute('filename'), line: Number(attribute('line')), runs: [] });
+      checks.set(key, {sentence, file: attribute('filename'), line: Number(attribute('line')), runs: []});
     const summary = /<OverallResultsAsserts successes="(\d+)" failures="(\d+)" test_case_success="(\w+)"/.exec(body);
     const assertions = Number(summary?.[1] ?? 0) + Number(summary?.[2] ?? 0);
-    const complaints = [...body.matchAll(/<Expression [^>]*?line="(\d+)"[^>]*>\s*<Original>(.*?)<\/Original>\s*(?:<Expanded>(.*?)<\/Expanded>)?/gs)]
-      .map(([, line, original, expanded]) => ({ line, original: unescape(original.trim()), expanded: unescape((expanded ?? '').trim()) }));
-    if (assertions === 0) complaints.push({ line: attribute('line'), original: 'it asserts nothing', expanded: '' });
-    checks.get(key).runs.push({ precision, assertions, passed: summary?.[3] === 'true' && assertions > 0, complaints });
+    const complaints = [
+      ...body.matchAll(
+        /<Expression [^>]*?line="(\d+)"[^>]*>\s*<Original>(.*?)<\/Original>\s*(?:<Expanded>(.*?)<\/Expanded>)?/gs,
+      ),
+    ].map(([, line, original, expanded]) => ({
+      line,
+      original: unescape(original.trim()),
+      expanded: unescape((expanded ?? '').trim()),
+    }));
+    if (assertions === 0) complaints.push({line: attribute('line'), original: 'it asserts nothing', expanded: ''});
+    checks.get(key).runs.push({precision, assertions, passed: summary?.[3] === 'true' && assertions > 0, complaints});
   }
-  return [...checks.values()].map((check) => ({ ...check, passed: check.runs.every((run) => run.passed) }));
+  return [...checks.values()].map(check => ({...check, passed: check.runs.every(run => run.passed)}));
 }

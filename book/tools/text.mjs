@@ -5,8 +5,13 @@ export function escape(text) {
 }
 
 export function unescape(text) {
-  return text.replace(/&lt;/g, '<').replace(/&gt;/g, '>').replace(/&quot;/g, '"').replace(/&#39;/g, "'")
-    .replace(/&#160;|&nbsp;/g, '\u00a0').replace(/&amp;/g, '&');
+  return text
+    .replace(/&lt;/g, '<')
+    .replace(/&gt;/g, '>')
+    .replace(/&quot;/g, '"')
+    .replace(/&#39;/g, "'")
+    .replace(/&#160;|&nbsp;/g, '\u00a0')
+    .replace(/&amp;/g, '&');
 }
 
 /** "a, b and c" */
@@ -18,7 +23,7 @@ export function counted(number, singular, plural = `${singular}s`) {
   return `${number} ${number === 1 ? singular : plural}`;
 }
 
-const superscripts = { '-': '⁻', 0: '⁰', 1: '¹', 2: '²', 3: '³', 4: '⁴', 5: '⁵', 6: '⁶', 7: '⁷', 8: '⁸', 9: '⁹' };
+const superscripts = {'-': '⁻', 0: '⁰', 1: '¹', 2: '²', 3: '³', 4: '⁴', 5: '⁵', 6: '⁶', 7: '⁷', 8: '⁸', 9: '⁹'};
 const number = /^(-?)(\d+(?:\.\d+)?)(?:e([+-]?\d+))?(?= |$)/;
 
 /** A value as a reader wants it: "-1.5e-05 m" becomes "−1.5 × 10⁻⁵ m", which does not break over lines. */
@@ -26,12 +31,12 @@ export function typeset(value) {
   const match = number.exec(value);
   if (!match) return value;
   const [all, sign, digits, exponent] = match;
-  const power = exponent && ` × 10${[...String(Number(exponent))].map((c) => superscripts[c]).join('')}`;
+  const power = exponent && ` × 10${[...String(Number(exponent))].map(c => superscripts[c]).join('')}`;
   return ((sign ? '−' : '') + digits + (power ?? '') + value.slice(all.length)).replace(/ /g, '\u00a0');
 }
 
 /** The same inside a formula. */
-export function typesetInFormula(value) {
+export function typeset_in_formula(value) {
   const match = number.exec(value);
   if (!match) return value;
   const [all, sign, digits, exponent] = match;
@@ -41,17 +46,24 @@ export function typesetInFormula(value) {
 
 /** A cell of a table: programs write every digit they have, a reader gets five that count. */
 export function cell(value) {
-  const short = /^-?\d+\.?\d*(e[+-]?\d+)?$/.test(value) && value.replace(/[^\d]/g, '').length > 6
-    ? String(Number(Number(value).toPrecision(5))) : value;
+  const short =
+    /^-?\d+\.?\d*(e[+-]?\d+)?$/.test(value) && value.replace(/[^\d]/g, '').length > 6
+      ? String(Number(Number(value).toPrecision(5)))
+      : value;
   return typeset(short);
 }
 
 /** What a page says, without its tags. */
 export function plain(html) {
-  return unescape(html.replace(/<[^>]*>/g, ' ')).replace(/\s+/g, ' ').trim();
+  return unescape(html.replace(/<\/?(?:a|b|code|em|i|span|strong|sub|sup)\b[^>]*>/g, '').replace(/<[^>]*>/g, ' '))
+    .replace(/\s+/g, ' ')
+    .trim();
 }
 
 /** A heading as part of an address. */
 export function slug(text) {
-  return text.toLowerCase().replace(/[^\p{L}\p{N}]+/gu, '_').replace(/^_+|_+$/g, '');
+  return text
+    .toLowerCase()
+    .replace(/[^\p{L}\p{N}]+/gu, '_')
+    .replace(/^_+|_+$/g, '');
 }

@@ -100,6 +100,23 @@ TEST_CASE_TEMPLATE("A compound body far from the origin keeps the bits it has ne
 }
 //! [far_away]
 
+TEST_CASE_TEMPLATE(
+    "Far away the common centre of unequal parts is off by one rounding of its place", Real,
+    EVERY_PRECISION) {
+  const Mat3<Real> upright = Mat3<Real>::Identity();
+  const MassProperties<Real> light = mass_properties(Sphere<Real>{Real(0.1)}, Real(2.2));
+  const MassProperties<Real> heavy = mass_properties(Sphere<Real>{Real(0.1)}, Real(3.1));
+  for (int n = 1; n <= 50; ++n) {
+    const Real place = 1000 * Real(n);  // the halves around it are exact in float
+    const MassProperties<Real> dumbbell =
+        combined(std::vector{moved(light, upright, {place - Real(0.5), 0, 0}),
+                             moved(heavy, upright, {place + Real(0.5), 0, 0})});
+    const Real off = dumbbell.centre_of_mass.x() - place -
+                     (heavy.mass - light.mass) / (heavy.mass + light.mass) / 2;
+    CHECK(std::abs(off) <= unit_roundoff<Real> * (place + 1) + 8 * unit_roundoff<Real>);
+  }
+}
+
 TEST_CASE_TEMPLATE("Turned to other axes the tensor keeps its trace and its principal moments",
                    Real, EVERY_PRECISION) {
   Dice dice(11);

@@ -39,3 +39,10 @@ export async function open_page(browser, {viewport = wide, colourScheme = 'light
   });
   return page;
 }
+
+/// Clicks a link and waits until the page it leads to is there.
+export async function follow(page, link) {
+  const target = await link.evaluate(anchor => anchor.href);
+  await link.click();
+  await page.waitForURL(target, {waitUntil: 'load'});
+}

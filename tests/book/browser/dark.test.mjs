@@ -1,7 +1,7 @@
 // The dark toggle works, lasts, and reaches the figures.
 import assert from 'node:assert/strict';
 import {after, afterEach, before, beforeEach, test} from 'node:test';
-import {address, launch, open_page} from './browser.mjs';
+import {address, follow, launch, open_page} from './browser.mjs';
 import {contrasts_in_figures} from './contrast.mjs';
 import {reading_pages} from './pages.mjs';
 
@@ -34,7 +34,7 @@ test('The toggle turns the page dark and light again, and says which it is.', as
 test('What the reader chose lasts over the next page and over a reload.', async () => {
   await page.goto(address('index.html'));
   await toggle();
-  await page.locator('a[rel=next]').click();
+  await follow(page, page.locator('a[rel=next]'));
   assert.ok(await brightness() < 60, 'the next page is light');
   await page.reload();
   assert.ok(await brightness() < 60, 'the page is light after a reload');

@@ -1,7 +1,7 @@
 // Every page opens from its file: without an error, without a request that leaves the folder, set and not too wide.
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
-import {address, launch, narrow, open_page} from './browser.mjs';
+import {address, follow, launch, narrow, open_page} from './browser.mjs';
 import {reading_pages, sampled_pages} from './pages.mjs';
 
 let browser, page, narrow_page;
@@ -73,7 +73,7 @@ test('Next leads through the whole book in order, and Previous back again.', asy
     const walked = [order[0]];
     const link = page.locator(`a[rel=${relation}]`);
     while (await link.count() && walked.length <= order.length) {
-      await link.click();
+      await follow(page, link);
       walked.push(new URL(page.url()).pathname.split('/').pop());
     }
     assert.deepEqual(walked, order);

@@ -4,3 +4,11 @@
 TEST_CASE("The stick is shorter than two metres") {
   CHECK(tumble::stick_length() < 2);
 }
+
+TEST_CASE("The stick has a length") {
+  CHECK(tumble::stick_length() > 0);
+}
+
+TEST_CASE("The stick has a length") {
+  CHECK(tumble::stick_length() != 0);
+}

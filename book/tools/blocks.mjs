@@ -1,0 +1,188 @@
+// What each directive shows: code, outputs, tables, figures, checks and costs of the chapters.
+import {existsSync, readFileSync} from 'node:fs';
+import {dirname, join, normalize} from 'node:path';
+import {spawnSync} from 'node:child_process';
+import {map_of_chapters} from './chapter_map.mjs';
+import {check_line} from './checks.mjs';
+import {figure, graph} from './figures.mjs';
+import {BookError} from './results.mjs';
+import {cell, escape, typeset} from './text.mjs';
+
+/** A link to a line of a source; the address of the source's page is filled in once Doxygen has made it. */
+function source_link(path, line, html) {
+  return `<a href="source:${escape(path)}${line ? `#l${String(line).padStart(5, '0')}` : ''}">${html}</a>`;
+}
+
+const code = text => `<code>${escape(text)}</code>`;
+
+/** "name | words" as [name, words] */
+function parted(argument) {
+  const bar = argument.indexOf('|');
+  return bar < 0 ? [argument.trim(), ''] : [argument.slice(0, bar).trim(), argument.slice(bar + 1).trim()];
+}
+
+/** A table as HTML: columns are {text, is_number}, rows hold text. */
+function table(caption, columns, rows, kind = 'table') {
+  const mark = column => (columns[column].is_number ? ' class="number"' : '');
+  const head = columns.map(({text}, column) => `<th scope="col"${mark(column)}>${escape(text)}</th>`).join('');
+  const body = rows.map(row => `<tr>${row.map((text, column) => `<td${mark(column)}>${escape(text)}</td>`).join('')}</tr>`);
+  return `<figure class="${kind}">${caption ? `<figcaption>${caption}</figcaption>` : ''}<div class="scroll">` +
+    `<table><thead><tr>${head}</tr></thead><tbody>${body.join('')}</tbody></table></div></figure>`;
+}
+
+/** How long the chapters take: prose at 120 words a minute, half as long again at the reader's own machine. */
+function reading_time(pages) {
+  const words = pages.chapters.reduce((sum, page) => sum + page.text.split(/\s+/).length, 0);
+  const minutes = Math.max(10, Math.round(words / 120 / 10) * 10);
+  return {minutes_reading: String(minutes), hours: String(Math.ceil((minutes * 2.5) / 60))};
+}
+
+export class Blocks {
+  quoted = new Set(); // the checks that some page shows
+
+  constructor(settings, results, pages) {
+    this.settings = settings;
+    this.results = results;
+    this.pages = pages;
+    this.values = {colophon: settings.colophon, reading: reading_time(pages)}; // what no program wrote
+    this.kinds = {
+      output: (page, argument) => this.#output(page, argument),
+      table: (page, argument) => this.#table(page, argument),
+      figure: (page, argument) => this.#figure(page, argument),
+      check: (page, argument) => this.#check(page, argument),
+      costs: (page, argument) => this.#costs(page, argument),
+      map: () => this.#map(),
+      chapters: () => this.#chapters(),
+    };
+  }
+
+  /** [chapter, name]: "name" is of this page's chapter, "02_torque/name" of any. */
+  #of(page, text) {
+    const [, chapter = page.chapter, name] = /^(?:(\w+)\/)?(.*)$/s.exec(text);
+    if (!chapter) throw new BookError(`"${text}" must name its chapter here, as in 01_force/${text}`);
+    if (!this.settings.floors.some(floor => floor.name === chapter)) {
+      throw new BookError(`no chapter ${chapter}; there are ${this.settings.floors.map(floor => floor.name).join(', ')}`);
+    }
+    return [chapter, name];
+  }
+
+  #program_link(chapter, program) {
+    const {folder} = this.settings.floors.find(floor => floor.name === chapter);
+    const path = join(folder, `${program}.cpp`);
+    if (!existsSync(join(this.settings.source, path))) throw new BookError(`there is no program ${path}`);
+    return source_link(path, 0, code(program));
+  }
+
+  #path(file) {
+    return file.startsWith(`${this.settings.source}/`) ? file.slice(this.settings.source.length + 1) : file;
+  }
+
+  value_of(page, argument) {
+    const match = /^(?:\w+\/)?(\w+)\.(\w+)$/.exec(argument);
+    if (!match) throw new BookError(`{{value ${argument}}} should read {{value program.name}}`);
+    const [, group, name] = match;
+    if (!(group in this.values)) {
+      const [chapter] = this.#of(page, argument);
+      return this.results.value(chapter, group, name);
+    }
+    const value = this.values[group][name];
+    if (value === undefined) {
+      throw new BookError(`no value ${argument}; of ${group} there are: ${Object.keys(this.values[group]).join(', ')}`);
+    }
+    return value;
+  }
+
+  /** {caption, command}: Doxygen's command brings the code, with links to the reference. */
+  snippet(page, argument) {
+    const match = /^(\S+)\s+(\S+)$/.exec(argument);
+    if (!match) throw new BookError(`{{snippet ${argument}}} should read {{snippet file tag}}`);
+    const path = normalize(join(page.chapter ? dirname(page.path) : '.', match[1]));
+    if (!existsSync(join(this.settings.source, path))) throw new BookError(`there is no file ${path}`);
+    const lines = readFileSync(join(this.settings.source, path), 'utf8').split('\n').map(line => line.trim());
+    const mark = `//! [${match[2]}]`;
+    const marks = lines.flatMap((line, index) => (line === mark ? [index] : []));
+    if (marks.length !== 2) {
+      throw new BookError(`${path} must hold the line ${mark} before and after the code; it holds it ${marks.length} times`);
+    }
+    const first = lines.findIndex((line, index) => index > marks[0] && line && !line.startsWith('//! ['));
+    if (first >= marks[1]) throw new BookError(`the snippet ${match[2]} of ${path} is empty`);
+    const shown = /(?:(?:tumble|course)\/)?[^/]+$/.exec(path)[0];
+    return {caption: `${source_link(path, first + 1, code(shown))}, line ${first + 1}`, command: `\\snippet ${path} ${match[2]}`};
+  }
+
+  #output(page, argument) {
+    const [chapter, program] = this.#of(page, argument);
+    const text = this.results.text(chapter, program, '.txt', 'output of program');
+    if (!text.trim()) throw new BookError(`the program ${program} printed nothing`);
+    return `<figure class="listing output"><figcaption>What ${this.#program_link(chapter, program)} prints</figcaption>` +
+      `<pre class="unindexed">${escape(text.trimEnd())}</pre></figure>`;
+  }
+
+  #table(page, argument) {
+    const [reference, caption] = parted(argument);
+    const {columns, rows} = this.results.table(...this.#of(page, reference));
+    const is_number = (_, column) => rows.every(row => /^-?[\d.]+(e[+-]?\d+)?$|^$/.test(row[column]));
+    return table(escape(caption), columns.map((text, column) => ({text, is_number: is_number(text, column)})),
+      rows.map(row => row.map(cell)));
+  }
+
+  #figure(page, argument) {
+    const [reference, description] = parted(argument);
+    if (!description) {
+      throw new BookError(`{{figure ${argument}}} should read {{figure name | what it shows, for those who cannot see it}}`);
+    }
+    const says = description.replace(/\{\{value\s+([^{}]*)\}\}/g, (_, name) => typeset(this.value_of(page, name.trim())));
+    if (says.includes('{{')) {
+      throw new BookError('the description of a figure may hold {{value program.name}} and no other directive');
+    }
+    const [chapter, name] = this.#of(page, reference);
+    const {title, svg} = figure(this.results.text(chapter, name, '.svg', 'figure'), says, name);
+    return `<figure class="drawing"><figcaption>${escape(title)}</figcaption><div class="scroll">${svg}</div></figure>`;
+  }
+
+  #check(page, argument) {
+    const prefixed = /^\d\d_\w+\//.test(argument);
+    const [chapter, sentence] = prefixed || !page.chapter ? this.#of(page, argument) : [page.chapter, argument];
+    const all = this.results.checks(chapter);
+    const matches = all.filter(check => check.sentence === sentence);
+    if (matches.length !== 1) {
+      const which = matches.length
+        ? `They stand at ${matches.map(({file, line}) => `${this.#path(file)}:${line}`).join(' and ')}`
+        : `Its checks are:\n${all.map(check => `    ${check.sentence}`).join('\n')}`;
+      throw new BookError(`${matches.length} checks of ${chapter} are named "${sentence}"; it must be exactly one. ${which}`);
+    }
+    this.quoted.add(matches[0]);
+    return check_line(matches[0], this.#path(matches[0].file), source_link);
+  }
+
+  /** The failed checks of a chapter that its pages do not quote. */
+  unquoted_failures(chapter) {
+    return this.results.checks(chapter).filter(check => !check.passed && !this.quoted.has(check))
+      .map(check => check_line(check, this.#path(check.file), source_link)).join('');
+  }
+
+  #costs(page, argument) {
+    const [chapter, program] = this.#of(page, argument);
+    const link = this.#program_link(chapter, program);
+    const costs = this.results.costs(chapter, program);
+    if (!costs) return `<p>${link} was not run: Google Benchmark was not installed when this book was built.</p>`;
+    const time = nanoseconds => (nanoseconds < 1000
+      ? `${Number(nanoseconds.toPrecision(2))}\u00a0ns` : `${Number((nanoseconds / 1000).toPrecision(2))}\u00a0µs`);
+    return table(`Time measured by ${link} on the machine that built this book`,
+      [{text: 'what'}, {text: 'time', is_number: true}], costs.map(({name, nanoseconds}) => [name, time(nanoseconds)]),
+      'table unindexed');
+  }
+
+  #map() {
+    const drawn = spawnSync(this.settings.dot, ['-Tsvg'], {input: map_of_chapters(this.settings, this.pages), encoding: 'utf8'});
+    if (drawn.status !== 0) throw new BookError(`Graphviz could not draw the map: ${drawn.stderr}`);
+    const svg = graph(drawn.stdout, 'The chapters, each standing on the one below it');
+    return `<figure class="drawing map"><div class="scroll">${svg}</div></figure>`;
+  }
+
+  #chapters() {
+    const item = ({file, name, question}) =>
+      `<li><a href="${file}">${escape(name)}</a>${question ? `<span>${escape(question)}</span>` : ''}</li>`;
+    return `<ol class="chapters">${this.pages.chapters.filter(page => !page.further).map(item).join('')}</ol>`;
+  }
+}

@@ -1,0 +1,87 @@
+// The whole book in one PDF: node print.mjs SETTINGS.json. Chromium prints it twice, the second time with the page
+// numbers that the first one showed.
+import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
+import {spawnSync} from 'node:child_process';
+import {pages_of_destinations} from './pdf.mjs';
+import {escape, plain} from './text.mjs';
+
+const settings = JSON.parse(readFileSync(process.argv[2], 'utf8'));
+const {date, commit} = JSON.parse(readFileSync(settings.colophon, 'utf8'));
+const order = JSON.parse(readFileSync(join(settings.folder, 'reading_order.json'), 'utf8')).filter(
+  page => page.id !== 'reference',
+);
+
+/** A page's title and contents; what had an address of its own gets one that is unique in the whole. */
+function part_of({file, id}) {
+  const html = readFileSync(join(settings.folder, file), 'utf8');
+  const title = /<h1>([\s\S]*?)<\/h1>/.exec(html)[1];
+  const contents = html.slice(
+    html.indexOf('<div class="contents">'),
+    html.search(/<nav class="neighbours"|<\/main>/),
+  );
+  const body = contents
+    .replace(/<details/g, '<details open')
+    .replace(/ id="([^"]*)"/g, (_, name) => ` id="${id}--${name}"`)
+    .replace(/ href="#([^"]*)"/g, (_, name) => ` href="#${id}--${name}"`)
+    .replace(/url\(#([^)]*)\)/g, (_, name) => `url(#${id}--${name})`)
+    .replace(/<a [^>]*href="([^"#:]+\.html)(?:#([^"]*))?"[^>]*>([\s\S]*?)<\/a>/g, (_, target, name, text) => {
+      const page = order.find(each => each.file === target);
+      return page ? `<a href="#${page.id}${name ? `--${name}` : ''}">${text}</a>` : text;
+    });
+  return {id, title, body, sections: [...body.matchAll(/<h2 id="([^"]*)">([\s\S]*?)<a class="anchorlink"/g)]};
+}
+
+function whole(parts, page_numbers) {
+  const line = (id, html, kind) =>
+    `<li class="${kind}"><a href="#${id}"><span>${html}</span><span>${page_numbers.get(id) ?? ''}</span></a></li>`;
+  return `<!DOCTYPE html><html lang="en-GB" class="light-mode"><head><meta charset="utf-8"><title>${escape(settings.book.name)}</title>
+${['doxygen.css', 'doxygen-awesome.css', 'katex/katex.min.css', 'book.css', 'contents.css', 'print.css']
+  .map(name => `<link rel="stylesheet" href="${name}">`)
+  .join('\n')}</head><body class="prose whole">
+<main><section class="title-page"><h1>${escape(settings.book.name)}</h1><p>${escape(settings.book.brief)}</p>
+<p class="edition">Built on ${escape(date)}, commit ${escape(commit)}</p></section>
+<section class="printed-contents"><h1>Contents</h1><ul>
+${parts.map(part => line(part.id, part.title, 'page') + part.sections.map(([, id, text]) => line(id, escape(plain(text.replace(/<span class="katex-html"[\s\S]*/, ''))), 'section')).join('')).join('\n')}
+</ul></section>
+${parts.map(part => `<section class="page"><h1 id="${part.id}">${part.title}</h1>${part.body}</section>`).join('\n')}
+</main></body></html>`;
+}
+
+function print(html, pdf) {
+  const page = join(settings.folder, 'printed.html'),
+    profile = mkdtempSync(join(tmpdir(), 'tumble-print-'));
+  try {
+    writeFileSync(page, html);
+    const run = spawnSync(
+      settings.chromium,
+      [
+        '--headless',
+        '--no-sandbox',
+        '--disable-gpu',
+        '--no-first-run',
+        '--disable-background-networking',
+        `--user-data-dir=${profile}`,
+        '--no-pdf-header-footer',
+        '--generate-pdf-document-outline',
+        `--print-to-pdf=${pdf}`,
+        `file://${encodeURI(page)}`,
+      ],
+      {encoding: 'utf8', timeout: 300_000},
+    );
+    if (run.error) throw run.error;
+    if (run.status !== 0) throw new Error(`Chromium could not print the book:\n${run.stderr}`);
+  } finally {
+    rmSync(page, {force: true});
+    rmSync(profile, {recursive: true, force: true});
+  }
+}
+
+const parts = order.map(part_of),
+  fresh = join(settings.work, 'tumble.pdf');
+rmSync(fresh, {force: true});
+print(whole(parts, new Map()), fresh);
+print(whole(parts, pages_of_destinations(readFileSync(fresh))), fresh);
+writeFileSync(join(settings.folder, 'tumble.pdf'), readFileSync(fresh));
+rmSync(fresh);

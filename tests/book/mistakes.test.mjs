@@ -1,0 +1,62 @@
+// An author's mistake breaks the build of the book, with a message that names the file, the line and what was wrong.
+// TUMBLE_TINY is the folder of the tiny book, which make_tiny_book.cmake has built.
+import assert from 'node:assert/strict';
+import {readFileSync, writeFileSync} from 'node:fs';
+import {spawnSync} from 'node:child_process';
+import {join} from 'node:path';
+import {after, test} from 'node:test';
+
+const folder = process.env.TUMBLE_TINY;
+const chapter = 'chapters/01_tiny/chapter.md';
+const sound = readFileSync(join(folder, chapter), 'utf8');
+after(() => writeFileSync(join(folder, chapter), sound));
+
+function make_book(text) {
+  writeFileSync(join(folder, chapter), text);
+  return spawnSync(process.execPath, [join(folder, 'book/tools/book.mjs'), join(folder, 'build/book_work/settings.json')],
+    {encoding: 'utf8', timeout: 60_000});
+}
+
+test('The chapter without a mistake is made, and holds what its directives stand for.', () => {
+  const {status, stderr} = make_book(sound);
+  assert.equal(status, 0, stderr);
+  const page = readFileSync(join(folder, 'book_made/chapter_01_tiny.html'), 'utf8');
+  for (const expected of ['The stick is 1.25 m long.', 'stick_length', '<b>passed</b>', 'rises from zero to 1.25',
+    '<summary>Why so short?</summary>', 'The line ends at the stick']) {
+    assert.ok(page.includes(expected), expected);
+  }
+});
+
+const mistakes = [
+  ['a check that is not there', '{{check The stick is longer than two metres}}', /0 checks .*"The stick is longer than two metres"/],
+  ['a check name that two cases have', '{{check The stick has a length}}', /2 checks .*"The stick has a length"/],
+  ['an unknown value', 'It is {{value tiny_demo.width}} wide.', /no value "width".*length/],
+  ['a value of an unknown program', 'It is {{value big_demo.length}} long.', /no .*"big_demo".*tiny_demo/],
+  ['an unknown figure', '{{figure circle | A circle with a radius of two metres.}}', /no figure "circle".*line/],
+  ['a figure without alternative text', '{{figure line}}', /should read \{\{figure name \| what it shows/],
+  ['an unknown table', '{{table circle}}', /no table "circle".*line/],
+  ['an unknown program', '{{output big_demo}}', /no output of program "big_demo".*tiny_demo/],
+  ['an unknown directive', '{{photograph line}}', /unknown directive \{\{photograph\}\}/],
+  ['an unknown directive within a sentence', 'See {{photograph line}} here.', /unknown directive \{\{photograph\}\}/],
+  ['an empty snippet', '{{snippet tumble/tiny.hpp nothing}}', /snippet nothing of .*tiny\.hpp is empty/],
+  ['an unknown snippet', '{{snippet tumble/tiny.hpp width}}', /tiny\.hpp must hold the line \/\/! \[width\]/],
+  ['a snippet of a file that is not there', '{{snippet tumble/big.hpp length}}', /there is no file chapters\/01_tiny\/tumble\/big\.hpp/],
+  ['a fold that does not end', '{{fold More}}', /\{\{fold More\}\} has no \{\{end\}\}/],
+  ['an end without a fold', '{{end}}', /\{\{end\}\} closes no/],
+  ['a formula that is none', 'So \\f$ \\frac{1}{ \\f$ follows.', /\\frac\{1\}\{/],
+  ['a formula with an unknown word', '\\f[ \\wheel = 1 \\f]', /\\wheel/],
+  ['a link to a page that is not there', 'See \\ref chapter_09_absent.', /chapter_09_absent/],
+];
+
+for (const [what, line, message] of mistakes) {
+  test(`The build refuses ${what}, and says where it stands.`, () => {
+    const lines = sound.split('\n');
+    // Before everything else, so that a tool that counts from elsewhere is found out.
+    lines.splice(2, 0, line, '');
+    const {status, stderr} = make_book(lines.join('\n'));
+    assert.notEqual(status, 0, 'the book was made all the same');
+    assert.match(stderr, message);
+    assert.ok(stderr.includes(`${chapter}:3:`), `the message does not say ${chapter}:3\n${stderr}`);
+    assert.ok(!stderr.includes(`${folder}/${chapter}`), `the message names the machine's folders\n${stderr}`);
+  });
+}
