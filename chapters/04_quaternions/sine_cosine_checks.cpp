@@ -40,3 +40,57 @@ TEST_CASE_TEMPLATE("Sine and cosine are right to two units in the last place, wh
     CHECK(worst <= 2);
   }
 }
+
+// The digits that cancel there are made up from the third and fourth piece of π/2: 2.2 is the
+// largest seen, in float.
+TEST_CASE_TEMPLATE("Next to every multiple of a quarter turn sine and cosine keep their digits",
+                   Real, EVERY_PRECISION) {
+  const long double quarter_turn = std::numbers::pi_v<long double> / 2;
+  const int most = static_cast<int>(SineCosineConstants<Real>::limit / 2);
+  long double worst = 0;
+  for (int turns = 1; turns < most; turns += 1 + turns / 500) {
+    const Real angle = static_cast<Real>(turns * quarter_turn);
+    for (const Real beside :
+         {std::nextafter(angle, Real(0)), angle, std::nextafter(angle, 2 * angle)})
+      worst = std::max({worst, units_off(beside), units_off(-beside)});
+  }
+  CHECK(worst <= 2.5L);
+}
+
+TEST_CASE_TEMPLATE("A tiny angle, down to the smallest that can be stored, is its own sine", Real,
+                   EVERY_PRECISION) {
+  const Real root = std::sqrt(std::numeric_limits<Real>::epsilon());
+  for (Real angle = root / 2; angle > 0; angle /= 16) {
+    CHECK(sine_cosine(angle).sine == angle);
+    CHECK(sine_cosine(-angle).sine == -angle);
+    CHECK(sine_over_angle(sine_cosine(angle).sine, angle) == 1);
+  }
+  for (const Real angle : {Real(0), -Real(0), root / 4}) CHECK(sine_cosine(angle).cosine == 1);
+  CHECK(sine_cosine(Real(0)).sine == 0);
+  CHECK(sine_over_angle(Real(0), Real(0)) == 1);
+}
+
+TEST_CASE_TEMPLATE("Turned the other way the sine changes its sign and nothing else, to the bit",
+                   Real, EVERY_PRECISION) {
+  std::mt19937_64 generator(3);
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Real angle = 100 * random_number<Real>(generator);
+    CHECK(sine_cosine(-angle).sine == -sine_cosine(angle).sine);
+    CHECK(sine_cosine(-angle).cosine == sine_cosine(angle).cosine);
+  }
+}
+
+TEST_CASE_TEMPLATE("An angle beyond the stated limit gives NaN, never a wrong number", Real,
+                   EVERY_PRECISION) {
+  const Real limit = SineCosineConstants<Real>::limit;
+  CHECK(limit == (std::is_same_v<Real, float> ? 1536 : 1572864));
+  CHECK(units_off(limit) <= 2);
+  CHECK(units_off(-limit) <= 2);
+  using Limits = std::numeric_limits<Real>;
+  for (const Real angle :
+       {std::nextafter(limit, 2 * limit), Limits::max(), Limits::infinity(), Limits::quiet_NaN()})
+    for (const Real signed_angle : {angle, -angle}) {
+      CHECK(std::isnan(sine_cosine(signed_angle).sine));
+      CHECK(std::isnan(sine_cosine(signed_angle).cosine));
+    }
+}

@@ -38,6 +38,12 @@ Quaternion<Real> random_orientation(std::mt19937_64& generator) {
   return normalized(q);
 }
 
+/// The same number in another precision.
+template <class To, class From>
+Quaternion<To> cast(const Quaternion<From>& q) {
+  return {.real = static_cast<To>(q.real), .imaginary = q.imaginary.template cast<To>()};
+}
+
 /// The largest absolute component of a difference.
 template <class Real>
 Real distance(const Quaternion<Real>& p, const Quaternion<Real>& q) {

@@ -27,9 +27,11 @@ Mat3<Real> matrix_of(const Quaternion<Real>& q) {
 /// each other, within 0.01, and right-handed.
 template <class Real>
 void require_nearly_rotation(std::string_view name, const Mat3<Real>& matrix) {
+  for (int column = 0; column < 3; ++column)
+    require_finite<Real>("a column of " + std::string(name), matrix.col(column), "");
   const Mat3<Real> off = matrix.transpose() * matrix - Mat3<Real>::Identity();
-  const Real largest = off.template lpNorm<Eigen::Infinity>();
-  if (!matrix.allFinite() || !(largest <= Real(0.01)))
+  const Real largest = off.cwiseAbs().maxCoeff();
+  if (!(largest <= Real(0.01)))
     reject("the largest element of RᵀR − 1 for " + std::string(name), largest, "",
            "a rotation's columns have length 1 and are square to each other, within 0.01");
   if (!(matrix.determinant() > 0))
@@ -39,26 +41,29 @@ void require_nearly_rotation(std::string_view name, const Mat3<Real>& matrix) {
 
 /// The quaternion of a rotation matrix R, with real part 0 or more.
 ///
-/// Sums and differences of R's elements are the sixteen products 4 q_i q_j: each column of the
-/// table below is q times 4 q_j. The column with the largest 4 q_j² has lost no digits, so it is
-/// taken and normalised, at turns of 180° too, where the first column is zero.
-/// @throws std::invalid_argument if the matrix called `name` is not a rotation: its columns must be
-/// square to each other and of length 1, within 0.01, and right-handed.
+/// From matrix_of() one reads off 1 + tr R = 4 w², the differences across R's diagonal 4 w u, and
+/// R + Rᵀ + (1 − tr R) 1 = 4 u uᵀ. Together they are the sixteen products of q's components, four
+/// times each, so every column of the table below is a multiple of q. The one with the largest
+/// diagonal element has lost no digits: it is normalised. At 180° the first column is zero.
+/// @throws std::invalid_argument if the matrix called `name` is not a rotation, see
+/// require_nearly_rotation().
 //! [quaternion_of]
 template <class Real>
 Quaternion<Real> quaternion_of(const Mat3<Real>& R, std::string_view name = "rotation") {
   require_nearly_rotation(name, R);
   Eigen::Matrix<Real, 4, 4> products;
-  products << 1 + R(0, 0) + R(1, 1) + R(2, 2), R(2, 1) - R(1, 2), R(0, 2) - R(2, 0),
-      R(1, 0) - R(0, 1),  //
-      R(2, 1) - R(1, 2), 1 + R(0, 0) - R(1, 1) - R(2, 2), R(0, 1) + R(1, 0), R(0, 2) + R(2, 0),
-      R(0, 2) - R(2, 0), R(0, 1) + R(1, 0), 1 - R(0, 0) + R(1, 1) - R(2, 2), R(1, 2) + R(2, 1),
-      R(1, 0) - R(0, 1), R(0, 2) + R(2, 0), R(1, 2) + R(2, 1), 1 - R(0, 0) - R(1, 1) + R(2, 2);
+  products(0, 0) = 1 + R.trace();
+  products.template bottomLeftCorner<3, 1>() << R(2, 1) - R(1, 2), R(0, 2) - R(2, 0),
+      R(1, 0) - R(0, 1);
+  products.template topRightCorner<1, 3>() = products.template bottomLeftCorner<3, 1>().transpose();
+  products.template bottomRightCorner<3, 3>() =
+      R + R.transpose() + (1 - R.trace()) * Mat3<Real>::Identity();
+
   Eigen::Index largest = 0;
   products.diagonal().maxCoeff(&largest);
   const Eigen::Matrix<Real, 4, 1> column = products.col(largest);
   const Quaternion<Real> q = {.real = column(0), .imaginary = column.template tail<3>()};
-  return normalized(column(0) < 0 ? -q : q);
+  return normalized(q.real < 0 ? -q : q);
 }
 //! [quaternion_of]
 

@@ -45,7 +45,8 @@ Vec3<Real> rotation_vector_of(const Quaternion<Real>& q) {
 template <class Real>
 Real angle_between(const Quaternion<Real>& p, const Quaternion<Real>& q) {
   const Quaternion<Real> between = conjugate(p) * q;
-  return 2 * std::atan2(between.imaginary.stableNorm(), std::abs(between.real));
+  const Vec3<Real>& u = between.imaginary;
+  return 2 * std::atan2(std::hypot(u.x(), u.y(), u.z()), std::abs(between.real));
 }
 //! [angle_between]
 
@@ -61,7 +62,8 @@ Quaternion<Real> quaternion_about(const Vec3<Real>& axis, Same<Real> angle) {
   const Real limit = 2 * SineCosineConstants<Real>::limit;
   require_between("angle", angle, "rad", -limit, limit);
   const SineCosine<Real> half_turn = sine_cosine(angle / 2);
-  return {.real = half_turn.cosine, .imaginary = half_turn.sine * axis.stableNormalized()};
+  const Vec3<Real> near_one = axis / axis.cwiseAbs().maxCoeff();  // so that no square overflows
+  return {.real = half_turn.cosine, .imaginary = half_turn.sine * near_one.normalized()};
 }
 //! [about]
 
