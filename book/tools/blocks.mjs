@@ -6,7 +6,7 @@ import {map_of_chapters} from './chapter_map.mjs';
 import {check_line} from './checks.mjs';
 import {figure, graph} from './figures.mjs';
 import {BookError} from './results.mjs';
-import {cell, escape, typeset} from './text.mjs';
+import {cell, escape, listed, typeset} from './text.mjs';
 
 /** A link to a line of a source; the address of the source's page is filled in once Doxygen has made it. */
 function source_link(path, line, html) {
@@ -176,7 +176,8 @@ export class Blocks {
   #map() {
     const drawn = spawnSync(this.settings.dot, ['-Tsvg'], {input: map_of_chapters(this.settings, this.pages), encoding: 'utf8'});
     if (drawn.status !== 0) throw new BookError(`Graphviz could not draw the map: ${drawn.stderr}`);
-    const svg = graph(drawn.stdout, 'The chapters, each standing on the one below it');
+    const chapters = this.pages.chapters.filter(page => !page.further).map(page => page.name);
+    const svg = graph(drawn.stdout, `A tower of chapters, from the ground up: ${listed(chapters)}. Each stands on those below it.`);
     return `<figure class="drawing map"><div class="scroll">${svg}</div></figure>`;
   }
 

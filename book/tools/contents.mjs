@@ -23,6 +23,7 @@ function tidy(html) {
     .replace(/ name="[^"]*"(?= )| name="[^"]*"(?=>)/g, '')
     .replace(/ (align|valign|border|cellspacing|cellpadding)="[^"]*"/g, '')
     .replace(/&lt;tt&gt;(.*?)&lt;\/tt&gt;/g, '<code>$1</code>') // `code` in a heading
+    .replace(/<a href="[^"]*">More\.\.\.<\/a>/g, '')
     .replace(/<p >/g, '<p>')
     .replace(/<p>\s*<\/p>/g, '')
     .replace(/<tt>/g, '<code>')

@@ -58,6 +58,7 @@ export class Results {
     const scale = {ns: 1, us: 1e3, ms: 1e6, s: 1e9};
     return JSON.parse(this.text(chapter, name, '.json', 'costs'))
       .benchmarks.filter(run => run.aggregate_name === 'median')
+      .sort((one, other) => one.family_index - other.family_index) // as written; they were run in a random order
       .map(run => ({
         name: run.run_name,
         nanoseconds: run.items_per_second ? 1e9 / run.items_per_second : run.cpu_time * scale[run.time_unit],

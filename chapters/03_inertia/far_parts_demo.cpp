@@ -18,7 +18,8 @@ MassPropertiesf by_way_of_the_origin(const std::vector<MassPropertiesf>& parts) 
     whole.inertia += inertia_about(part, Vec3f::Zero());
   }
   whole.centre_of_mass /= whole.mass;
-  return from_inertia_about(Vec3f(Vec3f::Zero()), whole.inertia, whole.mass, whole.centre_of_mass);
+  const Vec3f origin = Vec3f::Zero();
+  return from_inertia_about(origin, whole.inertia, whole.mass, whole.centre_of_mass);
 }
 //! [by_way_of_the_origin]
 

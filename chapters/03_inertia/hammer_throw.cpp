@@ -19,14 +19,13 @@ const Vec3d head_size(0.13, 0.04, 0.04);
 /// across.
 //! [hammer]
 MassPropertiesd make_hammer() {
-  const double wood = 800, steel = 7850;  // kg/m³
+  const MassPropertiesd handle = mass_properties_of_density(
+      Cylinder<double>{handle_radius, handle_length}, 800);  // kg/m³, wood
+  const MassPropertiesd head = mass_properties_of_density(Box<double>{head_size}, 7850);  // steel
+  const double head_height = handle_length + head_size.z() / 2;
   const Mat3d upright = Mat3d::Identity();
-  const MassPropertiesd handle =
-      moved(mass_properties_of_density(Cylinder<double>{handle_radius, handle_length}, wood),
-            upright, Vec3d(0, 0, handle_length / 2));
-  const MassPropertiesd head = moved(mass_properties_of_density(Box<double>{head_size}, steel),
-                                     upright, Vec3d(0, 0, handle_length + head_size.z() / 2));
-  return combined(std::vector{handle, head});
+  return combined(std::vector{moved(handle, upright, {0, 0, handle_length / 2}),
+                              moved(head, upright, {0, 0, head_height})});
 }
 //! [hammer]
 

@@ -55,7 +55,7 @@ TEST_CASE_TEMPLATE(
     cross_term_size += mass_of(particle) * V.norm() * turning.norm();
   }
   const Real of_the_centre = body.mass * V.squaredNorm() / 2;
-  const Real of_the_turning = rotational_energy(body.inertia, omega);
+  const Real of_the_turning = turning_energy(body.inertia, omega);
   // Each sum of 1000 terms rounds once a term, and a term or a tensor under 30 times.
   CHECK(std::abs(cross_term) <= (count + 30) * unit_roundoff<Real> * cross_term_size);
   CHECK(std::abs(total - (of_the_centre + of_the_turning)) <=
@@ -75,7 +75,7 @@ TEST_CASE_TEMPLATE("Without the centre of mass as reference the energy does not 
   const MassProperties<Real> body = mass_properties(particles);
   const Mat3<Real> about_origin = inertia_about(body, Vec3<Real>::Zero());
   // The cross term is V·(ω × Σ m r) = 1 (1·1 + 3·2) = 7 J.
-  CHECK(std::abs(total - (4 * Real(0.5) + rotational_energy(about_origin, omega)) - 7) <=
+  CHECK(std::abs(total - (4 * Real(0.5) + turning_energy(about_origin, omega)) - 7) <=
         40 * unit_roundoff<Real> * total);
 }
 
@@ -83,10 +83,10 @@ TEST_CASE_TEMPLATE("Turning energy is the same number in every frame", Real, EVE
   Dice dice(2);
   const Mat3<Real> inertia = mass_properties(Box<Real>{{1, 2, 3}}, 5).inertia;
   for (int n = 0; n < 20; ++n) {
-    const Mat3<Real> R = random_rotation<Real>(dice);
+    const Mat3<Real> R = random_turn<Real>(dice);
     const Vec3<Real> omega = dice.vector<Real>();
-    const Real here = rotational_energy(inertia, omega);
-    const Real there = rotational_energy(in_other_axes(inertia, R), R * omega);
+    const Real here = turning_energy(inertia, omega);
+    const Real there = turning_energy(in_other_axes(inertia, R), R * omega);
     // R itself is off by up to 8 roundings in each element, and enters four times; the products add
     // 16 more. No sum exceeds the largest moment times |ω|² times 9.
     const Real size = 9 * inertia.norm() * omega.squaredNorm();

@@ -64,8 +64,8 @@ TEST_CASE_TEMPLATE(
   Dice dice(8);
   for (int n = 0; n < 50; ++n) {
     const Vec3<Real> axis = dice.vector<Real>(), point = dice.vector<Real>();
-    CHECK(rotational_energy(inertia_about(body, point), axis) >=
-          rotational_energy(body.inertia, axis) * (1 - 16 * unit_roundoff<Real>));
+    CHECK(turning_energy(inertia_about(body, point), axis) >=
+          turning_energy(body.inertia, axis) * (1 - 16 * unit_roundoff<Real>));
   }
 }
 
@@ -123,7 +123,7 @@ TEST_CASE_TEMPLATE("Turned to other axes the tensor keeps its trace and its prin
   const MassProperties<Real> body = mass_properties(lump<Real>(12));
   const Vec3<Real> moments = principal_axes(body.inertia).moments;
   for (int n = 0; n < 20; ++n) {
-    const Mat3<Real> R = random_rotation<Real>(dice);
+    const Mat3<Real> R = random_turn<Real>(dice);
     const Mat3<Real> turned = in_other_axes(body.inertia, R);
     // Each element of R is off by 8 roundings at most and enters twice; the products add 6 of a sum
     // of nine terms; Jacobi's method rotates some 12 times with 4 roundings each.
@@ -137,7 +137,7 @@ TEST_CASE_TEMPLATE("Turned to other axes the tensor keeps its trace and its prin
 TEST_CASE_TEMPLATE("Moving the particles or moving their mass properties is the same", Real,
                    EVERY_PRECISION) {
   Dice dice(13);
-  const Mat3<Real> R = random_rotation<Real>(dice);
+  const Mat3<Real> R = random_turn<Real>(dice);
   const Vec3<Real> shift(3, -1, 2);
   std::vector<Particle<Real>> particles = lump<Real>(14);
   const MassProperties<Real> first = moved(mass_properties(particles), R, shift);
@@ -212,12 +212,12 @@ TEST_CASE_TEMPLATE("Parts, turns and shifts that make no sense are refused", Rea
   CHECK(complaint_of([&] {
           moved(ball, 2 * upright, {0, 0, 0});
         }) ==
-        "the matrix that moves a body is not a rotation; its columns must have length 1 and be "
+        "the matrix that moves a body does not turn rigidly; its columns must have length 1 and be "
         "square to each other, and one product is off by 3");
   CHECK(complaint_of([&] {
           moved(ball, -upright, {0, 0, 0});
         }) ==
-        "the matrix that moves a body is a mirror, not a rotation; its columns must be "
+        "the matrix that moves a body mirrors; its columns must be "
         "right-handed");
   CHECK(complaint_of([&] {
           moved(ball, upright, {0, 0, std::numeric_limits<Real>::infinity()});

@@ -118,7 +118,7 @@ TEST_CASE_TEMPLATE("A mesh that was turned has a tensor that was turned", Real, 
   Dice dice(41);
   const Vec3<Real> size(3, 1, 2), shift(1, -2, 3);
   for (int n = 0; n < 10; ++n) {
-    const Mat3<Real> R = random_rotation<Real>(dice);
+    const Mat3<Real> R = random_turn<Real>(dice);
     const MassProperties<Real> first = mass_properties(moved(box_mesh(size), R, shift), 7);
     const MassProperties<Real> second = tumble::moved(mass_properties(box_mesh(size), 7), R, shift);
     // A vertex within 6 m of the origin and 2 m of the centre rounds 8 times at 6 m.
@@ -218,7 +218,7 @@ TEST_CASE_TEMPLATE("A flat sheet that is closed on paper encloses nothing and is
   for (int n = 0; n < 20; ++n) {
     Mesh<Real> sheet{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
                      {{0, 1, 2}, {0, 2, 3}, {2, 1, 0}, {3, 2, 0}}};
-    sheet = moved<Real>(sheet, random_rotation<Real>(dice), {1, 2, 3});
+    sheet = moved<Real>(sheet, random_turn<Real>(dice), {1, 2, 3});
     // Both sides share their diagonal: four triangles there. Cut the back along the other one.
     sheet.triangles[2] = {1, 0, 3};
     sheet.triangles[3] = {3, 2, 1};

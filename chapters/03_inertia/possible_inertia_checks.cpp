@@ -26,7 +26,7 @@ TEST_CASE_TEMPLATE("Every solid of this chapter is possible, the flat and the th
                    EVERY_PRECISION) {
   Dice dice(31);
   for (int n = 0; n < 50; ++n) {
-    const Mat3<Real> R = random_rotation<Real>(dice);
+    const Mat3<Real> R = random_turn<Real>(dice);
     for (const MassProperties<Real>& body :
          {mass_properties(Box<Real>{{1, 2, 3}}, 1), mass_properties(ThinPlate<Real>{1, 2}, 1),
           mass_properties(ThinRod<Real>{1}, 1), mass_properties(Sphere<Real>{1}, 1),
@@ -44,7 +44,7 @@ TEST_CASE_TEMPLATE("A tensor that breaks I_1 + I_2 >= I_3 is refused with its th
         "must add up to the largest or more, but I_1 + I_2 = 3 < I_3 = 4");
   Dice dice(32);
   for (int n = 0; n < 20; ++n) {
-    const Mat3<Real> R = random_rotation<Real>(dice);
+    const Mat3<Real> R = random_turn<Real>(dice);
     CHECK(complaint_about(in_other_axes(diagonal<Real>(1, 2, Real(3.001)), R)) != "nothing thrown");
     CHECK(complaint_about(in_other_axes(diagonal<Real>(1, 2, 3), R)) == "nothing thrown");
   }
@@ -95,7 +95,7 @@ TEST_CASE_TEMPLATE("A zero moment is refused where it would be inverted, never t
   Dice dice(33);
   for (int n = 0; n < 50; ++n) {
     const Mat3<Real> slanted =
-        in_other_axes(mass_properties(ThinRod<Real>{1}, 1).inertia, random_rotation<Real>(dice));
+        in_other_axes(mass_properties(ThinRod<Real>{1}, 1).inertia, random_turn<Real>(dice));
     CHECK(complaint_of([&] { inverse_inertia("rod", slanted); }).find(why) != std::string::npos);
   }
 }
@@ -114,7 +114,7 @@ TEST_CASE_TEMPLATE("Moments from 1e-12 to 1e12 kg m² are judged and inverted al
   Dice dice(34);
   for (int n = 0; n < 20; ++n) {
     const Mat3<Real> plain =
-        in_other_axes(diagonal<Real>(1, 2, Real(2.5)), random_rotation<Real>(dice));
+        in_other_axes(diagonal<Real>(1, 2, Real(2.5)), random_turn<Real>(dice));
     const Mat3<Real> inverse = inverse_inertia("body", plain);
     CHECK((plain * inverse - Mat3<Real>::Identity()).norm() <=
           // 96 roundings of the principal frame, twice, times the ratio of the moments

@@ -10,7 +10,7 @@ using namespace tumble::course;
 
 namespace {
 
-// Some 12 rotations with 4 roundings of each element, and as many again in the reconstruction.
+// Some 12 turns with 4 roundings of each element, and as many again in the reconstruction.
 template <class Real>
 constexpr Real slack = 96 * unit_roundoff<Real>;
 
@@ -28,7 +28,7 @@ void check_axes(const Mat3<Real>& inertia, const PrincipalAxes<Real>& found) {
 template <class Real>
 Mat3<Real> turned(const Vec3<Real>& moments, Dice& dice) {
   const Mat3<Real> diagonal = moments.asDiagonal();
-  return in_other_axes(diagonal, random_rotation<Real>(dice));
+  return in_other_axes(diagonal, random_turn<Real>(dice));
 }
 
 }  // namespace

@@ -58,9 +58,9 @@ Real relative_error(const Mat3<Real>& inertia, const Mat3<Same<Real>>& truth) {
   return (inertia - truth).norm() / truth.norm();
 }
 
-/// Any rotation, from four random numbers.
+/// Any turn, from four random numbers.
 template <class Real>
-Mat3<Real> random_rotation(Dice& dice) {
+Mat3<Real> random_turn(Dice& dice) {
   const Vec3<Real> v = dice.vector<Real>();
   return Eigen::Quaternion<Real>(Real(dice.both_ways()), v.x(), v.y(), v.z())
       .normalized()

@@ -16,10 +16,8 @@ namespace tumble {
 //! [inertia_from_second_moments]
 template <class Real>
 Mat3<Real> inertia_from_second_moments(const Mat3<Real>& S) {
-  Mat3<Real> inertia;
-  inertia << S(1, 1) + S(2, 2), -S(0, 1), -S(0, 2),  //
-      -S(0, 1), S(0, 0) + S(2, 2), -S(1, 2),         //
-      -S(0, 2), -S(1, 2), S(0, 0) + S(1, 1);
+  Mat3<Real> inertia = -S;
+  inertia.diagonal() << S(1, 1) + S(2, 2), S(0, 0) + S(2, 2), S(0, 0) + S(1, 1);
   return inertia;
 }
 //! [inertia_from_second_moments]
@@ -36,12 +34,12 @@ Mat3<Real> inertia_of_particle(Real mass, const Vec3<Same<Real>>& r) {
 
 /// The energy of turning, ½ ωᵀ I ω, in J; tensor (kg m²) and angular velocity ω (rad/s) in the same
 /// axes, whichever they are.
-//! [rotational_energy]
+//! [turning_energy]
 template <class Real>
-Real rotational_energy(const Mat3<Real>& inertia, const Vec3<Same<Real>>& angular_velocity) {
+Real turning_energy(const Mat3<Real>& inertia, const Vec3<Same<Real>>& angular_velocity) {
   return angular_velocity.dot(inertia * angular_velocity) / 2;
 }
-//! [rotational_energy]
+//! [turning_energy]
 
 /// Throws unless the tensor called `name` is finite and equal to its transpose.
 ///

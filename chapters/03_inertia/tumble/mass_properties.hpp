@@ -51,7 +51,7 @@ MassProperties<Real> from_inertia_about(const Vec3<Real>& point, const Mat3<Same
   return {mass, centre_of_mass, inertia - shift};
 }
 
-/// The same tensor in other axes, R I Rᵀ; the columns of the rotation R are the old axes, seen from
+/// The same tensor in other axes, R I Rᵀ; the columns of the turn R are the old axes, seen from
 /// the new ones. The result is symmetric to the bit.
 //! [in_other_axes]
 template <class Real>
@@ -61,30 +61,31 @@ Mat3<Real> in_other_axes(const Mat3<Real>& inertia, const Mat3<Same<Real>>& R) {
 }
 //! [in_other_axes]
 
-/// Throws unless `matrix` is a rotation: columns of length 1, square to each other, right-handed.
-/// 1024 units of roundoff are let pass, so that a product of hundreds of rotations is still one.
+/// Throws unless `matrix` turns a body and does nothing else to it: columns of length 1, square to
+/// each other, right-handed. 1024 units of roundoff are let pass, so that a product of hundreds of
+/// turns is still one.
 template <class Real>
-void require_rotation(std::string_view name, const Mat3<Real>& matrix) {
+void require_turn(std::string_view name, const Mat3<Real>& matrix) {
   const Mat3<Real> error = matrix.transpose() * matrix - Mat3<Real>::Identity();
   const Real slack = 1024 * (std::numeric_limits<Real>::epsilon() / 2);
   if (!(error.cwiseAbs().maxCoeff() <= slack))
-    throw std::invalid_argument(std::string(name) +
-                                " is not a rotation; its columns must have length 1 and be square "
-                                "to each other, and one product is off by " +
-                                text_of(error.cwiseAbs().maxCoeff()));
+    throw std::invalid_argument(
+        std::string(name) +
+        " does not turn rigidly; its columns must have length 1 and be square "
+        "to each other, and one product is off by " +
+        text_of(error.cwiseAbs().maxCoeff()));
   if (matrix.col(0).cross(matrix.col(1)).dot(matrix.col(2)) < 0)
-    throw std::invalid_argument(std::string(name) +
-                                " is a mirror, not a rotation; its columns must be right-handed");
+    throw std::invalid_argument(std::string(name) + " mirrors; its columns must be right-handed");
 }
 
-/// The same body after turning it by the rotation R about the model's origin and then shifting it
+/// The same body after turning it by the turn R about the model's origin and then shifting it
 /// by `shift` metres.
-/// @throws std::invalid_argument if R is not a rotation or the shift is not finite.
+/// @throws std::invalid_argument if R does more than turn or the shift is not finite.
 //! [moved]
 template <class Real>
 MassProperties<Real> moved(const MassProperties<Real>& body, const Mat3<Same<Real>>& R,
                            const Vec3<Same<Real>>& shift) {
-  require_rotation("the matrix that moves a body", R);
+  require_turn("the matrix that moves a body", R);
   require_finite("the shift that moves a body", shift, "m");
   return {body.mass, R * body.centre_of_mass + shift, in_other_axes(body.inertia, R)};
 }

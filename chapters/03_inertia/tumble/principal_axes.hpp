@@ -18,17 +18,17 @@ struct PrincipalAxes {
 };
 //! [principal_axes_struct]
 
-/// One Jacobi rotation: turns the frame in the plane of axes p and q by the angle φ for which I_pq
+/// Turns the frame in the plane of its axes p and q by the angle φ for which the product I_pq
 /// becomes 0.
 ///
 /// In the turned frame I_pq is (cos²φ − sin²φ) I_pq + sin φ cos φ (I_pp − I_qq). With t = tan φ it
 /// is 0 when t² + 2θt − 1 = 0, where θ = (I_qq − I_pp)/(2 I_pq). Of the two roots the smaller one
-/// turns by 45° at most. Where θ² overflows, t is 0 to rounding, and comes out so.
-//! [jacobi_rotation]
+/// turns by 45° at most.
+//! [remove_product]
 template <class Real>
-void jacobi_rotation(Mat3<Real>& I, Mat3<Real>& axes, int p, int q) {
+void remove_product(Mat3<Real>& I, Mat3<Real>& axes, int p, int q) {
   const Real theta = (I(q, q) - I(p, p)) / (2 * I(p, q));
-  const Real t = std::copysign(Real(1), theta) / (std::abs(theta) + std::sqrt(theta * theta + 1));
+  const Real t = std::copysign(Real(1), theta) / (std::abs(theta) + std::hypot(theta, Real(1)));
   const Real cosine = 1 / std::sqrt(t * t + 1), sine = t * cosine;
 
   I(p, p) -= t * I(p, q);
@@ -43,12 +43,12 @@ void jacobi_rotation(Mat3<Real>& I, Mat3<Real>& axes, int p, int q) {
   axes.col(p) = cosine * axis_p - sine * axis_q;
   axes.col(q) = sine * axis_p + cosine * axis_q;
 }
-//! [jacobi_rotation]
+//! [remove_product]
 
-/// The principal moments and axes of a symmetric tensor (kg m²), by Jacobi's method: rotate one
+/// The principal moments and axes of a symmetric tensor (kg m²), by Jacobi's method: turn one
 /// product of inertia away after the other until none is left that matters.
 ///
-/// A rotation brings back a part of what the one before removed, but ever less: near the end, the
+/// A turn brings back a part of what the one before removed, but ever less: near the end, the
 /// square of what was left. A product counts as gone once it is below a rounding of the smaller of
 /// its two moments. A tensor that is diagonal already is not touched: its numbers come out to the
 /// bit, in ascending order. Equal moments leave the choice of axes free; some right-handed ones
@@ -66,7 +66,7 @@ PrincipalAxes<Real> principal_axes(const Mat3<Real>& inertia, std::string_view n
   const int most_sweeps = 30;  // five are usual
   for (int sweep = 0; sweep < most_sweeps; ++sweep)
     for (const auto [p, q] : {std::array{0, 1}, std::array{0, 2}, std::array{1, 2}})
-      if (matters(p, q)) jacobi_rotation(I, axes, p, q);
+      if (matters(p, q)) remove_product(I, axes, p, q);
 
   std::array<int, 3> order = {0, 1, 2};
   std::stable_sort(order.begin(), order.end(), [&I](int i, int j) { return I(i, i) < I(j, j); });

@@ -43,12 +43,24 @@ function what_scrolls_sideways() {
   return scrollWidth > clientWidth || too_wide.length ? [`${scrollWidth} > ${clientWidth}`, ...names] : [];
 }
 
+/// The tables whose head does not stand above its columns.
+function tables_out_of_line() {
+  const left = cell => cell.getBoundingClientRect().left;
+  return [...document.querySelectorAll('.contents table')].filter(table => {
+    const head = [...table.querySelector('tr')?.querySelectorAll('th') ?? []];
+    const body = [...table.querySelectorAll('tr')].find(row => row.querySelector('td'))?.children ?? [];
+    return head.length > 1 && head.length === body.length && head.some((cell, column) =>
+      Math.abs(left(cell) - left(body[column])) > 1);
+  }).map(table => table.textContent.trim().slice(0, 60));
+}
+
 for (const name of sampled_pages) {
-  test(`${name} opens from its file without an error, and its formulas are set.`, async () => {
+  test(`${name} opens from its file without an error, its formulas and tables set.`, async () => {
     page.complaints.length = 0;
     await page.goto(address(name), {waitUntil: 'load'});
     assert.ok((await page.title()).length > 0, 'the page has no title');
     assert.deepEqual(await page.evaluate(faults_of_formulas), []);
+    assert.deepEqual(await page.evaluate(tables_out_of_line), [], 'the head of the table is not above its columns');
     assert.deepEqual(page.complaints, []);
   });
 

@@ -1,13 +1,13 @@
 // What the book's tools must not leave behind in the text.
 const is_code = element => element.has_class('fragment') || element.name === 'pre';
 const is_formula = element => element.has_class('katex');
-const is_code_or_formula = element => is_code(element) || is_formula(element);
+const is_prose = element => !element.is_inside(is_code) && !element.is_inside(is_formula);
 
-/// The elements whose own words, not those of their children, match the pattern.
-function* own_words_matching(book, pattern, leave_out) {
+/// Where an element's own words, not those of its children, match the pattern; of the elements that `is_read` accepts.
+function* own_words_matching(book, pattern, is_read) {
   for (const page of book.pages.values()) {
     for (const element of page.elements) {
-      if (['script', 'style'].includes(element.name) || element.is_inside(leave_out)) continue;
+      if (['script', 'style'].includes(element.name) || !is_read(element)) continue;
       const match = pattern.exec(element.children.filter(child => typeof child === 'string').join(' '));
       if (match) yield {path: page.path, line: element.line, found: match[0].trim()};
     }
@@ -25,14 +25,15 @@ export function* every_snippet_has_code(book) {
 }
 
 export function* every_directive_is_expanded(book) {
-  for (const {found, ...place} of own_words_matching(book, /\{\{.{0,40}|\}\}/, is_code)) {
-    yield {...place, problem: `a directive was not expanded: "${found}"`};
-  }
+  // Formulas have double braces of their own; of the directives they may hold {{value ...}} alone.
+  const left = [...own_words_matching(book, /\{\{.{0,40}|\}\}/, is_prose),
+    ...own_words_matching(book, /\{\{value .{0,40}/, element => element.is_inside(is_formula))];
+  for (const {found, ...place} of left) yield {...place, problem: `a directive was not expanded: "${found}"`};
 }
 
 export function* every_formula_is_typeset(book) {
   const raw = /(\\f[$[\]{(]|\\[()[\]]|\$\$).{0,40}/;
-  for (const {found, ...place} of own_words_matching(book, raw, is_code_or_formula)) {
+  for (const {found, ...place} of own_words_matching(book, raw, is_prose)) {
     yield {...place, problem: `a formula was not typeset: "${found}"`};
   }
 }
