@@ -125,3 +125,16 @@ TEST_CASE_TEMPLATE("A normalised quaternion has norm 1 and the direction it had"
     CHECK(distance(norm(q) * unit, q) <= (3 + 2 + 3 + 1) * unit_roundoff<Real> * norm(q));
   }
 }
+
+TEST_CASE_TEMPLATE("To normalise again what is normalised already changes no bit", Real,
+                   EVERY_PRECISION) {
+  std::mt19937_64 generator(9);
+  int changed_by_plain_normalising = 0;
+  for (int trial = 0; trial < 10'000; ++trial) {
+    const Quaternion<Real> q = random_quaternion<Real>(generator), unit = normalized(q);
+    CHECK(same_bits(renormalized(unit), unit));
+    CHECK(std::abs(norm(renormalized(q)) - 1) <= 8 * unit_roundoff<Real>);
+    changed_by_plain_normalising += !same_bits(normalized(unit), unit);
+  }
+  CHECK(changed_by_plain_normalising > 0);  // so that there is something to prevent
+}

@@ -43,7 +43,23 @@ void accelerate(Particle<Real>& particle, const Vec3<Same<Real>>& acceleration,
 }
 //! [accelerate]
 
-/// One step of `time_step` seconds (h): v ← v + h F/m, then x ← x + h v with the new v.
+/// The kick: what this step's force does to the velocity in `time_step` seconds (h), v ← v + h F/m.
+//! [kick]
+template <class Real>
+void kick(Particle<Real>& particle, Same<Real> time_step) {
+  particle.velocity += time_step * particle.inverse_mass * particle.force;
+}
+//! [kick]
+
+/// The drift: where the velocity carries the position in `time_step` seconds (h), x ← x + h v.
+//! [drift]
+template <class Real>
+void drift(Particle<Real>& particle, Same<Real> time_step) {
+  particle.position += time_step * particle.velocity;
+}
+//! [drift]
+
+/// One step of `time_step` seconds (h): the kick, then the drift with the new velocity.
 ///
 /// The force must stay the same from one step to the next for the error to be exactly ½ a h t;
 /// chapter 6 says what happens otherwise. The time step is checked where it enters the program, see
@@ -51,8 +67,8 @@ void accelerate(Particle<Real>& particle, const Vec3<Same<Real>>& acceleration,
 //! [step]
 template <class Real>
 void step(Particle<Real>& particle, Same<Real> time_step) {
-  particle.velocity += time_step * particle.inverse_mass * particle.force;
-  particle.position += time_step * particle.velocity;
+  kick(particle, time_step);
+  drift(particle, time_step);
 }
 //! [step]
 

@@ -1,0 +1,53 @@
+// A book on a table, turned about two axes in both orders.
+#include <course/record.hpp>
+#include <numbers>
+#include <tumble/rotation_matrix.hpp>
+#include <tumble/rotation_vector.hpp>
+
+using namespace tumble;
+
+namespace {
+
+/// Such as "+y"; the numbers of this program are all within rounding of 0 or 1.
+std::string direction(const Vec3d& v) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double sign : {1.0, -1.0})
+      if ((v - sign * Vec3d::Unit(axis)).norm() < 1e-15)
+        return (sign > 0 ? "+" : "-") + std::string(1, "xyz"[axis]);
+  return "askew";
+}
+
+void print(const char* what, const Quaterniond& book) {
+  const Vec3d cover(0, 0, 1), spine(0, 1, 0);  // in the book's own axes
+  const std::string cover_faces = direction(rotate(book, cover)),
+                    spine_points = direction(rotate(book, spine));
+  std::printf("%-38s the cover faces %s, the spine points along %s\n", what, cover_faces.c_str(),
+              spine_points.c_str());
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+  course::Notebook notebook(argument_count, arguments);
+  //! [book]
+  const double quarter = std::numbers::pi / 2;
+  const Quaterniond about_x = quaternion_about(Vec3d(1, 0, 0), quarter);
+  const Quaterniond about_z = quaternion_about(Vec3d(0, 0, 1), quarter);
+  const Quaterniond lying = {};
+
+  print("as it lies", lying);
+  print("a quarter turn about x", about_x * lying);
+  print("... and then one about the world's z", about_z * about_x * lying);
+  print("... or one about the book's own z", about_x * about_z * lying);
+  //! [book]
+  print("first z, then x, both the world's", about_x * about_z);
+  course::expect(angle_between(about_z * about_x, about_x * about_z) > 1,
+                 "the order of two turns matters");
+
+  const Quaterniond both = about_z * about_x;
+  const Vec3d axis = rotation_vector_of(both).normalized();
+  const double degrees = rotation_vector_of(both).norm() * 180 / std::numbers::pi;
+  std::printf("\nx and then z is one turn by %.0f degrees about (%.4f, %.4f, %.4f)\n", degrees,
+              axis.x(), axis.y(), axis.z());
+  notebook.value("degrees", course::number("%.0f", degrees));
+}

@@ -1,0 +1,11 @@
+set title "The swing grows towards w h = 2; beyond it nothing holds it"
+set xlabel "w h"
+set ylabel "largest |x|, started at 1 m (m)"
+set logscale y
+set xrange [0:2.1]
+set yrange [0.8:40]
+set ytics (1, 2, 5, 10, 20)
+set samples 2001
+set arrow from 2, graph 0 to 2, graph 1 nohead linecolor rgb "#555555"
+plot [0:1.9985] 1/sqrt(1 - x*x/4) with lines linestyle 7 title "1/sqrt(1 - (w h/2)^2)", \
+     "amplitude.tsv" using 1:2 with points linestyle 1 title "2000 steps"

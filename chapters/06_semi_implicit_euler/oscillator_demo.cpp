@@ -1,0 +1,105 @@
+// A weight on a spring, stepped in both orders: its path in the plane of place and velocity, its
+// energy, and what a step does to a patch of that plane.
+#include <course/record.hpp>
+#include <tumble/semi_implicit_euler.hpp>
+
+using namespace tumble;
+using tumble::course::number;
+
+namespace {
+
+const double frequency = 1;  // w, rad/s: one swing takes 2π seconds
+const double pi = 3.14159265358979323846;
+
+void gather_spring(Particled& weight) {
+  clear_force(weight);
+  add_force(weight, -frequency * frequency * weight.position);
+}
+
+double energy(const Particled& weight) {
+  return (weight.velocity.squaredNorm() + frequency * frequency * weight.position.squaredNorm()) /
+         2;
+}
+
+void draw_phase_portrait(const course::Notebook& notebook) {
+  const double time_step = 0.3;
+  Particled semi = make_particle(1.0, Vec3d(1, 0, 0)), explicitly = semi;
+  course::Table table =
+      notebook.table("phase_portrait", {"time (s)", "explicit x (m)", "explicit v (m/s)",
+                                        "semi-implicit x (m)", "semi-implicit v (m/s)"});
+  for (int n = 0; n <= 42; ++n) {
+    if (n <= 26)
+      table.row(n * time_step, explicitly.position.x(), explicitly.velocity.x(), semi.position.x(),
+                semi.velocity.x());
+    else
+      table.row(n * time_step, "", "", semi.position.x(), semi.velocity.x());
+    gather_spring(semi);
+    gather_spring(explicitly);
+    step(semi, time_step);
+    explicit_step(explicitly, time_step);
+  }
+}
+
+/// A square patch of starts, kicked and drifted; beside it the same patch after an explicit step.
+void draw_patch(const course::Notebook& notebook) {
+  const double time_step = 0.6;
+  course::Table table = notebook.table("patch", {"patch", "x (m)", "v (m/s)"});
+  const auto outline = [&table](const char* name, auto move) {
+    for (const auto& [x, v] : {std::pair{0.8, -0.2}, {1.2, -0.2}, {1.2, 0.2}, {0.8, 0.2}}) {
+      Particled corner = make_particle(1.0, Vec3d(x, 0, 0), Vec3d(v, 0, 0));
+      gather_spring(corner);
+      move(corner);
+      table.row(name, corner.position.x(), corner.velocity.x());
+    }
+  };
+  outline("start", [](Particled&) {});
+  outline("kicked", [=](Particled& corner) { kick(corner, time_step); });
+  outline("stepped", [=](Particled& corner) { step(corner, time_step); });
+  outline("explicit", [=](Particled& corner) { explicit_step(corner, time_step); });
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+  course::Notebook notebook(argument_count, arguments);
+  draw_phase_portrait(notebook);
+  draw_patch(notebook);
+
+  //! [both]
+  const double time_step = checked_time_step(0.05);
+  Particled semi = make_particle(1.0, Vec3d(1, 0, 0)), explicitly = semi;
+  const auto swing_once_more = [&] {
+    for (int n = 0; n < 126; ++n) {  // 126 steps of 0.05 s: one swing and a little
+      gather_spring(semi);
+      step(semi, time_step);
+      gather_spring(explicitly);
+      explicit_step(explicitly, time_step);
+    }
+  };
+  //! [both]
+  std::printf("energy after     explicit Euler   semi-implicit Euler   exact\n");
+  double largest = 0;
+  for (int swings = 0; swings <= 64; ++swings) {
+    const bool power_of_two = (swings & (swings - 1)) == 0;
+    if (power_of_two)
+      std::printf("%3d swings %17.5g J %19.5f J   %5.1f J\n", swings, energy(explicitly),
+                  energy(semi), 0.5);
+    largest = std::max(largest, std::abs(energy(semi) / 0.5 - 1));
+    swing_once_more();
+  }
+  notebook.value("explicit_energy", number("%.1e J", energy(explicitly)));
+  notebook.value("largest_swing", number("%.1f %%", 100 * largest));
+  course::expect(largest < 0.026, "the energy of kick and drift swings by w h / 2 at most");
+  course::expect(energy(explicitly) > 1e6, "explicit Euler's energy has grown a million times");
+
+  course::Table energies = notebook.table(
+      "energy", {"swings", "explicit Euler (J)", "semi-implicit Euler (J)", "exact (J)"});
+  Particled slow = make_particle(1.0, Vec3d(1, 0, 0)), fast = slow;
+  for (int n = 0; n * 0.1 <= 5 * 2 * pi; ++n) {
+    energies.row(n * 0.1 / (2 * pi), energy(fast), energy(slow), 0.5);
+    gather_spring(slow);
+    gather_spring(fast);
+    step(slow, 0.1);
+    explicit_step(fast, 0.1);
+  }
+}
