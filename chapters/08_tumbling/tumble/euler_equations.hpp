@@ -28,13 +28,4 @@ bool is_gyroscopic(const Top<Real>& top) {
 }
 //! [is_gyroscopic]
 
-/// What the accumulated torque does to the angular momentum in `time_step` seconds (h):
-/// L ← L + h τ. Chapter 6's kick, for turning.
-//! [kick]
-template <class Real>
-void kick(Top<Real>& top, Same<Real> time_step) {
-  add_angular_momentum(top, time_step * top.torque);
-}
-//! [kick]
-
 }  // namespace tumble
