@@ -46,18 +46,22 @@ int main(int argument_count, char** arguments) {
       std::printf("turned by %3d degrees: the nose at height %6.3f, or at %6.3f\n", n * 360 / steps,
                   right_nose.z(), std::round(wrong_nose.z() * 1e3) / 1e3 + 0.0);
   }
-  const auto mark = [&](const char* kind, const Vec3d& from, const Vec3d& by, const char* text) {
+  const auto mark = [&](const char* kind, const Vec3d& from, const Vec3d& by) {
     const auto [x, y] = on_page(from);
     const auto [dx, dy] = on_page(by);
-    marks.row(kind, x, y, dx, dy, text);
+    marks.row(kind, x, y, dx, dy, "");
   };
   const Vec3d z(0, 0, 1), own_z = rotate(start, z);
-  mark("right", Vec3d(0, 0, 0), 1.35 * z, "");
-  mark("wrong", Vec3d(0, 0, 0), 1.35 * own_z, "");
-  mark("label", 1.35 * z + Vec3d(0, 0.25, 0), Vec3d(0, 0, 0), "ω");
-  mark("label", 1.35 * own_z + Vec3d(0, -0.45, 0.1), Vec3d(0, 0, 0), "the body's own z");
-  mark("dot", rotate(start, nose), Vec3d(0, 0, 0), "");
-  mark("label", rotate(start, nose) + Vec3d(0, 0.3, 0), Vec3d(0, 0, 0), "start");
+  mark("right", Vec3d(0, 0, 0), 1.35 * z);
+  mark("wrong", Vec3d(0, 0, 0), 1.35 * own_z);
+  const auto label = [&](const Vec3d& at, double dx, double dy, const char* text) {
+    const auto [x, y] = on_page(at);
+    marks.row("label", x + dx, y + dy, 0.0, 0.0, text);
+  };
+  label(1.35 * z, -0.15, -0.05, "ω");
+  label(1.35 * own_z, 0.5, -0.05, "the body's z");
+  label(rotate(start, nose), -0.05, 0.17, "start");
+  mark("dot", rotate(start, nose), Vec3d(0, 0, 0));
 
   notebook.value("height", course::number("%.2f", std::sin(0.6)));
   course::expect(std::abs(lowest_right - std::sin(0.6)) < 1e-12, "about z the height stays");
