@@ -3,7 +3,7 @@
 /// to say.
 #pragma once
 
-#include <tumble/rotation_vector.hpp>
+#include <tumble/orientation.hpp>
 #include <tumble/top.hpp>
 
 namespace tumble {

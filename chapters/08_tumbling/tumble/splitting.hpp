@@ -58,7 +58,7 @@ void turn_axis_by_axis(Top<Real>& top, Same<Real> time_step) {
   turn_about_axis<1>(top, time_step / 2 * (i[1] * L[1]));
   turn_about_axis<0>(top, time_step / 2 * (i[0] * L[0]));
   top.angular_momentum_body = with_length_of(before, top.angular_momentum_body);
-  top.orientation = normalized(top.orientation);
+  top.orientation = renormalized(top.orientation);
 }
 //! [turn_axis_by_axis]
 
@@ -79,8 +79,7 @@ void turn_by_splitting(Top<Real>& top, Same<Real> time_step) {
   turn_about_axis<2>(top, time_step * ((c - a) * L[2]));
   turn_about_axis<1>(top, time_step / 2 * ((b - a) * L[1]));
   top.angular_momentum_body = with_length_of(before, L);
-  const Vec3<Real> sphere_turn = time_step * (a * L);
-  top.orientation = normalized(top.orientation * quaternion_of_rotation_vector(sphere_turn));
+  top.orientation = turn_exponential_body<Real>(top.orientation, a * L, time_step);
 }
 //! [turn_by_splitting]
 

@@ -3,6 +3,7 @@
 /// chose.
 #pragma once
 
+#include <tumble/rigid_body.hpp>
 #include <tumble/splitting.hpp>
 #include <tumble/turning_rules.hpp>
 
@@ -29,5 +30,21 @@ void drift(Top<Real>& top, Same<Real> time_step) {
     turn_steadily(top, time_step);
 }
 //! [drift]
+
+/// The kick of a whole body: its particle's and its top's.
+//! [body]
+template <class Real>
+void kick(RigidBody<Real>& body, Same<Real> time_step) {
+  kick(body.centre, time_step);
+  kick(body.top, time_step);
+}
+
+/// The drift of a whole body, in free flight.
+template <class Real>
+void drift(RigidBody<Real>& body, Same<Real> time_step) {
+  drift(body.centre, time_step);
+  drift(body.top, time_step);
+}
+//! [body]
 
 }  // namespace tumble

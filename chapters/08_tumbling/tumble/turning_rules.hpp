@@ -16,8 +16,7 @@ namespace tumble {
 //! [turn_steadily]
 template <class Real>
 void turn_steadily(Top<Real>& top, Same<Real> time_step) {
-  const Vec3<Real> turn = time_step * angular_velocity_body(top);
-  top.orientation = normalized(top.orientation * quaternion_of_rotation_vector(turn));
+  top.orientation = turn_exponential_body(top.orientation, angular_velocity_body(top), time_step);
 }
 //! [turn_steadily]
 
@@ -86,7 +85,7 @@ void turn_carrying_momentum(Top<Real>& top, Same<Real> time_step) {
   const Vec3<Real> angle = time_step * angular_velocity_body(top);
   const Quaternion<Real> turn = quaternion_of_rotation_vector(angle);
   top.angular_momentum_body = rotate_back(turn, top.angular_momentum_body);
-  top.orientation = normalized(top.orientation * turn);
+  top.orientation = renormalized(top.orientation * turn);
 }
 //! [turn_carrying_momentum]
 
