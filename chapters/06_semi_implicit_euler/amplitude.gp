@@ -1,6 +1,6 @@
 set title "The swing grows towards w h = 2; beyond it nothing holds it"
 set xlabel "w h"
-set ylabel "largest |x|, started at 1 m (m)"
+set ylabel "largest |x| (m)"
 set logscale y
 set xrange [0:2.1]
 set yrange [0.8:40]

@@ -45,7 +45,8 @@ void draw_patch(const course::Notebook& notebook) {
   const double time_step = 0.6;
   course::Table table = notebook.table("patch", {"patch", "x (m)", "v (m/s)"});
   const auto outline = [&table](const char* name, auto move) {
-    for (const auto& [x, v] : {std::pair{0.8, -0.2}, {1.2, -0.2}, {1.2, 0.2}, {0.8, 0.2}}) {
+    for (const auto& [x, v] :
+         {std::pair{0.8, -0.2}, {1.2, -0.2}, {1.2, 0.2}, {0.8, 0.2}, {0.8, -0.2}}) {
       Particled corner = make_particle(1.0, Vec3d(x, 0, 0), Vec3d(v, 0, 0));
       gather_spring(corner);
       move(corner);

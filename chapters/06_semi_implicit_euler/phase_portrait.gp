@@ -1,9 +1,11 @@
+set terminal svg size 480,470
+set output name.".svg"
 set title "Explicit Euler spirals out; kick and drift goes round"
 set xlabel "place x (m)"
 set ylabel "velocity v (m/s)"
 set size ratio -1
-set xrange [-3.3:3.3]
-set yrange [-2.6:2.6]
+set xrange [-2.8:3.2]
+set yrange [-3.1:2.5]
 set trange [0:2*pi]
 set parametric
 plot cos(t), sin(t) with lines linestyle 7 title "exact", \

@@ -1,6 +1,6 @@
 set title "Three forms agree while k h is small, and one changes sign"
 set xlabel "k h"
-set ylabel "part of the speed that a step leaves"
+set ylabel "part of the speed left"
 set yrange [-1.3:1]
 set xrange [0:2.3]
 set arrow from 0, -1 to 2.3, -1 nohead linecolor rgb "#555555" dashtype 2

@@ -3,7 +3,7 @@
 /// to say.
 #pragma once
 
-#include <tumble/rotation_vector.hpp>
+#include <tumble/orientation.hpp>
 #include <tumble/top.hpp>
 
 namespace tumble {
@@ -27,14 +27,5 @@ bool is_gyroscopic(const Top<Real>& top) {
   return !round && (inverse.array() != 0).all();
 }
 //! [is_gyroscopic]
-
-/// What the accumulated torque does to the angular momentum in `time_step` seconds (h):
-/// L ← L + h τ. Chapter 6's kick, for turning.
-//! [kick]
-template <class Real>
-void kick(Top<Real>& top, Same<Real> time_step) {
-  add_angular_momentum(top, time_step * top.torque);
-}
-//! [kick]
 
 }  // namespace tumble

@@ -1,41 +1,86 @@
+/// @file
+/// A free top cut into motions that each have an exact solution.
 #pragma once
-#include <tumble/turning_rules.hpp>
+
+#include <array>
+#include <tumble/euler_equations.hpp>
+#include <tumble/sine_cosine.hpp>
+
 namespace tumble {
-/// Turns the top by `angle` about one of its body axes, L staying where it is in the world.
+
+/// Turns the top by `angle` (rad) about its body axis 0, 1 or 2, with L standing still in the
+/// world.
+///
+/// The half angle gives all four numbers: sin a = 2 sin(a/2) cos(a/2), and 1 − cos a = 2 sin²(a/2),
+/// which keeps its digits where a is small.
+//! [turn_about_axis]
 template <int axis, class Real>
-void turn_about_axis(Top<Real>& top, Real angle) {
+void turn_about_axis(Top<Real>& top, Same<Real> angle) {
   constexpr int next = (axis + 1) % 3, last = (axis + 2) % 3;
-  const Real sine_half = std::sin(angle / 2), cosine_half = std::cos(angle / 2);
-  const Real sine = 2 * sine_half * cosine_half, versine = 2 * sine_half * sine_half;
+  const auto [s, c] = sine_cosine(Real(angle / 2));
+  const Real sine = 2 * s * c, one_minus_cosine = 2 * s * s;
   Vec3<Real>& L = top.angular_momentum_body;
-  const Real n = L[next], l = L[last];
-  L[next] = n + (sine * l - versine * n);
-  L[last] = l - (sine * n + versine * l);
-  Quaternion<Real>& q = top.orientation;
-  const Real w = q.real, qa = q.imaginary[axis], qn = q.imaginary[next], ql = q.imaginary[last];
-  q.real = cosine_half * w - sine_half * qa;
-  q.imaginary[axis] = cosine_half * qa + sine_half * w;
-  q.imaginary[next] = cosine_half * qn + sine_half * ql;
-  q.imaginary[last] = cosine_half * ql - sine_half * qn;
+  const Real L_next = L[next], L_last = L[last];
+  L[next] = L_next + (sine * L_last - one_minus_cosine * L_next);
+  L[last] = L_last - (sine * L_next + one_minus_cosine * L_last);
+
+  const Quaternion<Real> q = top.orientation;  // times the quaternion c + s axis
+  top.orientation.real = c * q.real - s * q.imaginary[axis];
+  top.orientation.imaginary[axis] = c * q.imaginary[axis] + s * q.real;
+  top.orientation.imaginary[next] = c * q.imaginary[next] + s * q.imaginary[last];
+  top.orientation.imaginary[last] = c * q.imaginary[last] - s * q.imaginary[next];
 }
+//! [turn_about_axis]
+
+/// `vector`, which a turn has made from `before`, with the length that it had. The length has only
+/// been rounded, so a correction to first order will do: v (b² − v²)/(2 v²). It is a small number
+/// to add; to multiply by a number next to 1 would round the same way every time.
+//! [with_length_of]
 template <class Real>
-void turn_splitting_axes(Top<Real>& top, Same<Real> h) {
-  const Vec3<Real>& i = top.inverse_moments; const Vec3<Real>& L = top.angular_momentum_body;
-  turn_about_axis<0>(top, h / 2 * (i[0] * L[0]));
-  turn_about_axis<1>(top, h / 2 * (i[1] * L[1]));
-  turn_about_axis<2>(top, h * (i[2] * L[2]));
-  turn_about_axis<1>(top, h / 2 * (i[1] * L[1]));
-  turn_about_axis<0>(top, h / 2 * (i[0] * L[0]));
-  top.orientation = normalized(top.orientation);
+Vec3<Real> with_length_of(const Vec3<Real>& before, const Vec3<Real>& vector) {
+  const Real square = vector.squaredNorm();
+  const Real correction = (before.squaredNorm() - square) / (2 * square);
+  return vector + select(square > 0, correction, Real(0)) * vector;
 }
+//! [with_length_of]
+
+/// The energy ½ Σ L_k²/I_k as three, one for each axis. A top with the energy of one of them spins
+/// about that axis by h L_k/I_k. Half the first two, all of the third, and back: second order.
+//! [turn_axis_by_axis]
 template <class Real>
-void turn_splitting_sphere(Top<Real>& top, Same<Real> h) {
-  const Vec3<Real>& i = top.inverse_moments; const Vec3<Real>& L = top.angular_momentum_body;
-  const Real rb = i[1] - i[0], rc = i[2] - i[0];
-  turn_about_axis<1>(top, h / 2 * (rb * L[1]));
-  turn_about_axis<2>(top, h * (rc * L[2]));
-  turn_about_axis<1>(top, h / 2 * (rb * L[1]));
-  const Vec3<Real> angle = h * i[0] * L;
-  top.orientation = normalized(top.orientation * quaternion_of_rotation_vector(angle));
+void turn_axis_by_axis(Top<Real>& top, Same<Real> time_step) {
+  const Vec3<Real>& i = top.inverse_moments;
+  const Vec3<Real> before = top.angular_momentum_body;
+  const Vec3<Real>& L = top.angular_momentum_body;
+  turn_about_axis<0>(top, time_step / 2 * (i[0] * L[0]));
+  turn_about_axis<1>(top, time_step / 2 * (i[1] * L[1]));
+  turn_about_axis<2>(top, time_step * (i[2] * L[2]));
+  turn_about_axis<1>(top, time_step / 2 * (i[1] * L[1]));
+  turn_about_axis<0>(top, time_step / 2 * (i[0] * L[0]));
+  top.angular_momentum_body = with_length_of(before, top.angular_momentum_body);
+  top.orientation = renormalized(top.orientation);
 }
+//! [turn_axis_by_axis]
+
+/// The energy as that of a sphere with moment I_a, and what is left of axes c and b:
+/// |L|²/2I_a + ½ L_c² (1/I_c − 1/I_a) + ½ L_b² (1/I_b − 1/I_a).
+///
+/// The sphere turns about L, which the others carry along, so its turn can be made at the end. With
+/// 1/I_a and 1/I_b the closest pair, the last part is the smallest that it can be; for a symmetric
+/// top it is nothing, and the step is exact.
+//! [turn_by_splitting]
+template <class Real>
+void turn_by_splitting(Top<Real>& top, Same<Real> time_step) {
+  const auto [a, b, c] =
+      std::array{top.inverse_moments[0], top.inverse_moments[1], top.inverse_moments[2]};
+  const Vec3<Real> before = top.angular_momentum_body;
+  const Vec3<Real>& L = top.angular_momentum_body;
+  turn_about_axis<1>(top, time_step / 2 * ((b - a) * L[1]));
+  turn_about_axis<2>(top, time_step * ((c - a) * L[2]));
+  turn_about_axis<1>(top, time_step / 2 * ((b - a) * L[1]));
+  top.angular_momentum_body = with_length_of(before, L);
+  top.orientation = turn_exponential_body<Real>(top.orientation, a * L, time_step);
 }
+//! [turn_by_splitting]
+
+}  // namespace tumble

@@ -1,74 +1,92 @@
 /// @file
-/// Six ways to step a free top, five of which some engine ships. Each takes the top through
-/// `time_step` seconds (h) without torque.
+/// Five rules that engines have shipped for a top without torque. Each takes it through `time_step`
+/// seconds (h).
 #pragma once
 
 #include <tumble/euler_equations.hpp>
 
 namespace tumble {
 
-/// Turns about the present ω by |ω| h; ω and L stay what they are in body axes, and so does ω in
-/// world axes. This is the rule "no torque, so ω is constant". It is exact where L × ω is zero: for
-/// equal moments, a spin about a principal axis, a locked axis. Elsewhere it turns L in the world.
+/// Turns by |ω| h about the present ω. Then ω is what it was in world axes, and as it is the axis
+/// of the turn, in body axes too. So L stays as it was in body axes, and turns with the body in the
+/// world.
+///
+/// This is the rule "no torque, so ω is constant". It is exact where L × ω is zero: for equal
+/// moments, for a spin about a principal axis, and where an axis is locked.
 //! [turn_steadily]
 template <class Real>
 void turn_steadily(Top<Real>& top, Same<Real> time_step) {
-  const Vec3<Real> angle = time_step * angular_velocity_body(top);
-  top.orientation = normalized(top.orientation * quaternion_of_rotation_vector(angle));
+  top.orientation = turn_exponential_body(top.orientation, angular_velocity_body(top), time_step);
 }
 //! [turn_steadily]
 
-/// Euler's equations by explicit Euler: L ← L + h L × ω, then turn. The addition is square to L, so
-/// |L| grows in every step, and the energy with it, without bound.
-//! [turn_explicit]
+/// Euler's equations by explicit Euler, L ← L + h L × ω, then the turn. What is added is square to
+/// L, so |L| grows in every step, and the energy with it, without bound.
+//! [turn_explicitly]
 template <class Real>
-void turn_explicit(Top<Real>& top, Same<Real> time_step) {
+void turn_explicitly(Top<Real>& top, Same<Real> time_step) {
   top.angular_momentum_body += time_step * gyroscopic_torque(top);
   turn_steadily(top, time_step);
 }
-//! [turn_explicit]
+//! [turn_explicitly]
 
-/// The same, with |L| brought back to what it was. Nothing brings the energy back.
-//! [turn_restoring]
+/// The same, with |L| brought back to what it was before the turn. Nothing brings the energy back.
+//! [turn_restoring_momentum]
 template <class Real>
 void turn_restoring_momentum(Top<Real>& top, Same<Real> time_step) {
-  const Real before = top.angular_momentum_body.squaredNorm();
-  top.angular_momentum_body += time_step * gyroscopic_torque(top);
-  const Real after = top.angular_momentum_body.squaredNorm();
   using std::sqrt;
-  top.angular_momentum_body *= select(after > 0, sqrt(before / after), Real(1));
+  Vec3<Real>& L = top.angular_momentum_body;
+  const Real square_before = L.squaredNorm();
+  L += time_step * gyroscopic_torque(top);
+  L *= select(square_before > 0, sqrt(square_before / L.squaredNorm()), Real(1));
   turn_steadily(top, time_step);
 }
-//! [turn_restoring]
+//! [turn_restoring_momentum]
 
-/// Euler's equations by implicit Euler: the new ω solves I (ω − ω₀) = h (I ω) × ω. One Newton step
-/// from ω₀ is I (ω − ω₀) + h (…)
-//! [turn_implicit]
+/// The matrix [v] with [v] x = v × x.
 template <class Real>
-void turn_implicit(Top<Real>& top, Same<Real> time_step) {
-  const Vec3<Real> moments = moments_of(top), angular_velocity = angular_velocity_body(top);
-  const Vec3<Real> residual = -time_step * gyroscopic_torque(top);
-  Mat3<Real> jacobian = moments.asDiagonal();
-  const auto& L = top.angular_momentum_body;
-  Mat3<Real> w, l;
-  w << 0, -angular_velocity.z(), angular_velocity.y(), angular_velocity.z(), 0, -angular_velocity.x(), -angular_velocity.y(), angular_velocity.x(), 0;
-  l << 0, -L.z(), L.y(), L.z(), 0, -L.x(), -L.y(), L.x(), 0;
-  jacobian += time_step * (w * moments.asDiagonal() - l);
-  Vec3<Real> wn = angular_velocity - jacobian.inverse() * residual;
-  top.angular_momentum_body = moments.cwiseProduct(wn);
+Mat3<Real> cross_matrix(const Vec3<Real>& v) {
+  Mat3<Real> matrix;
+  matrix << 0, -v.z(), v.y(),  //
+      v.z(), 0, -v.x(),        //
+      -v.y(), v.x(), 0;
+  return matrix;
+}
+
+/// The x with M x = right, by Cramer's rule. Exact enough, and without a choice of pivot, where M
+/// has no unit and stays near 1.
+template <class Real>
+Vec3<Real> solved(const Mat3<Real>& M, const Vec3<Same<Real>>& right) {
+  const Vec3<Real> a = M.col(0), b = M.col(1), c = M.col(2);
+  const Vec3<Real> b_c = b.cross(c), c_a = c.cross(a), a_b = a.cross(b);
+  return Vec3<Real>(b_c.dot(right), c_a.dot(right), a_b.dot(right)) / a.dot(b_c);
+}
+
+/// Euler's equations by implicit Euler: L' = L + h L' × ω', with ω' = I⁻¹ L'. One step of Newton's
+/// method from L solves it nearly: a change d of L' changes L' × ω' by d × ω + L × I⁻¹ d, so
+/// (1 + h [ω] − h [L] I⁻¹) d = h L × ω. The matrix has no unit, so it suits small bodies and large.
+//! [turn_implicitly]
+template <class Real>
+void turn_implicitly(Top<Real>& top, Same<Real> time_step) {
+  Vec3<Real>& L = top.angular_momentum_body;
+  const Mat3<Real> change =
+      cross_matrix(angular_velocity_body(top)) - cross_matrix(L) * top.inverse_moments.asDiagonal();
+  const Mat3<Real> newton = Mat3<Real>::Identity() + time_step * change;
+  L += solved<Real>(newton, time_step * gyroscopic_torque(top));
   turn_steadily(top, time_step);
 }
-//! [turn_implicit]
+//! [turn_implicitly]
 
-/// Keeps L in the world: turns about the present ω, and looks at the same L from the turned body.
-//! [turn_carrying]
+/// Turns by |ω| h about the present ω, and keeps L in the world: seen from the turned body, it has
+/// turned back. Exact in L, first order in all else.
+//! [turn_carrying_momentum]
 template <class Real>
 void turn_carrying_momentum(Top<Real>& top, Same<Real> time_step) {
   const Vec3<Real> angle = time_step * angular_velocity_body(top);
   const Quaternion<Real> turn = quaternion_of_rotation_vector(angle);
   top.angular_momentum_body = rotate_back(turn, top.angular_momentum_body);
-  top.orientation = normalized(top.orientation * turn);
+  top.orientation = renormalized(top.orientation * turn);
 }
-//! [turn_carrying]
+//! [turn_carrying_momentum]
 
 }  // namespace tumble

@@ -1,0 +1,43 @@
+// The energy and the angular momentum of the T-handle over a minute, by every rule.
+#include <course/record.hpp>
+#include <course/rules.hpp>
+#include <numbers>
+
+using namespace tumble;
+using course::number;
+
+int main(int argument_count, char** arguments) {
+  course::Notebook notebook(argument_count, arguments);
+  course::Table energies = notebook.table("energy", {"time (s)", "steady", "explicit", "restored",
+                                                     "implicit", "carrying", "splitting"});
+  course::Table tilts = notebook.table("momentum", {"time (s)", "steady", "explicit", "restored",
+                                                    "implicit", "carrying", "splitting"});
+  const Topd start = course::thrown_t_handle().body.top;
+  std::vector<Topd> tops(course::rules<double>.size(), start);
+  const Vec3d L0 = angular_momentum_world(start);
+  const double time_step = 1.0 / 60;
+  std::array<double, 7> E{}, tilt{};
+  for (int n = 0; n <= 3600; ++n) {
+    for (std::size_t rule = 0; rule < tops.size(); ++rule) {
+      E[rule] = kinetic_energy(tops[rule]) / kinetic_energy(start);
+      const Vec3d L = angular_momentum_world(tops[rule]);
+      tilt[rule] = std::atan2(L.cross(L0).norm(), L.dot(L0)) * 180 / std::numbers::pi;
+      if (E[rule] < 1000) course::rules<double>[rule].turn(tops[rule], time_step);
+    }
+    if (n % 4 != 0) continue;
+    energies.row(n * time_step, E[0], E[1], E[2], E[3], E[4], E[6]);
+    tilts.row(n * time_step, tilt[0], tilt[1], tilt[2], tilt[3], tilt[4], tilt[6]);
+  }
+  std::printf("after a minute               E/E0      L points off by\n");
+  for (std::size_t rule = 0; rule < tops.size(); ++rule)
+    std::printf("%-28s %-8s %8.2g deg\n", course::rules<double>[rule].name,
+                E[rule] < 1000 ? number("%.4f", E[rule]).c_str() : "over 1000", tilt[rule]);
+  course::expect(!(E[1] < 1000), "the explicit rule blows up");
+  course::expect(E[3] < 0.95, "the implicit rule brakes");
+  course::expect(std::abs(E[2] - 1) < 1e-3 && tilt[2] > 1,
+                 "restoring |L| holds the energy of this spin, but not where L points");
+  course::expect(E[4] > 1.05, "carrying the momentum to first order gains energy");
+  course::expect(std::abs(E[0] - 1) < 1e-9 && tilt[0] > 0.1,
+                 "without the term the energy holds and the momentum wanders");
+  course::expect(std::abs(E[6] - 1) < 1e-3 && tilt[6] < 1e-9, "splitting holds both");
+}

@@ -1,0 +1,47 @@
+// One rule, one needle, in float, with its state kept in three ways from step to step.
+#include <course/record.hpp>
+#include <course/rules.hpp>
+
+using namespace tumble;
+using course::number;
+
+namespace {
+
+//! [storage]
+void keep_body_momentum(Topf& top, float time_step) {
+  turn_by_splitting(top, time_step);
+}
+
+void keep_world_momentum(Topf& top, float time_step) {
+  turn_by_splitting(top, time_step);
+  const Vec3f stored = angular_momentum_world(top);
+  set_angular_momentum_world(top, stored);
+}
+
+void keep_world_velocity(Topf& top, float time_step) {
+  turn_by_splitting(top, time_step);
+  const Vec3f stored = angular_velocity_world(top);
+  set_angular_velocity_world(top, stored);
+}
+//! [storage]
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+  course::Notebook notebook(argument_count, arguments);
+  std::printf("moments 1 : 10^6, float, 3600 steps      largest error\n");
+  std::printf("kept from step to step                   energy    momentum\n");
+  const auto run = [&](const char* name, const char* value, void (*turn)(Topf&, float)) {
+    const course::Motion m = course::watched<float>(course::tumbling_problems[3], turn);
+    std::printf("%-38s %8.0e  %8.0e\n", name, m.energy_error, m.momentum_error);
+    notebook.value(value, number("%.0e", m.energy_error));
+    return m.energy_error;
+  };
+  const double body = run("angular momentum, body axes", "body_momentum", keep_body_momentum);
+  const double world = run("angular momentum, world axes", "world_momentum", keep_world_momentum);
+  const double velocity =
+      run("angular velocity, world axes", "world_velocity", keep_world_velocity);
+  course::expect(body < 1e-4, "kept in body axes, the energy holds");
+  course::expect(world > 10 * body && velocity > world,
+                 "world momentum is worse, and world velocity worse still");
+}

@@ -1,0 +1,93 @@
+// A T-handle is thrown in free fall, with its gyroscopic motion and without.
+#include <course/record.hpp>
+#include <course/rules.hpp>
+#include <numbers>
+
+using namespace tumble;
+using course::number;
+using std::numbers::pi;
+
+namespace {
+
+const double seconds = 12, time_step = 1.0 / 60;
+
+/// The drawn pose at every step, for whoever wants to replay it.
+void record(const course::Notebook& notebook, const char* name, void (*turn)(Topd&, double)) {
+  course::Table table =
+      notebook.table(name, {"time (s)", "x (m)", "y (m)", "z (m)", "w", "i", "j", "k"});
+  ModelledBody<double> handle = course::thrown_t_handle();
+  for (int n = 0; n * time_step <= seconds; ++n) {
+    const Posed pose = drawn_pose(handle.body, handle.model_in_body);
+    table.row(n * time_step, pose.position.x(), pose.position.y(), pose.position.z(),
+              pose.orientation.real, pose.orientation.imaginary.x(), pose.orientation.imaginary.y(),
+              pose.orientation.imaginary.z());
+    turn(handle.body.top, time_step);
+  }
+}
+
+/// ω in model axes: x along the bar, y along the shaft.
+Vec3d in_model(const ModelledBody<double>& handle, const Vec3d& vector_body) {
+  return rotate_back(handle.model_in_body.orientation, vector_body);
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+  course::Notebook notebook(argument_count, arguments);
+  //! [throw]
+  ModelledBody<double> handle = course::thrown_t_handle();
+  ModelledBody<double> steady = handle;
+  const course::FreeTop exact(course::exactly(handle.body.top));
+  //! [throw]
+  const Vec3d moments = in_model(handle, moments_of(handle.body.top)).cwiseAbs();
+  std::printf("moments about bar, shaft and the third axis: %.1e, %.1e, %.1e kg m^2\n", moments.x(),
+              moments.y(), moments.z());
+  course::expect(moments.x() < moments.y() && moments.y() < moments.z(),
+                 "the shaft is the axis in the middle");
+  const double between_flips = static_cast<double>(exact.period()) / 2;
+  std::printf("exact time between two flips: %.4f s\n\n", between_flips);
+  notebook.value("between_flips", number("%.2f s", between_flips));
+
+  course::Table table =
+      notebook.table("t_handle", {"time (s)", "about the bar (rad/s)", "about the shaft (rad/s)",
+                                  "about the third axis (rad/s)", "exact, about the shaft (rad/s)",
+                                  "about the shaft without the term (rad/s)"});
+  std::printf("time of a flip   with the term   exact\n");
+  double before = 0, last_flip = 0;
+  int flips = 0;
+  for (int n = 0; n * time_step <= seconds; ++n) {
+    const double time = n * time_step;
+    const Vec3d w = in_model(handle, angular_velocity_body(handle.body.top));
+    const Vec3d truth = in_model(handle, exact.angular_velocity_body(time).cast<double>());
+    const Vec3d without = in_model(steady, angular_velocity_body(steady.body.top));
+    table.row(time, w.x(), w.y(), w.z(), truth.y(), without.y());
+    course::expect(std::abs(without.y() - 10) < 1e-9, "without the term it never flips");
+    if (n > 0 && before * w.y() < 0) {
+      const double flip = time - time_step * w.y() / (w.y() - before);
+      std::printf("%10.3f s\n", flip);
+      if (flips > 0)
+        course::expect(std::abs(flip - last_flip - between_flips) < 0.02 * between_flips,
+                       "flips come when the exact solution says");
+      last_flip = flip;
+      ++flips;
+    }
+    before = w.y();
+    //! [two_ways]
+    drift(handle.body.top, time_step);
+    turn_steadily(steady.body.top, time_step);  // "no torque, so the angular velocity stays"
+    //! [two_ways]
+  }
+  course::expect(flips >= 4, "the handle flips");
+  notebook.value("flips", std::to_string(flips));
+  notebook.value("seconds", number("%.0f", seconds));
+  const Vec3d L0 = angular_momentum_world(course::thrown_t_handle().body.top);
+  const auto tilt = [&](const Topd& top) {
+    const Vec3d L = angular_momentum_world(top);
+    return std::atan2(L.cross(L0).norm(), L.dot(L0)) * 180 / pi;
+  };
+  std::printf(
+      "\nafter %.0f s the angular momentum points off by %.1e deg with the term, %.2f without\n",
+      seconds, tilt(handle.body.top), tilt(steady.body.top));
+  record(notebook, "t_handle_poses", [](Topd& top, double h) { drift(top, h); });
+  record(notebook, "t_handle_poses_steady", [](Topd& top, double h) { turn_steadily(top, h); });
+}
