@@ -27,7 +27,7 @@ export const address = name => pathToFileURL(join(book, name)).href;
 export async function open_page(browser, {viewport = wide, colourScheme = 'light', ...more} = {}) {
   const context = await browser.newContext({viewport, colorScheme: colourScheme, ...more});
   const page = await context.newPage();
-  page.setDefaultTimeout(5000);
+  page.setDefaultTimeout(20_000);
   page.complaints = [];
   page.on('console', message => {
     if (['error', 'warning'].includes(message.type())) page.complaints.push(`console: ${message.text()}`);

@@ -1,8 +1,8 @@
 // A reader without a mouse reaches every control, and sees where they are.
 import assert from 'node:assert/strict';
 import {after, before, test} from 'node:test';
-import {address, launch, open_page} from './browser.mjs';
-import {reading_pages} from './pages.mjs';
+import {address, launch, narrow, open_page} from './browser.mjs';
+import {chapter_pages, reading_pages} from './pages.mjs';
 
 let browser;
 before(async () => { browser = await launch(); });
@@ -10,9 +10,10 @@ after(() => browser.close());
 
 /// Numbers every control that is on the screen; returns what a reader would call each.
 function number_the_controls() {
-  const controls = [...document.querySelectorAll('a[href], button, input, select, textarea, summary, [tabindex]')]
-    .filter(control => control.tabIndex >= 0 && !control.disabled && control.checkVisibility({checkVisibilityCSS: true})
-      && control.getClientRects().length > 0);
+  const native = 'a[href], button, input, select, textarea, summary';
+  const controls = [...document.querySelectorAll(`${native}, [tabindex]`)].filter(control =>
+    (control.matches(native) || control.tabIndex >= 0) && !control.disabled && control.getClientRects().length > 0
+    && control.checkVisibility({checkVisibilityCSS: true}));
   controls.forEach((control, index) => { control.dataset.control = index; });
   return controls.map(control =>
     `<${control.localName}> ${(control.getAttribute('aria-label') ?? control.textContent).trim() || control.outerHTML}`);
@@ -49,3 +50,31 @@ for (const name of reading_pages) {
     await page.context().close();
   });
 }
+
+test('Keys work the dark button, the folds, the copy buttons and the list of pages.', async () => {
+  const page = await open_page(browser, {permissions: ['clipboard-read', 'clipboard-write']});
+  await page.goto(address(chapter_pages[0]));
+
+  await page.locator('#dark').press('Space');
+  assert.equal(await page.locator('#dark').getAttribute('aria-pressed'), 'true');
+
+  const fold = page.locator('details').first();
+  await fold.locator('summary').press('Enter');
+  assert.equal(await fold.evaluate(details => details.open), true);
+
+  const listing = page.locator('figure.listing', {has: page.locator('.copy')}).first();
+  await listing.locator('.copy').press('Enter');
+  await listing.locator('.copy', {hasText: 'Copied'}).waitFor();
+  const copied = await page.evaluate(() => navigator.clipboard.readText());
+  const lines = await listing.locator('.fragment .line').allTextContents();
+  assert.equal(copied.trimEnd(), lines.join('\n').trimEnd());
+
+  await page.setViewportSize(narrow);
+  const pages = page.locator('#navigation');
+  assert.equal(await pages.isVisible(), false);
+  await page.locator('#menu').press('Enter');
+  assert.equal(await pages.isVisible(), true);
+  await page.keyboard.press('Escape');
+  assert.equal(await pages.isVisible(), false);
+  await page.context().close();
+});

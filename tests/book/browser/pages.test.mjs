@@ -17,7 +17,7 @@ function faults_of_formulas() {
   const small = [...document.querySelectorAll('.katex')]
     .filter(formula => formula.checkVisibility() && formula.getBoundingClientRect().width < 2);
   const raw = /\\f[$[\]{(]|\\[()[\]]|\\(frac|times|cdot|omega|vec|mathbf)\b/.exec(
-    [...document.querySelectorAll('.contents')].map(contents => {
+    [...document.querySelectorAll('main')].map(contents => {
       const copy = contents.cloneNode(true);
       copy.querySelectorAll('.katex, .fragment, pre, code, script').forEach(element => element.remove());
       return copy.textContent;
