@@ -28,13 +28,17 @@ TEST_CASE_TEMPLATE("Not normalised, the norm grows by the root of 1 + (omega h /
 TEST_CASE_TEMPLATE("However many steps it takes, the norm stays 1 to a few roundings", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(77);
-  Quaternion<Real> exact, first;
+  Quaternion<Real> exact, first, exact_body, first_body;
   Real worst = 0;
   for (int n = 0; n < 100'000; ++n) {
     const Vec3<Real> omega = random_vector<Real>(generator);
-    exact = turn_exponential(exact, omega, Real(n % 100) / 50);
-    first = turn_first_order(first, omega, Real(n % 100) / 50);
-    worst = std::max({worst, std::abs(norm(exact) - 1), std::abs(norm(first) - 1)});
+    const Real h = Real(n % 100) / 50;
+    exact = turn_exponential(exact, omega, h);
+    first = turn_first_order(first, omega, h);
+    exact_body = turn_exponential_body(exact_body, omega, h);
+    first_body = turn_first_order_body(first_body, omega, h);
+    for (const Quaternion<Real>& q : {exact, first, exact_body, first_body})
+      worst = std::max(worst, std::abs(norm(q) - 1));
   }
   // Left alone within 16 units of roundoff of the square, 8 of the norm; and 3 for measuring it.
   CHECK(worst <= (8 + 3) * unit_roundoff<Real>);
@@ -162,6 +166,8 @@ TEST_CASE_TEMPLATE("A turn that no step can answer is refused by name, size and 
                                                " rad; it must lie between 0 and " + text_of(limit) +
                                                " rad");
   CHECK(complaint({0, 0, limit}, 1) == "nothing thrown");
+  CHECK(complaint({0, 0, 2 * limit}, Real(0.5)) == "nothing thrown");
+  CHECK(complaint({0, 0, limit}, -2) != "nothing thrown");
   CHECK(std::isfinite(turn_exponential<Real>({}, Vec3<Real>(0, 0, limit), 1).real));
   CHECK(std::isnan(turn_exponential<Real>({}, Vec3<Real>(0, 0, 2 * limit), 1).real));
 }

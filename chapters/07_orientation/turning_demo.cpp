@@ -1,0 +1,57 @@
+// How far each rule turns a body in one step, against what was asked.
+#include <course/record.hpp>
+#include <numbers>
+#include <tumble/orientation.hpp>
+
+using namespace tumble;
+using std::numbers::pi;
+
+namespace {
+
+/// The angle of a turn about z, from 0 to 2π.
+double turned(const Quaterniond& q) {
+  return 2 * std::atan2(q.imaginary.z(), q.real);
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+  course::Notebook notebook(argument_count, arguments);
+  const Vec3d omega(0, 0, 1);
+
+  std::printf("asked: omega h   first order   of what was asked   exponential\n");
+  for (const double turn : {0.01, 0.1, 0.5, 1.0, 2.0, 3.0, 6.0}) {
+    const double first = turned(turn_first_order<double>({}, omega, turn)),
+                 exponential = turned(turn_exponential<double>({}, omega, turn));
+    std::printf("%10.2f rad   %7.4f rad   %17.4f   %7.4f rad\n", turn, first, first / turn,
+                exponential);
+    course::expect(std::abs(first - 2 * std::atan(turn / 2)) < 1e-14, "2 atan(omega h / 2)");
+    course::expect(std::abs(exponential - turn) < 1e-14, "omega h");
+  }
+  course::Table table = notebook.table(
+      "angle_per_step", {"omega h (rad)", "first order (rad)", "exponential (rad)", "half a turn"});
+  for (int n = 0; n < 63; ++n) {
+    const double turn = 0.1 * n;
+    table.row(turn, turned(turn_first_order<double>({}, omega, turn)),
+              turned(turn_exponential<double>({}, omega, turn)), pi);
+  }
+
+  std::printf("\na wheel, 60 steps a second, first order: after 10 s it is behind by\n");
+  for (const double turns_per_second : {0.1, 1.0, 5.0}) {
+    //! [wheel]
+    Quaterniond exact, first;
+    double behind = 0;  // summed step by step, since one turn looks like none
+    for (int n = 0; n < 600; ++n) {
+      const double angle_before = turned(conjugate(first) * exact);
+      exact = turn_exponential(exact, Vec3d(0, 0, 2 * pi * turns_per_second), 1.0 / 60);
+      first = turn_first_order(first, Vec3d(0, 0, 2 * pi * turns_per_second), 1.0 / 60);
+      behind += std::remainder(turned(conjugate(first) * exact) - angle_before, 2 * pi);
+    }
+    //! [wheel]
+    const std::string degrees = course::number("%.3g", behind * 180 / pi);
+    std::printf("  %8s degrees at %g turns a second\n", degrees.c_str(), turns_per_second);
+    if (turns_per_second == 0.1) notebook.value("behind_slow", degrees);
+    if (turns_per_second == 5.0)
+      notebook.value("behind_fast", course::number("%.1f", behind / (2 * pi)));
+  }
+}
