@@ -1,6 +1,6 @@
 // A tumbling body is damped: its energy and its angular momentum only fall, its speed does not.
-#include <course/free_tumbling.hpp>
 #include <course/record.hpp>
+#include <course/uneven_top.hpp>
 #include <tumble/damping.hpp>
 
 using namespace tumble;
@@ -24,7 +24,7 @@ int main(int argument_count, char** arguments) {
     if (n % 24 == 0) table.row(n * time_step, now, energy_now, momentum_now);
     if (n % 240 == 0 && n <= 240 * 8)
       std::printf("%4d s   %.4f    %.4f    %.4f\n", n / 240, now, energy_now, momentum_now);
-    tumble_on(top, time_step);
+    drift(top, time_step);
     damp(top, kept);
     course::expect(kinetic_energy(top) < previous_energy, "the energy falls in every step");
     previous_energy = kinetic_energy(top);

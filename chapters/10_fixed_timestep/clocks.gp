@@ -1,0 +1,11 @@
+set title "A clock that adds up drifts, and a float one stops; counted steps do neither"
+set xlabel "time (s)"
+set ylabel "clock is off by (s)"
+set logscale xy
+set format x "1e%T"
+set format y "1e%T"
+set xrange [1:2e6]
+set yrange [1e-17:1e7]
+plot "clocks.tsv" using 1:2 with lines linestyle 2 title "float t += h", \
+     "clocks.tsv" using 1:3 with lines linestyle 3 title "double t += h", \
+     "clocks.tsv" using 1:4 with points linestyle 1 title "n h"

@@ -1,0 +1,85 @@
+#include <course/body_bounds.hpp>
+#include <course/checks.hpp>
+#include <numbers>
+#include <tumble/interpolation.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+/// The turn takes two products, a logarithm, an exponential and a third product: some forty
+/// roundings of numbers of size π at most.
+template <class Real>
+const Real turn_error = 40 * std::numbers::pi_v<Real>* unit_roundoff<Real>;
+
+template <class Real>
+Pose<Real> random_pose(std::mt19937_64& generator) {
+  return {random_vector<Real>(generator), random_orientation<Real>(generator)};
+}
+
+}  // namespace
+
+//! [interpolated]
+TEST_CASE_TEMPLATE("Between two poses the place moves evenly and the turn goes on evenly", Real,
+                   EVERY_PRECISION) {
+  std::mt19937_64 generator(12);
+  for (int n = 0; n < 200; ++n) {
+    const Pose<Real> from = random_pose<Real>(generator), to = random_pose<Real>(generator);
+    const Real angle = angle_between(from.orientation, to.orientation);
+    for (const Real fraction : {Real(0.125), Real(0.5), Real(0.9)}) {
+      const Pose<Real> drawn = interpolated(from, to, fraction);
+      const Real size = from.position.norm() + to.position.norm();
+      REQUIRE(
+          distance<Real>(drawn.position, (1 - fraction) * from.position + fraction * to.position) <=
+          6 * unit_roundoff<Real> * size);
+      REQUIRE(std::abs(norm(drawn.orientation) - 1) <= turn_error<Real>);
+      REQUIRE(std::abs(angle_between(from.orientation, drawn.orientation) - fraction * angle) <=
+              turn_error<Real>);
+      REQUIRE(std::abs(angle_between(drawn.orientation, to.orientation) - (1 - fraction) * angle) <=
+              turn_error<Real>);
+    }
+    const Pose<Real> begin = interpolated(from, to, Real(0)), end = interpolated(from, to, Real(1));
+    REQUIRE(same_bits(begin.position, from.position));
+    REQUIRE(begin.orientation.real == from.orientation.real);
+    REQUIRE(same_bits(begin.orientation.imaginary, from.orientation.imaginary));
+    REQUIRE(distance(end.position, to.position) <=
+            2 * unit_roundoff<Real> * (from.position.norm() + to.position.norm()));
+    REQUIRE(angle_between(end.orientation, to.orientation) <= turn_error<Real>);
+  }
+}
+
+TEST_CASE_TEMPLATE("A turn is drawn along the shortest arc, whichever sign the quaternion has",
+                   Real, EVERY_PRECISION) {
+  std::mt19937_64 generator(13);
+  for (int n = 0; n < 200; ++n) {
+    const Pose<Real> from = random_pose<Real>(generator), to = random_pose<Real>(generator);
+    const Pose<Real> same{to.position, -to.orientation};
+    const Pose<Real> drawn = interpolated(from, to, Real(0.5)),
+                     drawn_same = interpolated(from, same, Real(0.5));
+    REQUIRE(same_bits(drawn.orientation.imaginary, drawn_same.orientation.imaginary));
+    REQUIRE(drawn.orientation.real == drawn_same.orientation.real);
+    REQUIRE(angle_between(from.orientation, drawn.orientation) <=
+            std::numbers::pi_v<Real> / 2 + turn_error<Real>);
+  }
+}
+//! [interpolated]
+
+TEST_CASE_TEMPLATE("The turn between two poses is about a fixed axis of the world", Real,
+                   EVERY_PRECISION) {
+  const Vec3<Real> up(0, 0, 1);
+  Pose<Real> from, to;
+  from.orientation = quaternion_about(Vec3<Real>(1, 2, 2), Real(0.7));
+  to.orientation = quaternion_about(up, Real(1.5)) * from.orientation;
+  const Quaternion<Real> expected = quaternion_about(up, Real(0.5)) * from.orientation;
+  const Pose<Real> drawn = interpolated(from, to, Real(1) / 3);
+  CHECK(angle_between(drawn.orientation, expected) <= turn_error<Real>);
+}
+
+TEST_CASE("A body that turns by more than half a turn in a step is drawn turning backwards") {
+  const Vec3d up(0, 0, 1);
+  Posed from, to;
+  to.orientation = quaternion_about(up, 3.3);
+  const Vec3d turned = rotation_vector_of(interpolated(from, to, 0.5).orientation);
+  CHECK(std::abs(turned.z() - (3.3 - 2 * std::numbers::pi) / 2) <= turn_error<double>);
+}

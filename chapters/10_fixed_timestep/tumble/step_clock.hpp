@@ -1,0 +1,133 @@
+/// @file
+/// When to step: frame times go in, whole steps come out, and not a nanosecond gets lost on the
+/// way.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <tumble/require.hpp>
+
+namespace tumble {
+
+/// How long a step lasts, exactly: numerator/denominator nanoseconds, in lowest terms. A sixtieth
+/// of a second is no whole number of nanoseconds; 50 000 000/3 of them it is.
+//! [step_length]
+struct StepLength {
+  std::int64_t numerator = 50'000'000;
+  std::int64_t denominator = 3;
+};
+//! [step_length]
+
+/// The length of `rate` equal steps in a second.
+/// @throws std::invalid_argument if the rate is not between 1 and 1 000 000 per second.
+inline StepLength steps_per_second(std::int64_t rate) {
+  require_between<std::int64_t>("steps per second", rate, "", 1, 1'000'000);
+  const std::int64_t second = 1'000'000'000, divisor = std::gcd(second, rate);
+  return {.numerator = second / divisor, .denominator = rate / divisor};
+}
+
+/// A step of `nanoseconds`.
+/// @throws std::invalid_argument if it is not between a microsecond and an hour.
+inline StepLength step_of_nanoseconds(std::int64_t nanoseconds) {
+  require_between<std::int64_t>("step", nanoseconds, "ns", 1000, 3'600'000'000'000);
+  return {.numerator = nanoseconds, .denominator = 1};
+}
+
+/// The time step h for the formulas of motion, in s.
+//! [time_step_of]
+template <class Real>
+Real time_step_of(const StepLength& step) {
+  const long double nanoseconds_in_a_second = 1e9L;
+  return static_cast<Real>(static_cast<long double>(step.numerator) /
+                           (static_cast<long double>(step.denominator) * nanoseconds_in_a_second));
+}
+//! [time_step_of]
+
+/// A clock that hands out steps. It never looks at the real time: every frame's duration is told to
+/// it, see steps_due(). Its last five numbers are its books, and they always balance:
+/// (time_in − dropped_time) · denominator = (steps + dropped_steps) · numerator + remainder.
+//! [step_clock]
+struct StepClock {
+  StepLength step;
+  std::int64_t longest_frame = 250'000'000;  ///< ns; what a frame has beyond this is dropped
+  std::int64_t most_steps = 8;               ///< in a frame; steps beyond this are dropped
+
+  std::int64_t time_in = 0;        ///< ns, of all frames
+  std::int64_t dropped_time = 0;   ///< ns, because of longest_frame
+  std::int64_t steps = 0;          ///< handed out so far: the time in ticks
+  std::int64_t dropped_steps = 0;  ///< because of most_steps
+  std::int64_t remainder = 0;      ///< 1/denominator ns, less than a step: for the next frame
+};
+//! [step_clock]
+
+/// A clock whose settings make sense.
+/// @throws std::invalid_argument if the longest frame is not between 1 ns and an hour, or the most
+/// steps of a frame not between 1 and a million.
+inline StepClock make_step_clock(const StepLength& step, std::int64_t longest_frame = 250'000'000,
+                                 std::int64_t most_steps = 8) {
+  require_between<std::int64_t>("longest frame", longest_frame, "ns", 1, 3'600'000'000'000);
+  require_between<std::int64_t>("most steps in a frame", most_steps, "", 1, 1'000'000);
+  return {.step = step, .longest_frame = longest_frame, .most_steps = most_steps};
+}
+
+/// How many steps to take now that a frame of `frame` nanoseconds is over. What is left of it waits
+/// for the next frame; what the two caps cut off is dropped and counted.
+/// @throws std::invalid_argument if the frame is negative, or if all frames together exceed 292
+/// years; the clock is then unchanged.
+//! [steps_due]
+inline std::int64_t steps_due(StepClock& clock, std::int64_t frame) {
+  if (frame < 0) reject("frame time", frame, "ns", "time runs forward: it must be 0 or more");
+  if (frame > std::numeric_limits<std::int64_t>::max() - clock.time_in)
+    reject("frame time", frame, "ns", "with it the clock would have run for over 292 years");
+  const std::int64_t taken = std::min(frame, clock.longest_frame);
+  const std::int64_t waiting = clock.remainder + taken * clock.step.denominator;
+  const std::int64_t whole = waiting / clock.step.numerator;
+  const std::int64_t due = std::min(whole, clock.most_steps);
+
+  clock.time_in += frame;
+  clock.dropped_time += frame - taken;
+  clock.steps += due;
+  clock.dropped_steps += whole - due;
+  clock.remainder = waiting % clock.step.numerator;
+  return due;
+}
+//! [steps_due]
+
+/// `seconds` in whole nanoseconds, rounded. A clock of the system that counts in integers is better
+/// still: there the differences are exact.
+/// @throws std::invalid_argument if it is negative, NaN, or beyond 292 years.
+//! [nanoseconds_of]
+inline std::int64_t nanoseconds_of(double seconds) {
+  require_finite("frame time", seconds, "s");
+  if (seconds < 0) reject("frame time", seconds, "s", "time runs forward: it must be 0 or more");
+  require_between("frame time", seconds, "s", 0, 9.2e9);
+  return static_cast<std::int64_t>(std::llround(seconds * 1e9));
+}
+//! [nanoseconds_of]
+
+/// The time that the steps so far have simulated, in s: n h, with two roundings however large n.
+//! [simulated_time]
+template <class Real>
+Real simulated_time(const StepClock& clock) {
+  return static_cast<Real>(clock.steps) * time_step_of<Real>(clock.step);
+}
+//! [simulated_time]
+
+/// The time that was dropped, in s: by how much the simulation is behind the clock on the wall, but
+/// for the part of a step that is waiting.
+template <class Real>
+Real dropped_time(const StepClock& clock) {
+  return static_cast<Real>(clock.dropped_time) / Real(1e9) +
+         static_cast<Real>(clock.dropped_steps) * time_step_of<Real>(clock.step);
+}
+
+/// How far the drawn moment has gone from the step before the last to the last one, 0 to 1.
+//! [fraction_of_step]
+template <class Real>
+Real fraction_of_step(const StepClock& clock) {
+  return static_cast<Real>(clock.remainder) / static_cast<Real>(clock.step.numerator);
+}
+//! [fraction_of_step]
+
+}  // namespace tumble
