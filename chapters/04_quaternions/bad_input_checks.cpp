@@ -7,7 +7,7 @@ using namespace tumble::course;
 TEST_CASE_TEMPLATE("A zero quaternion is refused as an orientation", Real, EVERY_PRECISION) {
   CHECK(complaint_of([] { checked_orientation<Real>({.real = 0}, "orientation of the book"); }) ==
         "orientation of the book is (0, 0, 0, 0); "
-        "zero turns nothing into nothing: for no turn use (1, 0, 0, 0)");
+        "zero turns nothing into nothing: no turn is (1, 0, 0, 0)");
 }
 
 TEST_CASE_TEMPLATE("A quaternion that is not finite, or far off norm 1, is refused", Real,

@@ -166,6 +166,8 @@ TEST_CASE_TEMPLATE("A turn that no step can answer is refused by name, size and 
                                                " rad; it must lie between 0 and " + text_of(limit) +
                                                " rad");
   CHECK(complaint({0, 0, limit}, 1) == "nothing thrown");
+  CHECK(complaint({0, 0, 2 * limit}, Real(0.5)) == "nothing thrown");
+  CHECK(complaint({0, 0, limit}, -2) != "nothing thrown");
   CHECK(std::isfinite(turn_exponential<Real>({}, Vec3<Real>(0, 0, limit), 1).real));
   CHECK(std::isnan(turn_exponential<Real>({}, Vec3<Real>(0, 0, 2 * limit), 1).real));
 }

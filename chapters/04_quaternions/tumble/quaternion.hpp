@@ -48,9 +48,9 @@ Quaternion<Real> operator*(Same<Real> factor, const Quaternion<Real>& q) {
 //! [product]
 template <class Real>
 Quaternion<Real> operator*(const Quaternion<Real>& p, const Quaternion<Real>& q) {
-  return {
-      .real = p.real * q.real - p.imaginary.dot(q.imaginary),
-      .imaginary = p.real * q.imaginary + q.real * p.imaginary + p.imaginary.cross(q.imaginary)};
+  const Vec3<Real>& u = p.imaginary;
+  const Vec3<Real>& v = q.imaginary;
+  return {p.real * q.real - u.dot(v), p.real * v + q.real * u + u.cross(v)};
 }
 //! [product]
 
@@ -121,21 +121,21 @@ std::string text_of(const Quaternion<Real>& q) {
   return text.append(")");
 }
 
-/// `orientation`, normalised, if its norm is within 0.01 of 1: four numbers rounded to two digits
-/// after the point are that close. `name` is what the error calls it.
+/// The orientation `q`, normalised, if its norm is within 0.01 of 1: four numbers rounded to two
+/// digits after the point are that close. `name` is what the error calls it.
 /// @throws std::invalid_argument if a component is not finite, all four are zero, or the norm is
 /// further off.
 //! [checked_orientation]
 template <class Real>
-Quaternion<Real> checked_orientation(const Quaternion<Real>& orientation, std::string_view name) {
-  const Real length = norm(orientation), slack = Real(0.01);
-  if (!std::isfinite(orientation.real) || !orientation.imaginary.allFinite())
-    reject(name, orientation, "", "every component must be finite");
-  if (orientation.real == 0 && (orientation.imaginary.array() == 0).all())
-    reject(name, orientation, "", "zero turns nothing into nothing: for no turn use (1, 0, 0, 0)");
+Quaternion<Real> checked_orientation(const Quaternion<Real>& q, std::string_view name) {
+  if (!std::isfinite(q.real) || !q.imaginary.allFinite())
+    reject(name, q, "", "every component must be finite");
+  if (q.real == 0 && (q.imaginary.array() == 0).all())
+    reject(name, q, "", "zero turns nothing into nothing: no turn is (1, 0, 0, 0)");
+  const Real length = norm(q), slack = Real(0.01);
   if (!(std::abs(length - 1) <= slack))
-    reject(name, orientation, "", "its norm is " + text_of(length) + " and must be 1 within 0.01");
-  return normalized(orientation);
+    reject(name, q, "", "its norm is " + text_of(length) + " and must be 1 within 0.01");
+  return normalized(q);
 }
 //! [checked_orientation]
 

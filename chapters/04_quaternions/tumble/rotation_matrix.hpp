@@ -16,9 +16,9 @@ Mat3<Real> matrix_of(const Quaternion<Real>& q) {
   const Real xy = twice.x() * u.y(), yz = twice.y() * u.z(), zx = twice.z() * u.x();
   const Vec3<Real> w = q.real * twice;
   Mat3<Real> matrix;
-  matrix << 1 - (yy + zz), xy - w.z(), zx + w.y(),  //
-      xy + w.z(), 1 - (xx + zz), yz - w.x(),        //
-      zx - w.y(), yz + w.x(), 1 - (xx + yy);
+  matrix.row(0) << 1 - (yy + zz), xy - w.z(), zx + w.y();
+  matrix.row(1) << xy + w.z(), 1 - (xx + zz), yz - w.x();
+  matrix.row(2) << zx - w.y(), yz + w.x(), 1 - (xx + yy);
   return matrix;
 }
 //! [matrix_of]
@@ -51,13 +51,10 @@ void require_nearly_rotation(std::string_view name, const Mat3<Real>& matrix) {
 template <class Real>
 Quaternion<Real> quaternion_of(const Mat3<Real>& R, std::string_view name = "rotation") {
   require_nearly_rotation(name, R);
+  const Vec3<Real> differences(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
+  const Mat3<Real> sums = R + R.transpose() + (1 - R.trace()) * Mat3<Real>::Identity();
   Eigen::Matrix<Real, 4, 4> products;
-  products(0, 0) = 1 + R.trace();
-  products.template bottomLeftCorner<3, 1>() << R(2, 1) - R(1, 2), R(0, 2) - R(2, 0),
-      R(1, 0) - R(0, 1);
-  products.template topRightCorner<1, 3>() = products.template bottomLeftCorner<3, 1>().transpose();
-  products.template bottomRightCorner<3, 3>() =
-      R + R.transpose() + (1 - R.trace()) * Mat3<Real>::Identity();
+  products << 1 + R.trace(), differences.transpose(), differences, sums;
 
   Eigen::Index largest = 0;
   products.diagonal().maxCoeff(&largest);

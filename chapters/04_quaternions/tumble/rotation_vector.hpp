@@ -31,8 +31,7 @@ Quaternion<Real> quaternion_of_rotation_vector(const Vec3<Real>& rotation_vector
 //! [logarithm]
 template <class Real>
 Vec3<Real> rotation_vector_of(const Quaternion<Real>& q) {
-  const Real size =
-      q.imaginary.norm();  // |sin| of half the angle, or 0 where its square underflows
+  const Real size = q.imaginary.norm();  // 0 where its square underflows
   const Real half_angle = std::atan2(size, std::abs(q.real));
   const Real factor = select(size == 0, 1 / std::abs(q.real), half_angle / size);
   return (std::copysign(Real(2), q.real) * factor) * q.imaginary;
@@ -62,8 +61,9 @@ Quaternion<Real> quaternion_about(const Vec3<Real>& axis, Same<Real> angle) {
   const Real limit = 2 * SineCosineConstants<Real>::limit;
   require_between("angle", angle, "rad", -limit, limit);
   const SineCosine<Real> half_turn = sine_cosine(angle / 2);
-  const Vec3<Real> near_one = axis / axis.cwiseAbs().maxCoeff();  // so that no square overflows
-  return {.real = half_turn.cosine, .imaginary = half_turn.sine * near_one.normalized()};
+  // Scaled to about 1, so that no square over- or underflows.
+  const Vec3<Real> direction = (axis / axis.cwiseAbs().maxCoeff()).normalized();
+  return {.real = half_turn.cosine, .imaginary = half_turn.sine * direction};
 }
 //! [about]
 

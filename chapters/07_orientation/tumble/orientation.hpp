@@ -79,9 +79,8 @@ template <class Real>
 void require_turn(const Vec3<Real>& angular_velocity, Same<Real> time_step) {
   require_finite("angular velocity", angular_velocity, "rad/s");
   require_finite("time step", time_step, "s");
-  const Real limit = 2 * SineCosineConstants<Real>::limit;
-  require_between("turn in one step", std::abs(time_step) * angular_velocity.norm(), "rad", 0,
-                  limit);
+  const Real turn = std::abs(time_step) * angular_velocity.norm();
+  require_between("turn in one step", turn, "rad", 0, 2 * SineCosineConstants<Real>::limit);
 }
 //! [require_turn]
 
