@@ -88,7 +88,7 @@ int main(int argument_count, char** arguments) {
         const Vec3d right = point_outward(drawn, corner), wrong = point_outward(forgotten, corner);
         outlines.row(right.x(), right.y(), wrong.x(), wrong.y());
       }
-      outlines.row("", "", "", "");
+      outlines.row("nan", "nan", "nan", "nan");  // lifts the pen
     }
     add_gravity<double>(made.body.centre, {0, -9.81, 0});
     step(made.body.centre, time_step);

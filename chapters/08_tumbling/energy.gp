@@ -1,8 +1,9 @@
-set title "Only three rules hold the energy of a tumbling handle"
+set title "The energy of a tumbling handle that nothing touches, by four rules"
 set xlabel "time (s)"
-set ylabel "energy, relative to the start"
+set ylabel "energy / start"
 set yrange [0:2.5]
+set key below left Left reverse maxrows 2
 plot "energy.tsv" using 1:3 with lines linestyle 2 title "explicit", \
-     "energy.tsv" using 1:6 with lines linestyle 4 title "momentum-carrying", \
-     "energy.tsv" using 1:7 with lines linestyle 1 title "splitting (and steady, and |L| restored)", \
-     "energy.tsv" using 1:5 with lines linestyle 3 title "implicit, one Newton step"
+     "energy.tsv" using 1:6 with lines linestyle 4 title "carrying", \
+     "energy.tsv" using 1:7 with lines linestyle 1 title "splitting", \
+     "energy.tsv" using 1:5 with lines linestyle 3 title "implicit"
