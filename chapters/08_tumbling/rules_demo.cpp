@@ -50,4 +50,7 @@ int main(int argument_count, char** arguments) {
   course::Notebook notebook(argument_count, arguments);
   compare<double>(notebook, "double", 1e-11);
   compare<float>(notebook, "float", 1e-11);
+  const Motion implicit =
+      course::watched<double>(course::tumbling_problems[0], turn_implicitly<double>);
+  notebook.value("implicit_lost", number("%.0f %%", 100 * (1 - implicit.energy_ratio)));
 }

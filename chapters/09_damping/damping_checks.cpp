@@ -12,7 +12,7 @@ TEST_CASE_TEMPLATE("Exponential damping leaves exp(-k t), however the time is cu
                    EVERY_PRECISION) {
   const Real rate = Real(0.7), time = 2;
   const long double exact = std::exp(-static_cast<long double>(rate) * time);
-  const auto left_after = [rate, time](const std::vector<Real>& steps) {
+  const auto left_after = [rate](const std::vector<Real>& steps) {
     Particle<Real> particle =
         make_particle(Real(3), Vec3<Real>(Vec3<Real>::Zero()), Vec3<Real>(1, -1, 1));
     for (const Real time_step : steps) damp(particle, fraction_kept(rate, time_step));
@@ -24,7 +24,7 @@ TEST_CASE_TEMPLATE("Exponential damping leaves exp(-k t), however the time is cu
   const auto bound = [rate, time](std::size_t steps) {
     return (Real(3 * steps) + 3 * rate * time) * unit_roundoff<Real>;
   };
-  for (const std::size_t steps : {1, 10, 60, 144, 1000}) {
+  for (const std::size_t steps : {1u, 10u, 60u, 144u, 1000u}) {
     CAPTURE(steps);
     const std::vector<Real> even(steps, time / Real(steps));
     CHECK(std::abs(Real(left_after(even) / exact - 1)) <= bound(steps));

@@ -21,35 +21,35 @@ double terminal_speed(const std::function<double(double)>& next) {
 
 int main(int argument_count, char** arguments) {
   course::Notebook notebook(argument_count, arguments);
-  const double c = 2;
+  const double rate = 2;  // k, 1/s
   course::Table ratios = notebook.table(
-      "terminal", {"c h", "exponential", "fractional after", "linear after", "fractional before"});
-  std::printf("terminal speed for g/c = %.3f m/s\n", gravity / c);
+      "terminal", {"k h", "exponential", "fractional after", "linear after", "fractional before"});
+  std::printf("terminal speed for g/k = %.3f m/s\n", gravity / rate);
   std::printf(
-      "steps per second   kick, e^(-c h)   kick, 1/(1 + c h)   kick, 1 - c h   1/(1 + c h), "
+      "steps per second   kick, e^(-k h)   kick, 1/(1 + k h)   kick, 1 - k h   1/(1 + k h), "
       "kick\n");
   for (int n = 1; n <= 40; ++n) {
-    const double h = 0.025 * n / c, gain = h * gravity;
-    const double kept = fraction_kept(c, h), fractional = fractional_form(c, h),
-                 linear = linear_form(c, h);
-    const auto ratio = [&](auto next) { return terminal_speed(next) * c / gravity; };
-    ratios.row(c * h, ratio([=](double v) { return (v + gain) * kept; }),
+    const double h = 0.025 * n / rate, gain = h * gravity;
+    const double kept = fraction_kept(rate, h), fractional = fractional_form(rate, h),
+                 linear = linear_form(rate, h);
+    const auto ratio = [&](auto next) { return terminal_speed(next) * rate / gravity; };
+    ratios.row(rate * h, ratio([=](double v) { return (v + gain) * kept; }),
                ratio([=](double v) { return (v + gain) * fractional; }),
                ratio([=](double v) { return (v + gain) * linear; }),
                ratio([=](double v) { return v * fractional + gain; }));
   }
   for (const int steps : {10, 30, 60, 240}) {
     const double h = 1.0 / steps, gain = h * gravity;
-    const double kept = fraction_kept(c, h), fractional = fractional_form(c, h),
-                 linear = linear_form(c, h);
+    const double kept = fraction_kept(rate, h), fractional = fractional_form(rate, h),
+                 linear = linear_form(rate, h);
     const double exponential = terminal_speed([=](double v) { return (v + gain) * kept; });
     std::printf("%16d %12.3f m/s %15.3f m/s %11.3f m/s %12.3f m/s\n", steps, exponential,
                 terminal_speed([=](double v) { return (v + gain) * fractional; }),
                 terminal_speed([=](double v) { return (v + gain) * linear; }),
                 terminal_speed([=](double v) { return v * fractional + gain; }));
-    course::expect(std::abs(exponential - gain / std::expm1(c * h)) < 1e-12,
-                   "kick and exponential damping end at h g / (e^(c h) - 1)");
+    course::expect(std::abs(exponential - gain / std::expm1(rate * h)) < 1e-12,
+                   "kick and exponential damping end at h g / (e^(k h) - 1)");
     if (steps == 60)
-      notebook.value("slow_at_60", number("%.1f %%", 100 * (1 - exponential * c / gravity)));
+      notebook.value("slow_at_60", number("%.1f %%", 100 * (1 - exponential * rate / gravity)));
   }
 }

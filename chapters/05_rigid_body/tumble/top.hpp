@@ -100,8 +100,8 @@ Vec3<Real> inverse_inertia_times(const Top<Real>& top, const Vec3<Same<Real>>& v
 }
 //! [inverse_inertia_times]
 
-/// The inverse inertia tensor in world axes, R I⁻¹ Rᵀ, 1/(kg m²). To show and to test: a step uses
-/// inverse_inertia_times(), which costs less and keeps the small moment of a needle.
+/// The inverse inertia tensor in world axes, R I⁻¹ Rᵀ, 1/(kg m²). To show and to test: a step works
+/// in body axes, where the tensor is three numbers and loses none of them.
 //! [world_inverse_inertia]
 template <class Real>
 Mat3<Real> world_inverse_inertia(const Top<Real>& top) {
