@@ -43,7 +43,10 @@ endif()
 
 # Checks are compiled for a quick verdict, with every assertion of Eigen's on; programs for speed.
 add_library(tumble_check_flags INTERFACE)
-target_compile_options(tumble_check_flags INTERFACE -O1 -UNDEBUG $<$<NOT:$<BOOL:${TUMBLE_SANITIZE}>>:-g0>)
+target_compile_options(tumble_check_flags INTERFACE -O1 -UNDEBUG)
+if(NOT TUMBLE_SANITIZE)
+  target_compile_options(tumble_check_flags INTERFACE -g0)
+endif()
 target_link_libraries(tumble_check_flags INTERFACE tumble_flags tumble_common doctest::doctest)
 add_library(tumble_program_flags INTERFACE)
 target_link_libraries(tumble_program_flags INTERFACE tumble_flags tumble_common)
