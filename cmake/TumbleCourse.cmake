@@ -134,7 +134,7 @@ endfunction()
 
 # tumble_add_cost(CHAPTER NAME): what the chapter's functions cost, measured by Google Benchmark where it is installed.
 function(tumble_add_cost chapter name)
-  if(NOT benchmark_FOUND)
+  if(NOT benchmark_FOUND OR TUMBLE_SANITIZE)  # what a sanitizer costs is no cost of ours
     return()
   endif()
   add_executable(${name} ${name}.cpp)
