@@ -31,8 +31,8 @@ int main(int argument_count, char** arguments) {
   course::expect(std::abs(sandwich(q, {1, 0, 0}).norm() - 1.5f) < 1e-5f, "q v q* stretches by 1.5");
 
   //! [wheel]
-  // A wheel of radius 1 m that turns a little, a million times. The small turn is rounded once,
-  // so its norm misses 1 by the same hair every time.
+  // A wheel of radius 1 m turns a little, a million times. The small turn is rounded once, so
+  // its norm misses 1 by the same hair every time.
   const Quaternionf turn = quaternion_about(Vec3f(0, 0, 1), 0.01f);
   Quaternionf never, always;
   for (int n = 1; n <= 1'000'000; ++n) {

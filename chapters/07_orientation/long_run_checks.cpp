@@ -64,7 +64,7 @@ TEST_CASE_TEMPLATE("A million turns of a ten-millionth of a radian make a tenth 
 }
 //! [tiny_turns]
 
-TEST_CASE_TEMPLATE("In double, tiny turns add up from any orientation", Real, double, long double) {
+TEST_CASE_TEMPLATE("In double, tiny turns add up from any orientation", Real, double) {
   std::mt19937_64 generator(78);
   const int steps = 100'000;
   const Quaternion<Real> start = random_orientation<Real>(generator);
@@ -101,7 +101,7 @@ TEST_CASE_TEMPLATE("Under constant omega the first-order rule loses angle by sec
 }
 
 TEST_CASE_TEMPLATE("When omega changes, either rule is of the order of the omega it is given", Real,
-                   double, long double) {
+                   double) {
   // A cone: a body that spins about its own axis while that axis goes round z. What it has turned
   // is known: q(t) = e^(tΩ/2) e^(ts/2), and its angular velocity is Ω + s carried round.
   const Vec3<Real> precession(0, 0, 1), spin(2, 0, 1);

@@ -16,7 +16,7 @@ constexpr Real step_bound = 2 * 2 * (8 + 7 + 8) * unit_roundoff<Real>;
 
 //! [rate]
 TEST_CASE_TEMPLATE("The rate of an orientation is half omega times q: the difference tends to it",
-                   Real, double, long double) {
+                   Real, EVERY_PRECISION) {
   std::mt19937_64 generator(71);
   const Quaternion<Real> q = random_orientation<Real>(generator);
   const Vec3<Real> omega(Real(0.5), -2, 1);
@@ -25,15 +25,14 @@ TEST_CASE_TEMPLATE("The rate of an orientation is half omega times q: the differ
     const Quaternion<Real> later = quaternion_about(omega, h * omega.norm()) * q;
     return norm((1 / h) * (later + -q) + -orientation_rate(q, omega));
   };
-  for (const Real h : {Real(0.01), Real(0.005), Real(0.0025)}) {
-    CHECK(error(h) / error(h / 2) > Real(1.95));  // first order: half the time, half the error
-    CHECK(error(h) / error(h / 2) < Real(2.05));
+  for (const Real h : {Real(0.04), Real(0.02), Real(0.01)}) {
+    CHECK(error(h) / error(h / 2) > Real(1.9));  // first order: half the time, half the error
+    CHECK(error(h) / error(h / 2) < Real(2.1));
   }
 }
 //! [rate]
 
-TEST_CASE_TEMPLATE("A point fixed to the body moves with omega cross r", Real, double,
-                   long double) {
+TEST_CASE_TEMPLATE("A point fixed to the body moves with omega cross r", Real, EVERY_PRECISION) {
   std::mt19937_64 generator(72);
   for (int trial = 0; trial < 100; ++trial) {
     const Quaternion<Real> q = random_orientation<Real>(generator);

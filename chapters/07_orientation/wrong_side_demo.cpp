@@ -35,7 +35,7 @@ int main(int argument_count, char** arguments) {
   for (int n = 0; n <= steps; ++n) {
     const Vec3d right_nose = rotate(right, nose), wrong_nose = rotate(wrong, nose);
     right = quaternion_of_rotation_vector<double>(h * omega_world) * right;
-    wrong = wrong * quaternion_of_rotation_vector<double>(h * omega_world);  // the body's side
+    wrong = wrong * quaternion_of_rotation_vector<double>(h * omega_world);  // !
     //! [wrong_side]
     lowest_right = std::min(lowest_right, right_nose.z());
     lowest_wrong = std::min(lowest_wrong, wrong_nose.z());
@@ -63,7 +63,7 @@ int main(int argument_count, char** arguments) {
   label(rotate(start, nose), -0.05, 0.17, "start");
   mark("dot", rotate(start, nose), Vec3d(0, 0, 0));
 
-  notebook.value("height", course::number("%.2f", std::sin(0.6)));
+  notebook.value("height", course::number("%.3f", std::sin(0.6)));
   course::expect(std::abs(lowest_right - std::sin(0.6)) < 1e-12, "about z the height stays");
   course::expect(std::abs(lowest_wrong + std::sin(0.6)) < 1e-3, "about its own z it goes below");
 
