@@ -16,9 +16,10 @@ find_program(TUMBLE_GNUPLOT gnuplot)
 
 find_program(TUMBLE_CCACHE ccache)
 if(TUMBLE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # A precompiled header changes its time stamp; ccache must be told to look at the content alone.
+  # A precompiled header changes its time stamp; ccache must be told to look at the content alone. And a second checkout
+  # shall find what the first has compiled.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime
-    ${TUMBLE_CCACHE})
+    CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=yes ${TUMBLE_CCACHE})
 endif()
 
 add_library(tumble_flags INTERFACE)

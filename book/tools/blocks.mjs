@@ -74,7 +74,8 @@ export class Blocks {
   }
 
   #path(file) {
-    return file.startsWith(`${this.settings.source}/`) ? file.slice(this.settings.source.length + 1) : file;
+    // ccache makes the compiler see paths from the folder that it runs in.
+    return file.replace(/^.*\/(?=chapters\/)/, '');
   }
 
   value_of(page, argument) {

@@ -80,7 +80,7 @@ int main(int argument_count, char** arguments) {
       return Vec3d(centre.position + R * (point - hammer.centre_of_mass));
     };
     if (n % steps_per_pose == 0) {
-      const std::string pose = number("%.0f", n / steps_per_pose);
+      const std::string pose = std::to_string(n / steps_per_pose);
       outline(table, "handle " + pose, {-handle_radius, 0, 0}, {handle_radius, 0, handle_length},
               to_world);
       outline(table, "head " + pose, {-head_size.x() / 2, 0, handle_length},

@@ -82,18 +82,18 @@ TEST_CASE_TEMPLATE("A diagonal tensor comes out with its own numbers, to the bit
 //! [needle]
 TEST_CASE_TEMPLATE("A needle nearly along an axis keeps the relative accuracy of its small moment",
                    Real, EVERY_PRECISION) {
-  // Moments (s, 1, 1), turned by a small angle a about z: known to the last digits.
-  const Real s = std::ldexp(Real(1), -20), a = std::ldexp(Real(1), -12);
-  const Real sine = std::sin(a), cosine = std::cos(a);
-  Mat3<Real> inertia = Mat3<Real>::Identity();
-  inertia(0, 0) = s * cosine * cosine + sine * sine;
-  inertia(1, 1) = s * sine * sine + cosine * cosine;
-  inertia(0, 1) = inertia(1, 0) = (s - 1) * sine * cosine;
-  // The product of inertia and the moment I_xx are of the order of a and s + a², so scaled by their
-  // moments they are of the order of 1: a relative error of 8 roundings in the elements may grow by
-  // 4 (1 + a²/s) = 4 (1 + 2^-4), no more, where a QR method loses a factor of 1/s.
-  CHECK(std::abs(principal_axes(inertia).moments(0) - s) <=
-        8 * 4 * (1 + a * a / s) * unit_roundoff<Real> * s);
+  // Moments (s, 1, 1) with s far below a rounding of 1, and the needle along v, nearly x. The
+  // witness sums positive terms only: I = s v vᵀ + (δ − v vᵀ), and 1 − v_x² is v_y² + v_z².
+  const Real s = unit_roundoff<Real> * unit_roundoff<Real>, slant = std::sqrt(s) / 4;
+  const Vec3<long double> v = Vec3<long double>(1, slant, slant / 2).normalized();
+  const Mat3<long double> v_v = v * v.transpose();
+  const Mat3<long double> inertia =
+      static_cast<long double>(s) * v_v + inertia_from_second_moments(v_v);
+  // Scaled by their moments the products are at most 1/4, so a relative error in the elements grows
+  // no more than twofold; a cast rounds once, each of some 4 turns 4 times. A method that only
+  // knows the size of the largest moment would lose all of s.
+  CHECK(std::abs(principal_axes(Mat3<Real>(inertia.template cast<Real>())).moments(0) - s) <=
+        2 * (1 + 4 * 4) * unit_roundoff<Real> * s);
 }
 //! [needle]
 
