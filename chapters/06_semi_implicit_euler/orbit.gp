@@ -1,4 +1,4 @@
-set terminal svg size 480,440
+set terminal svg size 480,440 font "sans-serif,15"
 set output name.".svg"
 set title "Explicit Euler lets the satellite escape"
 set xlabel "x (smallest distance = 1)"

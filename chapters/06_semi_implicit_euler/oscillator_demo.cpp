@@ -86,7 +86,7 @@ int main(int argument_count, char** arguments) {
       std::printf("%3d swings %17.5g J %19.5f J   %5.1f J\n", swings, energy(explicitly),
                   energy(semi), 0.5);
     largest = std::max(largest, std::abs(energy(semi) / 0.5 - 1));
-    swing_once_more();
+    if (swings < 64) swing_once_more();
   }
   notebook.value("explicit_energy", number("%.1e J", energy(explicitly)));
   notebook.value("largest_swing", number("%.1f %%", 100 * largest));

@@ -1,4 +1,4 @@
-set terminal svg size 480,470
+set terminal svg size 480,470 font "sans-serif,15"
 set output name.".svg"
 set title "A kick and a drift shear a patch of starts and keep its area"
 set xlabel "place x (m)"

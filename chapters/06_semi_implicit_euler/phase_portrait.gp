@@ -1,4 +1,4 @@
-set terminal svg size 480,470
+set terminal svg size 480,470 font "sans-serif,15"
 set output name.".svg"
 set title "Explicit Euler spirals out; kick and drift goes round"
 set xlabel "place x (m)"

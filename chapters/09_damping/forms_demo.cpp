@@ -44,7 +44,7 @@ int main(int argument_count, char** arguments) {
     std::printf("%6g %11.5f %9.3f %13.5f\n", kh, fraction_kept(kh, 1.0), linear_form(kh, 1.0),
                 fractional_form(kh, 1.0));
 
-  std::printf("\nten steps of k h = 2.5 with the linear form:");
+  std::printf("\nten steps of k h = 2.5 with the linear form:\n");
   double speed = 1;
   for (int n = 0; n < 10; ++n) {
     speed *= linear_form(2.5, 1.0);

@@ -1,3 +1,5 @@
+set terminal svg size 480,390 font "sans-serif,15"
+set output name.".svg"
 set title "The terminal speed depends on the form, and on the step"
 set xlabel "k h"
 set ylabel "terminal speed (g/k)"

@@ -124,9 +124,9 @@ TEST_CASE("A step's length is exact in lowest terms, and its time step correctly
   CHECK(time_step_of<float>(steps_per_second(60)) == 1.0f / 60);
   CHECK(time_step_of<double>(step_of_nanoseconds(12'300'000)) == 0.0123);
   StepClock clock = make_step_clock(steps_per_second(60));
-  CHECK(steps_due(clock, 25 * millisecond) == 1);
-  CHECK(std::abs(fraction_of_step<double>(clock) - 0.5) <
-        1e-15);  // half a step of 16.67 ms is left
+  CHECK(steps_due(clock, 20 * millisecond) == 1);
+  // 20 ms are a step of 16.67 ms and a fifth of the next.
+  CHECK(std::abs(fraction_of_step<double>(clock) - 0.2) < 1e-15);
 }
 
 //! [added_up]

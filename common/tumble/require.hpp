@@ -54,6 +54,13 @@ void require_finite(std::string_view name, Real value, std::string_view unit) {
   if (!std::isfinite(value)) reject(name, value, unit, "it must be finite");
 }
 
+/// Throws unless `value` is 0 or more, and neither infinite nor NaN.
+template <class Real>
+void require_not_negative(std::string_view name, Real value, std::string_view unit) {
+  require_finite(name, value, unit);
+  if (value < 0) reject(name, value, unit, "it must be 0 or more");
+}
+
 /// Throws unless all three components are neither infinite nor NaN.
 template <class Real>
 void require_finite(std::string_view name, const Vec3<Real>& value, std::string_view unit) {

@@ -42,10 +42,6 @@ void explicit_step(Particle<Real>& particle, Same<Real> time_step) {
 //! [largest_stable_time_step]
 template <class Real>
 Real largest_stable_time_step(Real stiffness, Same<Real> damping, Same<Real> inverse_mass) {
-  const auto require_not_negative = [](std::string_view name, Real value, std::string_view unit) {
-    require_finite(name, value, unit);
-    if (value < 0) reject(name, value, unit, "it must be 0 or more");
-  };
   require_not_negative("stiffness", stiffness, "N/m");
   require_not_negative("spring's damping", damping, "N s/m");
   require_not_negative("inverse mass", inverse_mass, "1/kg");

@@ -13,13 +13,10 @@ namespace tumble {
 //! [drag_coefficient]
 template <class Real>
 Real drag_coefficient(Real density, Same<Real> shape_number, Same<Real> area) {
-  const auto checked = [](std::string_view name, Real value, std::string_view unit) {
-    require_finite(name, value, unit);
-    if (value < 0) reject(name, value, unit, "it must be 0 or more");
-    return value;
-  };
-  return checked("density of air", density, "kg/m^3") * checked("shape number", shape_number, "") *
-         checked("area", area, "m^2") / 2;
+  require_not_negative("density of air", density, "kg/m^3");
+  require_not_negative("shape number", shape_number, "");
+  require_not_negative("area", area, "m^2");
+  return density * shape_number * area / 2;
 }
 //! [drag_coefficient]
 

@@ -15,8 +15,9 @@ namespace tumble {
 template <class Real>
 Pose<Real> interpolated(const Pose<Real>& from, const Pose<Real>& to, Same<Real> fraction) {
   const Vec3<Real> turn = rotation_vector_of(to.orientation * conjugate(from.orientation));
+  const Quaternion<Real> part = quaternion_of_rotation_vector<Real>(fraction * turn);
   return {.position = from.position + fraction * (to.position - from.position),
-          .orientation = quaternion_of_rotation_vector<Real>(fraction * turn) * from.orientation};
+          .orientation = part * from.orientation};
 }
 //! [interpolated]
 

@@ -51,14 +51,14 @@ Real time_step_of(const StepLength& step) {
 //! [step_clock]
 struct StepClock {
   StepLength step;
-  std::int64_t longest_frame = 250'000'000;  ///< ns; what a frame has beyond this is dropped
+  std::int64_t longest_frame = 250'000'000;  ///< ns; the rest of a frame is dropped
   std::int64_t most_steps = 8;               ///< in a frame; steps beyond this are dropped
 
   std::int64_t time_in = 0;        ///< ns, of all frames
   std::int64_t dropped_time = 0;   ///< ns, because of longest_frame
   std::int64_t steps = 0;          ///< handed out so far: the time in ticks
   std::int64_t dropped_steps = 0;  ///< because of most_steps
-  std::int64_t remainder = 0;      ///< 1/denominator ns, less than a step: for the next frame
+  std::int64_t remainder = 0;      ///< 1/denominator ns, for the next frame
 };
 //! [step_clock]
 
@@ -72,13 +72,19 @@ inline StepClock make_step_clock(const StepLength& step, std::int64_t longest_fr
   return {.step = step, .longest_frame = longest_frame, .most_steps = most_steps};
 }
 
+/// Throws unless a time that goes by is 0 or more.
+template <class Time>
+void require_forward(std::string_view name, Time time, std::string_view unit) {
+  if (time < 0) reject(name, time, unit, "time runs forward: it must be 0 or more");
+}
+
 /// How many steps to take now that a frame of `frame` nanoseconds is over. What is left of it waits
 /// for the next frame; what the two caps cut off is dropped and counted.
 /// @throws std::invalid_argument if the frame is negative, or if all frames together exceed 292
 /// years; the clock is then unchanged.
 //! [steps_due]
 inline std::int64_t steps_due(StepClock& clock, std::int64_t frame) {
-  if (frame < 0) reject("frame time", frame, "ns", "time runs forward: it must be 0 or more");
+  require_forward("frame time", frame, "ns");
   if (frame > std::numeric_limits<std::int64_t>::max() - clock.time_in)
     reject("frame time", frame, "ns", "with it the clock would have run for over 292 years");
   const std::int64_t taken = std::min(frame, clock.longest_frame);
@@ -101,7 +107,7 @@ inline std::int64_t steps_due(StepClock& clock, std::int64_t frame) {
 //! [nanoseconds_of]
 inline std::int64_t nanoseconds_of(double seconds) {
   require_finite("frame time", seconds, "s");
-  if (seconds < 0) reject("frame time", seconds, "s", "time runs forward: it must be 0 or more");
+  require_forward("frame time", seconds, "s");
   require_between("frame time", seconds, "s", 0, 9.2e9);
   return static_cast<std::int64_t>(std::llround(seconds * 1e9));
 }
