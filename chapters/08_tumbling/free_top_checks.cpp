@@ -12,7 +12,7 @@ using Exact = long double;
 /// knows nothing of elliptic functions.
 Top<Exact> stepped_by_runge_kutta(Top<Exact> top, Exact time, int steps) {
   struct Rate {
-    Vec3<Exact> L;
+    Vec3<Exact> angular_momentum;
     Quaternion<Exact> q;
   };
   const Exact h = time / steps;
@@ -21,7 +21,7 @@ Top<Exact> stepped_by_runge_kutta(Top<Exact> top, Exact time, int steps) {
     return {gyroscopic_torque(at), at.orientation * pure(half)};
   };
   const auto moved = [](Top<Exact> at, Exact by, const Rate& r) {
-    at.angular_momentum_body += by * r.L;
+    at.angular_momentum_body += by * r.angular_momentum;
     at.orientation = at.orientation + by * r.q;
     return at;
   };

@@ -67,7 +67,7 @@ TEST_CASE("Without drops the steps do not depend on how the time is cut into fra
     StepClock clock = make_step_clock(step, second, 1'000'000);
     for (std::int64_t rest = whole; rest > 0;) {
       const std::int64_t frame =
-          std::min(rest, static_cast<std::int64_t>(1 + generator() % (50 * 1'000'000)));
+          std::min(rest, static_cast<std::int64_t>(1 + generator() % 50'000'000));
       steps_due(clock, frame);
       rest -= frame;
     }
