@@ -3,7 +3,6 @@
 #include <course/rules.hpp>
 
 using namespace tumble;
-using course::number;
 
 int main(int argument_count, char** arguments) {
   course::Notebook notebook(argument_count, arguments);
