@@ -35,15 +35,18 @@ if(CMAKE_CXX_COMPILER_LAUNCHER)
   target_compile_options(tumble_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
     $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)
 endif()
+# g++ collects its own garbage while it compiles, a sixth of the time of our files; 300 MB more memory save it.
+target_compile_options(tumble_flags INTERFACE
+  $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=10000 --param=ggc-min-heapsize=4000000>)
 if(TUMBLE_SANITIZE)
   target_compile_options(tumble_flags INTERFACE -fsanitize=${TUMBLE_SANITIZE} -fno-sanitize-recover=all
     -fno-omit-frame-pointer)
   target_link_options(tumble_flags INTERFACE -fsanitize=${TUMBLE_SANITIZE})
 endif()
 
-# Checks are compiled for a quick verdict, with every assertion of Eigen's on; programs for speed.
+# Checks are compiled for a quick verdict (-Og: a seventh less to compile than -O1), with every assertion of Eigen's on; programs for speed.
 add_library(tumble_check_flags INTERFACE)
-target_compile_options(tumble_check_flags INTERFACE -O1 -UNDEBUG)
+target_compile_options(tumble_check_flags INTERFACE -Og -UNDEBUG)
 if(NOT TUMBLE_SANITIZE)
   target_compile_options(tumble_check_flags INTERFACE -g0)
 endif()
@@ -74,13 +77,23 @@ function(tumble_chapter_target suffix chapter)
   endif()
 endfunction()
 
-# tumble_add_checks(CHAPTER FILE...): one program with the chapter's checks, one CTest, one checks.xml.
+# tumble_add_checks(CHAPTER FILE...): one program with the chapter's checks, one CTest, one checks.xml. For whoever works
+# on one header, NAME_checks.cpp alone makes a program too, CHAPTER.NAME, built only when asked for.
 function(tumble_add_checks chapter)
   set(program ${chapter}_checks)
-  add_executable(${program} ${ARGN})
-  target_link_libraries(${program} PRIVATE tumble_${chapter} tumble_check_main tumble_check_flags)
-  target_precompile_headers(${program} REUSE_FROM tumble_check_headers)
+  add_executable(${program})
+  target_link_libraries(${program} PRIVATE tumble_check_main)
   set_target_properties(${program} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/checks)
+  foreach(file IN LISTS ARGN)
+    string(REGEX REPLACE "_checks\\.cpp$" "" name ${file})
+    add_library(checks_${chapter}_${name} OBJECT ${file})
+    target_link_libraries(checks_${chapter}_${name} PUBLIC tumble_${chapter} tumble_check_flags)
+    target_precompile_headers(checks_${chapter}_${name} REUSE_FROM tumble_check_headers)
+    target_link_libraries(${program} PRIVATE checks_${chapter}_${name})
+    add_executable(${chapter}.${name} EXCLUDE_FROM_ALL)
+    target_link_libraries(${chapter}.${name} PRIVATE tumble_check_main checks_${chapter}_${name})
+    set_target_properties(${chapter}.${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/checks)
+  endforeach()
   add_test(NAME checks.${chapter} COMMAND ${program})
   set_tests_properties(checks.${chapter} PROPERTIES LABELS checks)
 

@@ -30,6 +30,7 @@ measure "Nothing changed" book
 printf '\nOne sentence more.\n' >>"$page"
 measure "One sentence of chapter 03 changed, the book again" book
 printf '\n// One line more.\n' >>"$header"
-measure "One header of chapter 03 changed, the verdict of its checks" check 03
+measure "One header of chapter 03 changed, the verdict of its checks" check "$header"
+measure "The verdict of all of chapter 03's checks on it" check 03
 
 printf '\n%s' "$table"

@@ -5,6 +5,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -24,13 +25,15 @@ constexpr Real unit_roundoff = std::numeric_limits<Real>::epsilon() / 2;
 /// The largest absolute component of a difference.
 template <class Real>
 Real distance(const Vec3<Real>& a, const Vec3<Same<Real>>& b) {
-  return (a - b).cwiseAbs().maxCoeff();
+  return std::max({std::abs(a.x() - b.x()), std::abs(a.y() - b.y()), std::abs(a.z() - b.z())});
 }
 
 /// True when all bits agree (and neither holds a NaN).
 template <class First, class Second>
 bool same_bits(const Eigen::MatrixBase<First>& a, const Eigen::MatrixBase<Second>& b) {
-  return (a.array() == b.array()).all();
+  const typename First::PlainObject left = a;
+  const typename Second::PlainObject right = b;
+  return std::equal(left.data(), left.data() + left.size(), right.data());
 }
 
 /// The sentence that `action` throws, or "nothing thrown".

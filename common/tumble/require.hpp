@@ -61,10 +61,21 @@ void require_not_negative(std::string_view name, Real value, std::string_view un
   if (value < 0) reject(name, value, unit, "it must be 0 or more");
 }
 
+/// True when every element of a vector or matrix is neither infinite nor NaN.
+///
+/// Eigen's allFinite() says the same, but costs the compiler a dozen types for each kind of matrix,
+/// and every file of the course would pay for them.
+template <class Real, int rows, int columns>
+bool is_finite(const Eigen::Matrix<Real, rows, columns>& value) {
+  for (Eigen::Index i = 0; i < value.size(); ++i)
+    if (!std::isfinite(value.data()[i])) return false;
+  return true;
+}
+
 /// Throws unless all three components are neither infinite nor NaN.
 template <class Real>
 void require_finite(std::string_view name, const Vec3<Real>& value, std::string_view unit) {
-  if (!value.allFinite()) reject(name, value, unit, "every component must be finite");
+  if (!is_finite(value)) reject(name, value, unit, "every component must be finite");
 }
 
 }  // namespace tumble

@@ -30,8 +30,10 @@ fresh() { # SYSTEM VERSION: a machine with apt and no package
   stand_in dpkg-query <<<'exit 1'
   stand_in apt-get <<<'echo "apt-get $*" >>"$CALLED"'
   stand_in cmake <<<'echo "cmake $*" >>"$CALLED"; mkdir -p build/default/checks
-    printf "#!/usr/bin/env bash\necho checked\nexit ${CHECKS:-0}\n" >build/default/checks/01_force_checks
-    chmod() { "$CHMOD" "$@"; }; chmod +x build/default/checks/01_force_checks'
+    for program in 01_force_checks 01_force.force; do
+      printf "#!/usr/bin/env bash\necho checked\nexit ${CHECKS:-0}\n" >build/default/checks/$program
+      chmod() { "$CHMOD" "$@"; }; chmod +x build/default/checks/$program
+    done'
 }
 
 course() { # ARGUMENT...: its output and exit code go to `output` and `code`
@@ -76,6 +78,13 @@ verify "no mistake of the reader's starts anything" called_nothing
 for word in 1 01 force 01_force chapters/01_force/ /a/b/chapters/01_force/tumble/force.hpp; do
   course check $word
   verify "check understands $word" says "The checks of 01_force hold."
+done
+touch "$scratch/tree/chapters/01_force/force_checks.cpp"
+for word in chapters/01_force/tumble/force.hpp /a/b/chapters/01_force/force_checks.cpp; do
+  course check $word
+  verify "check $word compiles the checks of that file alone" called "--target 01_force.force"
+  verify "and says so" says "The checks of 01_force/force hold."
+  rm "$scratch/called"
 done
 checks=3 course check 1
 verify "a failed check ends with an error" ends_with 2
