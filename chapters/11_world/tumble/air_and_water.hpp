@@ -1,0 +1,136 @@
+/// @file
+/// What surrounds a body: damping, drag, the Magnus force and buoyancy as effects.
+#pragma once
+
+#include <algorithm>
+#include <numbers>
+#include <tumble/damping.hpp>
+#include <tumble/drag.hpp>
+#include <tumble/effect.hpp>
+
+namespace tumble {
+
+/// Exponential damping of the velocity, v ← v e^(−k h), see chapter 9.
+//! [linear_damping]
+template <class Real>
+struct LinearDamping {
+  static constexpr std::string_view name = "linear damping";
+  static constexpr Phase phase = Phase::damping;
+  Real rate = 0;      ///< k, 1/s
+  Real fraction = 1;  ///< e^(−k h), which prepare() computes
+
+  void check() const { checked_damping_rate(rate, "linear damping"); }
+  void prepare(Real time_step) { fraction = fraction_kept(rate, time_step); }
+  std::string_view why_skipped(const Facts& facts) const {
+    return rate == 0         ? "its rate is zero"
+           : facts.is_static ? "nothing can move them"
+           : !facts.moves    ? "at rest, and nothing can move them"
+                             : "";
+  }
+  void act(Particle<Real>& centre, const Moment<Real>&) const { damp(centre, fraction); }
+};
+//! [linear_damping]
+
+/// Exponential damping of the spin, L ← L e^(−k h).
+template <class Real>
+struct AngularDamping {
+  static constexpr std::string_view name = "angular damping";
+  static constexpr Phase phase = Phase::damping;
+  Real rate = 0;      ///< k, 1/s
+  Real fraction = 1;  ///< e^(−k h), which prepare() computes
+
+  void check() const { checked_damping_rate(rate, "angular damping"); }
+  void prepare(Real time_step) { fraction = fraction_kept(rate, time_step); }
+  std::string_view why_skipped(const Facts& facts) const {
+    return rate == 0      ? "its rate is zero"
+           : !facts.turns ? "no spin and nothing that can give torque"
+                          : "";
+  }
+  void act(Top<Real>& top, const Moment<Real>&) const { damp(top, fraction); }
+};
+
+/// Drag that grows with the square of the speed through the air, see quadratic_drag().
+template <class Real>
+struct QuadraticDrag {
+  static constexpr std::string_view name = "quadratic drag";
+  static constexpr std::string_view reads = "velocity";
+  Real coefficient = 0;                  ///< ½ ρ C A, kg/m, see drag_coefficient()
+  Vec3<Real> wind = Vec3<Real>::Zero();  ///< m/s, world axes
+
+  void check() const {
+    require_not_negative("drag coefficient", coefficient, "kg/m");
+    require_finite("wind", wind, "m/s");
+  }
+  std::string_view why_skipped(const Facts& facts) const {
+    return coefficient == 0                             ? "its coefficient is zero"
+           : !facts.moves && wind == Vec3<Real>::Zero() ? "at rest in still air"
+                                                        : "";
+  }
+  Vec3<Real> force(const Particle<Real>& centre, Real) const {
+    return quadratic_drag(coefficient, centre.velocity, wind);
+  }
+};
+
+/// The Magnus force on a spinning ball, F = S ω × v: on the side where the skin runs with the air
+/// it drags the air along, the air leaves bent to that side, and the ball is pushed to the other.
+///
+/// A slice of radius a carries the circulation 2π a² ω and feels ρ v times that for each metre
+/// (Kutta and Joukowski); summed over the slices of a ball of radius r that makes S = 8/3 π ρ r³ in
+/// air without friction. In honey it is π ρ r³ (Rubinow and Keller, 1961), and a real wake must be
+/// measured.
+//! [magnus]
+template <class Real>
+struct Magnus {
+  static constexpr std::string_view name = "Magnus force";
+  static constexpr std::string_view reads = "velocity, spin";
+  Real strength = 0;                     ///< S, kg
+  Vec3<Real> wind = Vec3<Real>::Zero();  ///< m/s, world axes
+
+  void check() const {
+    require_finite("strength of the Magnus force", strength, "kg");
+    require_finite("wind", wind, "m/s");
+  }
+  std::string_view why_skipped(const Facts& facts) const {
+    return strength == 0  ? "its strength is zero"
+           : !facts.turns ? "no spin and nothing that can give torque"
+                          : "";
+  }
+  Vec3<Real> force(const BodyState<Real>& body, Real) const {
+    const Vec3<Real> through_air = body.centre.velocity - wind;
+    return strength * angular_velocity_world(body.top).cross(through_air);
+  }
+};
+//! [magnus]
+
+/// Buoyancy of a ball in a liquid that fills the half-space below a level surface: Archimedes'
+/// force −ρ V g, where V is what of the ball lies below. A cap of depth d of a ball of radius r
+/// holds V = π d² (r − d/3).
+//! [buoyancy]
+template <class Real>
+struct Buoyancy {
+  static constexpr std::string_view name = "buoyancy";
+  static constexpr std::string_view reads = "position";
+  Real density = 1000;        ///< ρ of the liquid, kg/m³
+  Real radius = 0;            ///< r of the balls, m
+  Real surface = 0;           ///< the height z of the surface, m
+  Real gravity = Real(9.81);  ///< m/s², downwards along −z
+
+  void check() const {
+    require_not_negative("density of the liquid", density, "kg/m^3");
+    require_not_negative("radius of a floating ball", radius, "m");
+    require_finite("height of the surface", surface, "m");
+    require_not_negative("gravity", gravity, "m/s^2");
+  }
+  std::string_view why_skipped(const Facts&) const {
+    return density == 0 || radius == 0 || gravity == 0 ? "it lifts nothing" : "";
+  }
+  Vec3<Real> force(const Particle<Real>& centre, Real) const {
+    const Real depth =
+        std::clamp<Real>(surface - centre.position.z() + radius, Real(0), 2 * radius);
+    const Real volume = std::numbers::pi_v<Real> * depth * depth * (radius - depth / 3);
+    return {0, 0, density * volume * gravity};
+  }
+};
+//! [buoyancy]
+
+}  // namespace tumble

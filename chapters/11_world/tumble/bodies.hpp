@@ -1,0 +1,84 @@
+/// @file
+/// How a world keeps its bodies: particles in one array, tops in another, and no top for a body
+/// that never turns.
+#pragma once
+
+#include <cstdint>
+#include <tumble/rigid_body.hpp>
+#include <vector>
+
+namespace tumble {
+
+/// The place of a body in the arrays of its world. It changes when other bodies are removed; what
+/// stays the same is the Handle.
+using BodyIndex = std::uint32_t;
+
+/// Says which array element of a body there isn't.
+constexpr BodyIndex no_index = static_cast<BodyIndex>(-1);
+
+/// What an effect sees of one body. A point shows a top that can't turn and does not spin.
+//! [body_state]
+template <class Real>
+struct BodyState {
+  const Particle<Real>& centre;
+  const Top<Real>& top;
+};
+//! [body_state]
+
+/// All bodies of a world.
+//! [bodies]
+template <class Real>
+struct Bodies {
+  std::vector<Particle<Real>> centres;  ///< one for each body
+  std::vector<Top<Real>> tops;          ///< one for each body that is not a point
+  std::vector<BodyIndex> top_of;        ///< where a body's top is; no_index for a point
+  std::vector<BodyIndex> body_of;       ///< whose top it is
+};
+//! [bodies]
+
+/// True when the body can't face anywhere: it has no top.
+template <class Real>
+bool is_point(const Bodies<Real>& bodies, BodyIndex body) {
+  return bodies.top_of[body] == no_index;
+}
+
+/// What effects see of the body.
+template <class Real>
+BodyState<Real> state_of(const Bodies<Real>& bodies, BodyIndex body) {
+  static const Top<Real> none;
+  const BodyIndex top = bodies.top_of[body];
+  return {bodies.centres[body], top == no_index ? none : bodies.tops[top]};
+}
+
+/// Appends a body; `top` is null for a point. @return its index
+template <class Real>
+BodyIndex append(Bodies<Real>& bodies, const Particle<Real>& centre, const Top<Real>* top) {
+  const auto body = static_cast<BodyIndex>(bodies.centres.size());
+  bodies.centres.push_back(centre);
+  bodies.top_of.push_back(top ? static_cast<BodyIndex>(bodies.tops.size()) : no_index);
+  if (top) {
+    bodies.tops.push_back(*top);
+    bodies.body_of.push_back(body);
+  }
+  return body;
+}
+
+/// Takes a body out. The last body gets its place, and the last top the place of its top.
+template <class Real>
+void take_out(Bodies<Real>& bodies, BodyIndex body) {
+  if (const BodyIndex top = bodies.top_of[body]; top != no_index) {
+    bodies.tops[top] = bodies.tops.back();
+    bodies.body_of[top] = bodies.body_of.back();
+    bodies.top_of[bodies.body_of[top]] = top;
+    bodies.tops.pop_back();
+    bodies.body_of.pop_back();
+  }
+  const auto last = static_cast<BodyIndex>(bodies.centres.size() - 1);
+  bodies.centres[body] = bodies.centres[last];
+  bodies.top_of[body] = bodies.top_of[last];
+  if (body != last && bodies.top_of[body] != no_index) bodies.body_of[bodies.top_of[body]] = body;
+  bodies.centres.pop_back();
+  bodies.top_of.pop_back();
+}
+
+}  // namespace tumble

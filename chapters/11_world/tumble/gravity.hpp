@@ -1,0 +1,77 @@
+/// @file
+/// Gravity as effects: uniform, as a force and as an acceleration, and towards a point.
+#pragma once
+
+#include <tumble/effect.hpp>
+
+namespace tumble {
+
+/// Uniform gravity as a force, F = m g.
+//! [gravity]
+template <class Real>
+struct Gravity {
+  static constexpr std::string_view name = "gravity";
+  static constexpr std::string_view reads = "mass";
+  Vec3<Real> gravity = {0, 0, Real(-9.81)};  ///< g, m/s², world axes
+
+  void check() const { require_finite("gravity", gravity, "m/s^2"); }
+  std::string_view why_skipped(const Facts&) const {
+    return gravity == Vec3<Real>::Zero() ? "gravity is zero" : "";
+  }
+  Vec3<Real> force(const Particle<Real>& centre, Real) const { return mass_of(centre) * gravity; }
+  Real potential_energy(const BodyState<Real>& body) const {
+    return -mass_of(body.centre) * gravity.dot(body.centre.position);
+  }
+};
+//! [gravity]
+
+/// Uniform gravity as an acceleration, v ← v + h g: the same for every mass, so nobody asks for it.
+//! [gravity_as_acceleration]
+template <class Real>
+struct GravityAsAcceleration {
+  static constexpr std::string_view name = "gravity as acceleration";
+  static constexpr std::string_view reads = "";
+  Vec3<Real> gravity = {0, 0, Real(-9.81)};  ///< g, m/s², world axes
+
+  void check() const { require_finite("gravity", gravity, "m/s^2"); }
+  std::string_view why_skipped(const Facts&) const {
+    return gravity == Vec3<Real>::Zero() ? "gravity is zero" : "";
+  }
+  Vec3<Real> acceleration(const Particle<Real>&, Real) const { return gravity; }
+  Real potential_energy(const BodyState<Real>& body) const {
+    return -mass_of(body.centre) * gravity.dot(body.centre.position);
+  }
+};
+//! [gravity_as_acceleration]
+
+/// Gravity towards a point, F = −G M m r/|r|³ with r from the point to the body. `strength` is G M:
+/// 3.986e14 m³/s² for the Earth. At the point itself the force is not defined: a step that meets it
+/// stops with an error.
+//! [point_gravity]
+template <class Real>
+struct PointGravity {
+  static constexpr std::string_view name = "point gravity";
+  static constexpr std::string_view reads = "mass, position";
+  Real strength = 0;                       ///< G M, m³/s²
+  Vec3<Real> centre = Vec3<Real>::Zero();  ///< m, world axes
+
+  void check() const {
+    require_not_negative("strength of point gravity", strength, "m^3/s^2");
+    require_finite("centre of point gravity", centre, "m");
+  }
+  std::string_view why_skipped(const Facts&) const {
+    return strength == 0 ? "its strength is zero" : "";
+  }
+  // Divided by |r| one factor at a time: |r|³ would leave float's range from 7e12 m on.
+  Vec3<Real> force(const Particle<Real>& body, Real) const {
+    const Vec3<Real> r = body.position - centre;
+    const Real distance = r.norm();
+    return -(mass_of(body) * (strength / distance / distance)) * (r / distance);
+  }
+  Real potential_energy(const BodyState<Real>& body) const {
+    return -mass_of(body.centre) * (strength / (body.centre.position - centre).norm());
+  }
+};
+//! [point_gravity]
+
+}  // namespace tumble

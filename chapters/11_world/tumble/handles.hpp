@@ -1,0 +1,83 @@
+/// @file
+/// Handles: names for bodies that stay right while other bodies come and go.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <tumble/bodies.hpp>
+
+namespace tumble {
+
+/// A body of a world. The generation tells a body from one that had its slot before.
+//! [handle]
+struct BodyHandle {
+  std::uint32_t slot = 0;
+  std::uint32_t generation = 0;
+  friend bool operator==(const BodyHandle&, const BodyHandle&) = default;
+};
+//! [handle]
+
+/// An effect of a world.
+struct EffectHandle {
+  std::uint64_t number = 0;
+  friend bool operator==(const EffectHandle&, const EffectHandle&) = default;
+};
+
+/// Which body has which place in the arrays.
+//! [slots]
+class Slots {
+ public:
+  /// A handle for the body that is appended at `index`.
+  BodyHandle take(BodyIndex index) {
+    if (free_.empty()) {
+      free_.push_back(static_cast<std::uint32_t>(slots_.size()));
+      slots_.push_back({});
+    }
+    const std::uint32_t slot = free_.back();
+    free_.pop_back();
+    slots_[slot].index = index;
+    slot_of_.push_back(slot);
+    return {slot, slots_[slot].generation};
+  }
+
+  /// Forgets a body; the last one moves to its place, as in take_out().
+  void release(BodyHandle body) {
+    Slot& slot = slots_[body.slot];
+    slot_of_[slot.index] = slot_of_.back();
+    slots_[slot_of_.back()].index = slot.index;
+    slot_of_.pop_back();
+    slot.index = no_index;
+    ++slot.generation;
+    free_.push_back(body.slot);
+  }
+
+  bool contains(BodyHandle body) const {
+    return body.slot < slots_.size() && slots_[body.slot].generation == body.generation &&
+           slots_[body.slot].index != no_index;
+  }
+
+  /// @throws std::out_of_range if the handle is stale.
+  BodyIndex index_of(BodyHandle body) const {
+    if (!contains(body))
+      throw std::out_of_range("stale handle: body " + std::to_string(body.slot) + ", generation " +
+                              std::to_string(body.generation) +
+                              ", has been removed or never was in this world");
+    return slots_[body.slot].index;
+  }
+
+  BodyHandle handle_of(BodyIndex index) const {
+    return {slot_of_[index], slots_[slot_of_[index]].generation};
+  }
+
+ private:
+  struct Slot {
+    BodyIndex index = no_index;
+    std::uint32_t generation = 0;
+  };
+  std::vector<Slot> slots_;
+  std::vector<std::uint32_t> slot_of_;  // for each array element
+  std::vector<std::uint32_t> free_;
+};
+//! [slots]
+
+}  // namespace tumble

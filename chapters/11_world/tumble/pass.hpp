@@ -1,0 +1,260 @@
+/// @file
+/// One line of a plan: an effect of whatever type, run on a group of bodies.
+#pragma once
+
+#include <memory>
+#include <tumble/effect.hpp>
+
+namespace tumble {
+
+/// Which array elements a pass visits: centres, or tops for an effect on tops, or pairs of bodies,
+/// the first and the second in turn.
+//! [group]
+struct Group {
+  bool everyone = false;           ///< the whole array, and members stays empty
+  std::vector<BodyIndex> members;  ///< else these
+};
+
+/// Calls `kernel` with each element of `array` that the group names.
+template <class Element, class Kernel>
+void for_each_of(const Group& group, std::vector<Element>& array, const Kernel& kernel) {
+  if (group.everyone)
+    for (Element& element : array) kernel(element);
+  else
+    for (const BodyIndex index : group.members) kernel(array[index]);
+}
+//! [group]
+
+/// What of a spring limits the time step.
+template <class Real>
+struct SpringTerms {
+  Real stiffness = 0;   ///< N/m
+  Real damping = 0;     ///< N s/m
+  Real arm_first = 0;   ///< how far from the centre of mass it holds the (first) body, m
+  Real arm_second = 0;  ///< and the second
+};
+
+/// An effect of any type, so that a world can keep all of them in one list. The call is virtual
+/// once for each pass, never for each body.
+template <class Real>
+class AnyEffect {
+ public:
+  virtual ~AnyEffect() = default;
+  virtual std::string name() const = 0;
+  virtual Phase phase() const = 0;
+  virtual std::string_view reads() const = 0;
+  virtual std::string_view writes() const = 0;
+  virtual bool joins_two() const = 0;     ///< it visits pairs of bodies
+  virtual bool visits_tops() const = 0;   ///< its group names tops
+  virtual bool gives_force() const = 0;   ///< it adds to Particle::force
+  virtual bool gives_torque() const = 0;  ///< it adds to Top::torque
+  virtual bool gives_motion() const = 0;  ///< it can set a resting centre in motion
+  virtual bool gives_spin() const = 0;    ///< it can set a resting top turning
+  virtual bool needs_top() const = 0;     ///< the (first) body must not be a point
+  virtual bool needs_second_top() const = 0;
+  /// Empty if the body needs the effect, else why it does not.
+  virtual std::string_view why_skipped(const Facts& facts) const = 0;
+  /// The same for a pair.
+  virtual std::string_view why_skipped(const Facts& first, const Facts& second) const = 0;
+  /// Runs the kernel on a group.
+  virtual void act(Bodies<Real>& bodies, const Group& group, const Moment<Real>& moment) const = 0;
+  /// What the effect gives one body in the force phase, or as a force m a in the kick: zero for
+  /// all other effects.
+  virtual Push<Real> push_on(const BodyState<Real>& body, Real time) const = 0;
+  /// What it gives a pair.
+  virtual PairPush<Real> push_on(const BodyState<Real>& first, const BodyState<Real>& second,
+                                 Real time) const = 0;
+  /// The energy (J) that the effect stores for a body, where it knows one.
+  virtual Real potential_energy(const BodyState<Real>& body) const = 0;
+  virtual Real potential_energy(const BodyState<Real>& first,
+                                const BodyState<Real>& second) const = 0;
+  virtual bool stores_energy() const = 0;
+  /// For a spring: what limits the time step, see spring_limits.hpp. Without stiffness otherwise.
+  virtual SpringTerms<Real> spring_terms() const = 0;
+};
+
+/// Adds what an effect gives to what already acts on the body.
+template <class Real>
+void add_push(Bodies<Real>& bodies, BodyIndex body, const Push<Real>& push) {
+  bodies.centres[body].force += push.force;
+  if (!is_point(bodies, body)) bodies.tops[bodies.top_of[body]].torque += push.torque;
+}
+
+/// AnyEffect for one type of effect.
+template <class Real, class Effect>
+class EffectOf final : public AnyEffect<Real> {
+  static constexpr bool force_on_centre = ForceOnCentre<Effect, Real>;
+  static constexpr bool force_on_body = ForceOnBody<Effect, Real>;
+  static constexpr bool push_on_body = PushOnBody<Effect, Real>;
+  static constexpr bool push_between = PushBetween<Effect, Real>;
+  static constexpr bool accelerates = AccelerationOfCentre<Effect, Real>;
+  static constexpr bool on_centre = ActsOnCentre<Effect, Real>;
+  static constexpr bool on_top = ActsOnTop<Effect, Real>;
+  static_assert(force_on_centre + force_on_body + push_on_body + push_between + accelerates +
+                        on_centre + on_top ==
+                    1,
+                "an effect has exactly one kernel, in one of the forms in effect.hpp");
+
+ public:
+  explicit EffectOf(const Effect& effect) : effect_(effect) {}
+
+  std::string name() const override { return std::string(effect_.name); }
+  Phase phase() const override {
+    if constexpr (on_centre || on_top)
+      return Effect::phase;
+    else
+      return accelerates ? Phase::kick : Phase::force;
+  }
+  std::string_view reads() const override {
+    if constexpr (requires { Effect::reads; })
+      return Effect::reads;
+    else
+      return on_top      ? "angular momentum"
+             : on_centre ? "velocity"
+             : force_on_body || push_on_body || push_between
+                 ? "position, velocity, orientation, spin"
+                 : "position, velocity";
+  }
+  std::string_view writes() const override {
+    if constexpr (requires { Effect::writes; })
+      return Effect::writes;
+    else
+      return gives_torque()  ? "force, torque"
+             : gives_force() ? "force"
+             : on_top        ? "angular momentum"
+                             : "velocity";
+  }
+  bool joins_two() const override { return push_between; }
+  bool visits_tops() const override { return on_top; }
+  bool gives_force() const override {
+    return force_on_centre || force_on_body || push_on_body || push_between;
+  }
+  bool gives_torque() const override {
+    if constexpr (requires { effect_.gives_torque(); })
+      return effect_.gives_torque();
+    else
+      return push_on_body || push_between;
+  }
+  bool gives_motion() const override {
+    return gives_force() || accelerates || phase() == Phase::impulse;
+  }
+
+  bool gives_spin() const override {
+    return gives_torque() || (on_top && phase() == Phase::impulse);
+  }
+  bool needs_top() const override {
+    if constexpr (requires { effect_.needs_top(); })
+      return effect_.needs_top();
+    else
+      return on_top;
+  }
+  bool needs_second_top() const override {
+    if constexpr (requires { effect_.needs_second_top(); })
+      return effect_.needs_second_top();
+    else
+      return false;
+  }
+
+  std::string_view why_skipped(const Facts& facts) const override {
+    return tumble::why_skipped<Real>(effect_, facts);
+  }
+  std::string_view why_skipped(const Facts& first, const Facts& second) const override {
+    if (first.is_static && second.is_static) return "nothing can move either of the two";
+    if constexpr (requires { effect_.why_skipped(first, second); })
+      return effect_.why_skipped(first, second);
+    else
+      return {};
+  }
+
+  void act(Bodies<Real>& bodies, const Group& group, const Moment<Real>& moment) const override {
+    if constexpr (force_on_centre) {
+      for_each_of(group, bodies.centres, [&](Particle<Real>& centre) {
+        centre.force += effect_.force(centre, moment.time);
+      });
+    } else if constexpr (accelerates) {
+      for_each_of(group, bodies.centres, [&](Particle<Real>& centre) {
+        accelerate<Real>(centre, effect_.acceleration(centre, moment.time), moment.time_step);
+      });
+    } else if constexpr (on_centre) {
+      for_each_of(group, bodies.centres,
+                  [&](Particle<Real>& centre) { effect_.act(centre, moment); });
+    } else if constexpr (on_top) {
+      for_each_of(group, bodies.tops, [&](Top<Real>& top) { effect_.act(top, moment); });
+    } else if constexpr (push_between) {
+      for (std::size_t i = 0; i < group.members.size(); i += 2) {
+        const BodyIndex first = group.members[i], second = group.members[i + 1];
+        const PairPush<Real> push =
+            effect_.push(state_of(bodies, first), state_of(bodies, second), moment.time);
+        add_push<Real>(bodies, first, {push.force_on_first, push.torque_on_first});
+        add_push<Real>(bodies, second, {-push.force_on_first, push.torque_on_second});
+      }
+    } else {
+      const auto body_count = static_cast<BodyIndex>(bodies.centres.size());
+      const auto visit = [&](BodyIndex body) {
+        if constexpr (force_on_body)
+          bodies.centres[body].force += effect_.force(state_of(bodies, body), moment.time);
+        else
+          add_push(bodies, body, effect_.push(state_of(bodies, body), moment.time));
+      };
+      if (group.everyone)
+        for (BodyIndex body = 0; body < body_count; ++body) visit(body);
+      else
+        for (const BodyIndex body : group.members) visit(body);
+    }
+  }
+
+  Push<Real> push_on([[maybe_unused]] const BodyState<Real>& body,
+                     [[maybe_unused]] Real time) const override {
+    if constexpr (force_on_centre)
+      return {.force = effect_.force(body.centre, time)};
+    else if constexpr (accelerates)
+      return {.force = mass_of(body.centre) * effect_.acceleration(body.centre, time)};
+    else if constexpr (force_on_body)
+      return {.force = effect_.force(body, time)};
+    else if constexpr (push_on_body)
+      return effect_.push(body, time);
+    else
+      return {};
+  }
+  PairPush<Real> push_on([[maybe_unused]] const BodyState<Real>& first,
+                         [[maybe_unused]] const BodyState<Real>& second,
+                         [[maybe_unused]] Real time) const override {
+    if constexpr (push_between)
+      return effect_.push(first, second, time);
+    else
+      return {};
+  }
+  Real potential_energy([[maybe_unused]] const BodyState<Real>& body) const override {
+    if constexpr (requires { effect_.potential_energy(body); })
+      return effect_.potential_energy(body);
+    else
+      return 0;
+  }
+  Real potential_energy([[maybe_unused]] const BodyState<Real>& first,
+                        [[maybe_unused]] const BodyState<Real>& second) const override {
+    if constexpr (requires { effect_.potential_energy(first, second); })
+      return effect_.potential_energy(first, second);
+    else
+      return 0;
+  }
+  bool stores_energy() const override {
+    return requires(const BodyState<Real>& body) {
+      effect_.potential_energy(body);
+    }
+    || requires(const BodyState<Real>& body) {
+      effect_.potential_energy(body, body);
+    };
+  }
+
+  SpringTerms<Real> spring_terms() const override {
+    if constexpr (requires { effect_.spring_terms(); })
+      return effect_.spring_terms();
+    else
+      return {};
+  }
+
+ private:
+  Effect effect_;
+};
+
+}  // namespace tumble

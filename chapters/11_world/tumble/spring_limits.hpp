@@ -1,0 +1,78 @@
+/// @file
+/// Up to which time step the springs of a scene can't feed on themselves.
+#pragma once
+
+#include <limits>
+#include <tumble/pass.hpp>
+#include <tumble/planner.hpp>
+#include <tumble/semi_implicit_euler.hpp>
+
+namespace tumble {
+
+/// How easily a force at distance `arm` (m) from the centre of mass moves the point that it acts
+/// at, at most: 1/m + arm²/I with the smallest moment, 1/kg.
+template <class Real>
+Real largest_inverse_mass_at(const BodyState<Real>& body, Real arm) {
+  return body.centre.inverse_mass + arm * arm * body.top.inverse_moments.maxCoeff();
+}
+
+/// The time step (s) up to which no set of springs can grow, and the spring (its place in
+/// `entries`) that limits it; infinite without springs.
+///
+/// Springs that share a body stiffen each other. With w the inverse mass at an attachment, the
+/// equation of all stretches s is s̈ = −A s, where A_ij joins springs i and j through a shared body
+/// by at most √k_i √k_j w. Gershgorin's theorem bounds its eigenvalues by the largest row sum,
+/// √k_i (w_a Σ_a √k + w_b Σ_b √k), with the sums over the springs at either end. The same holds for
+/// the dampers with c in place of k, and chapter 6 has the limit for both together.
+//! [spring_limit]
+template <class Real>
+struct SpringLimit {
+  Real time_step = std::numeric_limits<Real>::infinity();
+  std::size_t entry = 0;
+};
+
+template <class Real>
+SpringLimit<Real> spring_limit(const Bodies<Real>& bodies, const std::vector<Entry<Real>>& entries,
+                               const Slots& slots) {
+  struct End {
+    std::size_t entry;
+    BodyIndex body;
+    Real inverse_mass;
+  };
+  const std::size_t count = bodies.centres.size();
+  std::vector<Real> root_stiffness(count, Real(0)), root_damping(count, Real(0));
+  std::vector<End> ends;
+  std::vector<std::size_t> ends_of_spring;  // one or two
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const SpringTerms<Real> terms = entries[i].effect->spring_terms();
+    if (terms.stiffness == 0 && terms.damping == 0) continue;
+    const std::vector<BodyIndex> targets = targets_of(entries[i], slots, count);
+    const std::size_t stride = entries[i].effect->joins_two() ? 2 : 1;
+    for (std::size_t k = 0; k < targets.size(); ++k) {
+      const Real arm = k % stride == 0 ? terms.arm_first : terms.arm_second;
+      const BodyIndex body = targets[k];
+      ends.push_back({i, body, largest_inverse_mass_at(state_of(bodies, body), arm)});
+      if (k % stride == 0) ends_of_spring.push_back(stride);
+      root_stiffness[body] += std::sqrt(terms.stiffness);
+      root_damping[body] += std::sqrt(terms.damping);
+    }
+  }
+  SpringLimit<Real> limit;
+  std::size_t end = 0;
+  for (const std::size_t stride : ends_of_spring) {
+    const SpringTerms<Real> terms = entries[ends[end].entry].effect->spring_terms();
+    Real stiffness = 0, damping = 0;
+    for (std::size_t k = 0; k < stride; ++k) {
+      const End& here = ends[end + k];
+      stiffness += std::sqrt(terms.stiffness) * here.inverse_mass * root_stiffness[here.body];
+      damping += std::sqrt(terms.damping) * here.inverse_mass * root_damping[here.body];
+    }
+    const Real largest = largest_stable_time_step<Real>(stiffness, damping, 1);
+    if (largest < limit.time_step) limit = {largest, ends[end].entry};
+    end += stride;
+  }
+  return limit;
+}
+//! [spring_limit]
+
+}  // namespace tumble

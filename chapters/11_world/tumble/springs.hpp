@@ -1,0 +1,138 @@
+/// @file
+/// Springs with dampers, from a body to a point of the world and from body to body.
+#pragma once
+
+#include <tumble/pass.hpp>
+
+namespace tumble {
+
+/// What a spring is made of: a stiffness, a damper beside it and the length at which it rests.
+//! [spring]
+template <class Real>
+struct Spring {
+  Real stiffness = 0;       ///< k, N/m
+  Real damping = 0;         ///< c, N s/m
+  Real rest_length = 0;     ///< l₀, m
+  bool only_pulls = false;  ///< a tether: slack where it is shorter than its rest length
+};
+
+/// The force (N) on the one end of a spring: −(k (l − l₀) + c l̇) n, where n leads along `extent`
+/// (m) from the other end to this one and `rate` is how fast that changes (m/s). A spring without
+/// length pulls towards nowhere.
+template <class Real>
+Vec3<Real> spring_force(const Spring<Real>& spring, const Vec3<Real>& extent,
+                        const Vec3<Same<Real>>& rate) {
+  const Real length = extent.norm();
+  if (!(length > 0)) return length * extent;
+  const Vec3<Real> n = extent / length;
+  const Real stretch = length - spring.rest_length;
+  const Real tension = spring.stiffness * stretch + spring.damping * rate.dot(n);
+  if (spring.only_pulls && (stretch < 0 || tension < 0)) return Vec3<Real>::Zero();
+  return -tension * n;
+}
+
+/// ½ k (l − l₀)², J.
+template <class Real>
+Real spring_energy(const Spring<Real>& spring, const Vec3<Real>& extent) {
+  const Real stretch = extent.norm() - spring.rest_length;
+  return spring.only_pulls && stretch < 0 ? 0 : spring.stiffness * stretch * stretch / 2;
+}
+//! [spring]
+
+/// Throws unless stiffness, damping and rest length are finite and 0 or more.
+template <class Real>
+void check_spring(const Spring<Real>& spring) {
+  require_not_negative("stiffness of a spring", spring.stiffness, "N/m");
+  require_not_negative("damping of a spring", spring.damping, "N s/m");
+  require_not_negative("rest length of a spring", spring.rest_length, "m");
+}
+
+/// The lever arm of a point that is fixed to the body: from the centre of mass, m, world axes.
+template <class Real>
+Vec3<Real> arm_of(const BodyState<Real>& body, const Vec3<Same<Real>>& point_body) {
+  return rotate(body.top.orientation, point_body);
+}
+
+/// The velocity of that point, m/s, world axes.
+template <class Real>
+Vec3<Real> velocity_of_arm(const BodyState<Real>& body, const Vec3<Same<Real>>& arm) {
+  return body.centre.velocity + angular_velocity_world(body.top).cross(arm);
+}
+
+/// A spring from a point of the body to a point of the world.
+//! [spring_to_point]
+template <class Real>
+struct SpringToPoint {
+  std::string name = "spring";  ///< what plans and errors call it
+  Spring<Real> spring;
+  Vec3<Real> anchor = Vec3<Real>::Zero();      ///< where it hangs, m, world axes
+  Vec3<Real> attachment = Vec3<Real>::Zero();  ///< where it holds the body, m, body axes
+
+  void check() const {
+    check_spring(spring);
+    require_finite("anchor of a spring", anchor, "m");
+    require_finite("attachment of a spring", attachment, "m");
+  }
+  bool needs_top() const { return attachment != Vec3<Real>::Zero(); }
+  SpringTerms<Real> spring_terms() const {
+    return {spring.stiffness, spring.damping, attachment.norm(), 0};
+  }
+  bool gives_torque() const { return needs_top(); }
+  std::string_view why_skipped(const Facts&) const {
+    return spring.stiffness == 0 && spring.damping == 0 ? "it neither pulls nor damps" : "";
+  }
+  Push<Real> push(const BodyState<Real>& body, Real) const {
+    const Vec3<Real> arm = arm_of(body, attachment);
+    const Vec3<Real> extent = body.centre.position - anchor + arm;
+    const Vec3<Real> force = spring_force<Real>(spring, extent, velocity_of_arm<Real>(body, arm));
+    return {.force = force, .torque = arm.cross(force)};
+  }
+  Real potential_energy(const BodyState<Real>& body) const {
+    return spring_energy<Real>(spring, body.centre.position - anchor + arm_of(body, attachment));
+  }
+};
+//! [spring_to_point]
+
+/// A spring from a point of one body to a point of another.
+//! [spring_between]
+template <class Real>
+struct SpringBetween {
+  std::string name = "spring between bodies";  ///< what plans and errors call it
+  Spring<Real> spring;
+  Vec3<Real> attachment_first = Vec3<Real>::Zero();   ///< m, body axes of the first
+  Vec3<Real> attachment_second = Vec3<Real>::Zero();  ///< m, body axes of the second
+
+  void check() const {
+    check_spring(spring);
+    require_finite("first attachment of a spring", attachment_first, "m");
+    require_finite("second attachment of a spring", attachment_second, "m");
+  }
+  bool needs_top() const { return attachment_first != Vec3<Real>::Zero(); }
+  bool needs_second_top() const { return attachment_second != Vec3<Real>::Zero(); }
+  SpringTerms<Real> spring_terms() const {
+    return {spring.stiffness, spring.damping, attachment_first.norm(), attachment_second.norm()};
+  }
+  bool gives_torque() const { return needs_top() || needs_second_top(); }
+  std::string_view why_skipped(const Facts&, const Facts&) const {
+    return spring.stiffness == 0 && spring.damping == 0 ? "it neither pulls nor damps" : "";
+  }
+  PairPush<Real> push(const BodyState<Real>& first, const BodyState<Real>& second, Real) const {
+    const Vec3<Real> arm = arm_of(first, attachment_first);
+    const Vec3<Real> other_arm = arm_of(second, attachment_second);
+    const Vec3<Real> extent = first.centre.position - second.centre.position + (arm - other_arm);
+    const Vec3<Real> rate =
+        velocity_of_arm<Real>(first, arm) - velocity_of_arm<Real>(second, other_arm);
+    const Vec3<Real> force = spring_force<Real>(spring, extent, rate);
+    return {.force_on_first = force,
+            .torque_on_first = arm.cross(force),
+            .torque_on_second = force.cross(other_arm)};
+  }
+  Real potential_energy(const BodyState<Real>& first, const BodyState<Real>& second) const {
+    return spring_energy<Real>(
+        spring, first.centre.position - second.centre.position +
+                    (arm_of(first, attachment_first) - arm_of(second, attachment_second)));
+  }
+};
+//! [spring_between]
+
+}  // namespace tumble

@@ -1,0 +1,87 @@
+/// @file
+/// What a step does, in its order: the scene's effects among those that every world has.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string_view>
+#include <tumble/motion.hpp>
+#include <tumble/planner.hpp>
+
+namespace tumble {
+
+/// By which rule the bodies turn whose moments differ.
+//! [turning_method]
+enum class TurningMethod {
+  splitting,  ///< sphere + axial + residual splitting: the world's own choice
+  axis_by_axis,
+  carrying_momentum,
+  implicit_newton,
+  restoring_momentum,
+  explicit_euler,
+  steady  ///< without gyroscopic motion
+};
+//! [turning_method]
+
+/// The methods' names, in the order of TurningMethod.
+inline constexpr std::array<std::string_view, 7> turning_method_names = {
+    "splitting",      "axis by axis", "carrying momentum", "implicit Newton", "restoring momentum",
+    "explicit Euler", "steady"};
+
+/// The effect that turns by a method.
+template <class Real>
+std::shared_ptr<const AnyEffect<Real>> tumbling_effect(TurningMethod method) {
+  const std::string name =
+      "tumbling: " + std::string(turning_method_names[static_cast<std::size_t>(method)]);
+  const auto by = [&]<void (*rule)(Top<Real>&, Same<Real>)>() {
+    return std::make_shared<const EffectOf<Real, Tumble<Real, rule>>>(Tumble<Real, rule>{name});
+  };
+  switch (method) {
+    case TurningMethod::axis_by_axis:
+      return by.template operator()<&turn_axis_by_axis<Real>>();
+    case TurningMethod::carrying_momentum:
+      return by.template operator()<&turn_carrying_momentum<Real>>();
+    case TurningMethod::implicit_newton:
+      return by.template operator()<&turn_implicitly<Real>>();
+    case TurningMethod::restoring_momentum:
+      return by.template operator()<&turn_restoring_momentum<Real>>();
+    case TurningMethod::explicit_euler:
+      return by.template operator()<&turn_explicitly<Real>>();
+    case TurningMethod::steady:
+      return by.template operator()<&turn_steadily<Real>>();
+    case TurningMethod::splitting:
+      break;
+  }
+  return by.template operator()<&turn_by_splitting<Real>>();
+}
+
+/// The scene's effects, in the order in which they came, and the motion that every world has, in
+/// the order of a step.
+//! [in_order]
+template <class Real>
+std::vector<Entry<Real>> in_order(const std::vector<Entry<Real>>& scene, TurningMethod method) {
+  std::vector<Entry<Real>> entries;
+  const auto add_scene = [&](Phase phase) {
+    for (const Entry<Real>& entry : scene)
+      if (entry.effect->phase() == phase) entries.push_back(entry);
+  };
+  const auto add = [&]<class Effect>(const Effect& effect) {
+    entries.push_back({{}, std::make_shared<const EffectOf<Real, Effect>>(effect)});
+  };
+  add(ClearForce<Real>{});
+  add(ClearTorque<Real>{});
+  add_scene(Phase::force);
+  add_scene(Phase::kick);
+  add(KickCentre<Real>{});
+  add(KickTop<Real>{});
+  add_scene(Phase::impulse);
+  add_scene(Phase::damping);
+  add(DriftCentre<Real>{});
+  add(TurnSteadily<Real>{});
+  entries.push_back({{}, tumbling_effect<Real>(method)});
+  add_scene(Phase::drift);
+  return entries;
+}
+//! [in_order]
+
+}  // namespace tumble

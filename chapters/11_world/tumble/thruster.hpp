@@ -1,0 +1,42 @@
+/// @file
+/// A thruster that is fixed to a body.
+#pragma once
+
+#include <limits>
+#include <tumble/effect.hpp>
+
+namespace tumble {
+
+/// A force that turns with the body it is fixed to: R F at the centre plus the torque R (p × F).
+//! [thruster]
+template <class Real>
+struct Thruster {
+  std::string name = "thruster";  ///< what plans and errors call it
+  static constexpr std::string_view reads = "time, orientation";
+  Vec3<Real> force_body = Vec3<Real>::Zero();          ///< F, N, body axes
+  Vec3<Real> point = Vec3<Real>::Zero();               ///< p, where it acts, m, body axes
+  Real from = 0;                                       ///< s, when it starts to burn
+  Real until = std::numeric_limits<Real>::infinity();  ///< s, when it stops
+
+  void check() const {
+    require_finite("force of a thruster", force_body, "N");
+    require_finite("place of a thruster", point, "m");
+    require_finite("start of a thruster", from, "s");
+    if (!(until >= from))
+      reject("end of a thruster", until, "s", "it must not lie before the start");
+  }
+  bool needs_top() const { return true; }
+  bool gives_torque() const { return point.cross(force_body) != Vec3<Real>::Zero(); }
+  std::string_view why_skipped(const Facts&) const {
+    return force_body == Vec3<Real>::Zero() ? "its force is zero" : "";
+  }
+  Push<Real> push(const BodyState<Real>& body, Real time) const {
+    const Real burning = select(time >= from && time < until, Real(1), Real(0));
+    const Vec3<Real> torque_body = point.cross(force_body);
+    return {.force = burning * rotate(body.top.orientation, force_body),
+            .torque = burning * rotate(body.top.orientation, torque_body)};
+  }
+};
+//! [thruster]
+
+}  // namespace tumble

@@ -1,0 +1,407 @@
+/// @file
+/// A world: bodies, the effects that a scene calls for, and a step that runs what the plan says.
+#pragma once
+
+#include <concepts>
+#include <tumble/guard.hpp>
+#include <tumble/make_rigid_body.hpp>
+#include <tumble/spring_limits.hpp>
+#include <tumble/step_clock.hpp>
+#include <tumble/step_order.hpp>
+#include <unordered_map>
+
+namespace tumble {
+
+/// Bodies and effects with a fixed time step. Everything that could change the plan goes through
+/// the world, so the plan is always right. A copy of a world is another world in the same state.
+template <class Real>
+class World {
+ public:
+  explicit World(const StepLength& step = {}, TurningMethod method = TurningMethod::splitting)
+      : step_(step), time_step_(time_step_of<Real>(step)), method_(method) {}
+
+  // --- Bodies -----------------------------------------------------------------------------------
+
+  /// Adds a point. @throws std::invalid_argument if the name is empty or taken, or a number is not
+  /// finite.
+  BodyHandle add(const std::string& name, const Particle<Real>& point) {
+    return append_body(name, point, nullptr);
+  }
+
+  /// Adds a body, which should come from make_rigid_body() or make_static_body().
+  BodyHandle add(const std::string& name, const RigidBody<Real>& body) {
+    const Top<Real>& top = body.top;
+    checked_orientation(top.orientation, name + ": orientation");
+    require_finite(name + ": angular momentum", top.angular_momentum_body, "kg m^2/s");
+    require_finite(name + ": inverse moments", top.inverse_moments, "1/(kg m^2)");
+    if (top.inverse_moments.minCoeff() < 0)
+      reject(name + ": inverse moments", top.inverse_moments, "1/(kg m^2)",
+             "each must be 0 or more");
+    return append_body(name, body.centre, &top);
+  }
+
+  /// Takes a body out, and the effects that are fixed to it.
+  void remove(BodyHandle body) {
+    const BodyIndex index = slots_.index_of(body);
+    std::erase_if(effects_, [&](Entry<Real>& entry) {
+      const auto found = std::find(entry.targets.begin(), entry.targets.end(), body);
+      if (found == entry.targets.end()) return false;
+      if (entry.effect->joins_two()) {
+        std::vector<BodyHandle> kept;
+        for (std::size_t i = 0; i < entry.targets.size(); i += 2)
+          if (entry.targets[i] != body && entry.targets[i + 1] != body)
+            kept.insert(kept.end(), {entry.targets[i], entry.targets[i + 1]});
+        entry.targets = kept;
+      } else {
+        std::erase(entry.targets, body);
+      }
+      return entry.targets.empty();
+    });
+    call_for("'" + names_[index] + "' was removed");
+    handles_.erase(names_[index]);
+    take_out(bodies_, index);
+    slots_.release(body);
+    for_last_to(names_, index);
+    for_last_to(histories_, index);
+  }
+
+  bool contains(BodyHandle body) const { return slots_.contains(body); }
+  std::size_t body_count() const { return bodies_.centres.size(); }
+  std::size_t top_count() const { return bodies_.tops.size(); }
+
+  /// @throws std::invalid_argument if no body is called so.
+  BodyHandle find(const std::string& name) const {
+    const auto found = handles_.find(name);
+    if (found == handles_.end()) throw std::invalid_argument("no body is called '" + name + "'");
+    return found->second;
+  }
+  const std::string& name_of(BodyHandle body) const { return names_[slots_.index_of(body)]; }
+  BodyHandle handle_at(BodyIndex index) const { return slots_.handle_of(index); }
+
+  /// The body as it is now; a point has a top that is locked about every axis.
+  RigidBody<Real> body(BodyHandle body) const {
+    const BodyState<Real> state = state_of(bodies_, slots_.index_of(body));
+    return {.centre = state.centre, .top = state.top};
+  }
+  const Bodies<Real>& bodies() const { return bodies_; }
+
+  // --- Changes while it runs --------------------------------------------------------------------
+
+  void set_position(BodyHandle body, const Vec3<Same<Real>>& position) {
+    const BodyIndex index = slots_.index_of(body);
+    require_finite(names_[index] + ": position", position, "m");
+    bodies_.centres[index].position = position;
+  }
+
+  void set_velocity(BodyHandle body, const Vec3<Same<Real>>& velocity) {
+    const BodyIndex index = slots_.index_of(body);
+    require_finite(names_[index] + ": velocity", velocity, "m/s");
+    bodies_.centres[index].velocity = velocity;
+    note_motion(index);
+  }
+
+  void set_orientation(BodyHandle body, const Quaternion<Real>& orientation) {
+    const BodyIndex index = slots_.index_of(body);
+    top_of(index).orientation = checked_orientation(orientation, names_[index] + ": orientation");
+  }
+
+  /// Sets the angular velocity, rad/s, world axes.
+  void set_angular_velocity(BodyHandle body, const Vec3<Same<Real>>& angular_velocity) {
+    const BodyIndex index = slots_.index_of(body);
+    Top<Real> top = top_of(index);
+    set_checked_angular_velocity(names_[index], top, angular_velocity);
+    top_of(index) = top;
+    note_motion(index);
+  }
+
+  /// A blow of `impulse` N s at `point` m, world axes, between two steps.
+  void apply_impulse_at(BodyHandle body, const Vec3<Same<Real>>& impulse,
+                        const Vec3<Same<Real>>& point) {
+    const BodyIndex index = slots_.index_of(body);
+    RigidBody<Real> changed = this->body(body);
+    tumble::apply_impulse_at(changed, impulse, point);
+    require_finite(names_[index] + ": velocity after the blow", changed.centre.velocity, "m/s");
+    require_finite(names_[index] + ": angular momentum after the blow",
+                   changed.top.angular_momentum_body, "kg m^2/s");
+    bodies_.centres[index].velocity = changed.centre.velocity;
+    if (!is_point(bodies_, index)) top_of(index) = changed.top;
+    note_motion(index);
+  }
+
+  // --- Effects ----------------------------------------------------------------------------------
+
+  /// Adds an effect for every body, those to come too.
+  template <class Effect>
+  requires EffectOnOne<Effect, Real> EffectHandle add(const Effect& effect) {
+    return append_effect(effect, true, {});
+  }
+
+  /// Adds an effect for some bodies; for one that joins two, each first followed by its second.
+  template <class Effect>
+  requires EffectOnOne<Effect, Real> || PushBetween<Effect, Real> EffectHandle
+  add(const Effect& effect, const std::vector<BodyHandle>& bodies) {
+    return append_effect(effect, false, bodies);
+  }
+
+  void remove(EffectHandle effect) {
+    const auto found = std::find_if(effects_.begin(), effects_.end(),
+                                    [&](const auto& entry) { return entry.handle == effect; });
+    if (found == effects_.end())
+      throw std::out_of_range("stale handle: effect " + std::to_string(effect.number) +
+                              " has been removed or never was in this world");
+    call_for("'" + found->effect->name() + "' was removed");
+    effects_.erase(found);
+  }
+
+  void turn_by(TurningMethod method) {
+    method_ = method;
+    call_for("another method of turning was chosen");
+  }
+
+  // --- Time -------------------------------------------------------------------------------------
+
+  const StepLength& step_length() const { return step_; }
+  Real time_step() const { return time_step_; }
+  std::int64_t ticks() const { return ticks_; }
+  /// n h, s: with two roundings however many steps there were.
+  Real time() const { return static_cast<Real>(ticks_) * time_step_; }
+
+  // --- The plan ---------------------------------------------------------------------------------
+
+  /// What each step will do. It is made anew when something has changed what the scene calls for.
+  const Plan& plan() {
+    if (stale_) make_plan();
+    return planned_.plan;
+  }
+
+  /// What has changed the plan since the world began, a sentence each.
+  const std::vector<std::string>& news() {
+    plan();
+    return news_;
+  }
+
+  /// The passes of the plan, in order.
+  const std::vector<Pass<Real>>& passes() {
+    plan();
+    return planned_.passes;
+  }
+
+  // --- The step ---------------------------------------------------------------------------------
+
+  /// One step. @throws SimulationError if a number would become infinite or NaN; the world is then
+  /// as it was before the step.
+  void step() {
+    step([](const AnyEffect<Real>&) {});
+  }
+
+  /// The same; `after_pass` is called with the effect of each pass that has run.
+  //! [step]
+  template <class AfterPass>
+  requires std::invocable < AfterPass, const AnyEffect<Real>
+  & > void step(const AfterPass& after_pass) {
+    const std::vector<Pass<Real>>& passes = this->passes();
+    const Moment<Real> moment{time(), time_step_};
+    std::size_t i = 0;
+    const auto run_until = [&](Phase phase) {
+      for (; i < passes.size() && passes[i].effect->phase() < phase; ++i) {
+        passes[i].effect->act(bodies_, passes[i].group, moment);
+        after_pass(*passes[i].effect);
+      }
+    };
+    run_until(Phase::kick);
+    remember(bodies_, before_);
+    run_until(Phase::drift);
+    guard(moment);
+    for (; i < passes.size(); ++i) {
+      passes[i].effect->act(bodies_, passes[i].group, moment);
+      after_pass(*passes[i].effect);
+    }
+    ++ticks_;
+  }
+  //! [step]
+
+  /// The same step without a plan: every effect visits every body that it is meant for, one by one,
+  /// and asks its predicate each time. Slow, and simple enough to be believed.
+  //! [step_by_reference]
+  void step_by_reference() {
+    const Moment<Real> moment{time(), time_step_};
+    const std::vector<Entry<Real>> entries = in_order(effects_, method_);
+    bool kicked = false, guarded = false;
+    for (const Entry<Real>& entry : entries) {
+      if (!kicked && entry.effect->phase() >= Phase::kick) {
+        remember(bodies_, before_);
+        kicked = true;
+      }
+      if (!guarded && entry.effect->phase() == Phase::drift) {
+        plan();  // its passes name the culprit
+        guard(moment);
+        guarded = true;
+      }
+      visit_one_by_one(entry, moment);
+    }
+    ++ticks_;
+  }
+  //! [step_by_reference]
+
+ private:
+  template <class Element>
+  static void for_last_to(std::vector<Element>& array, BodyIndex index) {
+    array[index] = std::move(array.back());
+    array.pop_back();
+  }
+
+  BodyHandle append_body(const std::string& name, const Particle<Real>& centre,
+                         const Top<Real>* top) {
+    if (name.empty()) throw std::invalid_argument("a body needs a name");
+    if (handles_.contains(name))
+      throw std::invalid_argument("two bodies are called '" + name + "'; names must differ");
+    require_finite(name + ": position", centre.position, "m");
+    require_finite(name + ": velocity", centre.velocity, "m/s");
+    require_not_negative(name + ": inverse mass", centre.inverse_mass, "1/kg");
+    const BodyIndex index = append(bodies_, centre, top);
+    histories_.push_back({});
+    names_.push_back(name);
+    const BodyHandle handle = slots_.take(index);
+    handles_.emplace(name, handle);
+    note_motion(index);
+    call_for("'" + name + "' came");
+    return handle;
+  }
+
+  Top<Real>& top_of(BodyIndex index) {
+    if (is_point(bodies_, index))
+      throw std::invalid_argument("'" + names_[index] + "' is a point: it has no orientation");
+    return bodies_.tops[bodies_.top_of[index]];
+  }
+
+  /// Notes a first velocity or spin: it changes what the scene calls for.
+  void note_motion(BodyIndex index) {
+    History& history = histories_[index];
+    const BodyState<Real> state = state_of(bodies_, index);
+    if (!history.has_moved && state.centre.velocity != Vec3<Real>::Zero()) {
+      history.has_moved = true;
+      call_for("'" + names_[index] + "' got its first velocity");
+    }
+    if (!history.has_turned && state.top.angular_momentum_body != Vec3<Real>::Zero()) {
+      history.has_turned = true;
+      call_for("'" + names_[index] + "' got its first spin");
+    }
+  }
+
+  template <class Effect>
+  EffectHandle append_effect(Effect effect, bool everyone, const std::vector<BodyHandle>& bodies) {
+    if constexpr (requires { effect.check(); }) effect.check();
+    if constexpr (requires { effect.prepare(time_step_); }) effect.prepare(time_step_);
+    auto erased = std::make_shared<const EffectOf<Real, Effect>>(effect);
+    const std::string name = erased->name();
+    const std::size_t stride = erased->joins_two() ? 2 : 1;
+    if (!everyone && (bodies.empty() || bodies.size() % stride != 0))
+      throw std::invalid_argument("'" + name + "' was given " + std::to_string(bodies.size()) +
+                                  " bodies; it needs " +
+                                  (stride == 2 ? "pairs of them" : "at least one"));
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const BodyIndex index = slots_.index_of(bodies[i]);
+      const bool needs = i % stride == 0 ? erased->needs_top() : erased->needs_second_top();
+      if (needs && is_point(bodies_, index))
+        throw std::invalid_argument("'" + name + "' needs an orientation, and '" + names_[index] +
+                                    "' is a point");
+      if (stride == 2 && i % 2 == 1 && bodies[i] == bodies[i - 1])
+        throw std::invalid_argument("'" + name + "' joins '" + names_[index] + "' to itself");
+    }
+    effects_.push_back({{++last_effect_}, std::move(erased), everyone, bodies});
+    call_for("'" + name + "' came");
+    return {last_effect_};
+  }
+
+  void call_for(std::string cause) {
+    stale_ = true;
+    causes_.push_back(std::move(cause));
+  }
+
+  void make_plan() {
+    Plan old = std::move(planned_.plan);
+    planned_ = tumble::make_plan(bodies_, histories_, in_order(effects_, method_), slots_);
+    warn_of_springs();
+    for (BodyIndex body = 0; body < body_count(); ++body) {  // sums that nobody clears any more
+      if (!planned_.facts[body].is_pushed) clear_force(bodies_.centres[body]);
+      if (!planned_.facts[body].is_torqued && !is_point(bodies_, body)) clear_torque(top_of(body));
+    }
+    std::string why;
+    for (std::size_t i = 0; i < std::min<std::size_t>(causes_.size(), 3); ++i)
+      why.append(i ? ", " : "").append(causes_[i]);
+    if (causes_.size() > 3)
+      why.append(" and ").append(std::to_string(causes_.size() - 3)).append(" more");
+    causes_.clear();
+    if (!old.rows.empty())  // the first plan is no news
+      for (std::string& sentence : news_between(old, planned_.plan, ticks_, why))
+        news_.push_back(std::move(sentence));
+    stale_ = false;
+  }
+
+  void warn_of_springs() {
+    const SpringLimit<Real> limit = spring_limit(bodies_, effects_, slots_);
+    if (time_step_ <= limit.time_step) return;
+    const Entry<Real>& entry = effects_[limit.entry];
+    planned_.plan.warnings.push_back(
+        "'" + entry.effect->name() + "' on '" +
+        name_of(entry.targets.empty() ? handle_at(0) : entry.targets[0]) +
+        "' may gain energy without bound: the time step is " + text_of(time_step_) +
+        " s, and only up to " + text_of(limit.time_step) + " s can this be excluded");
+  }
+
+  void visit_one_by_one(const Entry<Real>& entry, const Moment<Real>& moment) {
+    const AnyEffect<Real>& effect = *entry.effect;
+    const std::vector<BodyIndex> targets = targets_of(entry, slots_, bodies_.centres.size());
+    const std::vector<Facts> facts =
+        facts_of_all(bodies_, histories_, in_order(effects_, method_), slots_);
+    if (effect.joins_two()) {
+      for (std::size_t i = 0; i < targets.size(); i += 2)
+        if (effect.why_skipped(facts[targets[i]], facts[targets[i + 1]]).empty())
+          effect.act(bodies_, {false, {targets[i], targets[i + 1]}}, moment);
+    } else {
+      for (const BodyIndex body : targets)
+        if (effect.why_skipped(facts[body]).empty())
+          effect.act(bodies_, {false, {effect.visits_tops() ? bodies_.top_of[body] : body}},
+                     moment);
+    }
+  }
+
+  /// Takes the step back if a body could not drift.
+  void guard(const Moment<Real>& moment) {
+    for (const BodyIndex body : planned_.movers)
+      if (!can_drift(bodies_.centres[body], moment.time_step)) stop(body, moment);
+    for (const BodyIndex top : planned_.turners)
+      if (!can_drift(bodies_.tops[top], moment.time_step)) stop(bodies_.body_of[top], moment);
+  }
+
+  [[noreturn]] void stop(BodyIndex body, const Moment<Real>& moment) {
+    const RigidBody<Real> failed = this->body(handle_at(body));
+    restore(bodies_, before_);
+    throw failure(names_[body], body, failed, planned_.passes, bodies_, moment, ticks_);
+  }
+
+  StepLength step_;
+  Real time_step_;
+  TurningMethod method_;
+  std::int64_t ticks_ = 0;
+
+  Bodies<Real> bodies_;
+  std::vector<History> histories_;  // like names_, in the order of bodies_.centres
+  std::vector<std::string> names_;
+  std::unordered_map<std::string, BodyHandle> handles_;
+  Slots slots_;
+
+  std::vector<Entry<Real>> effects_;
+  std::uint64_t last_effect_ = 0;
+
+  bool stale_ = true;
+  std::vector<std::string> causes_;
+  std::vector<std::string> news_;
+  Planned<Real> planned_;
+  Momenta<Real> before_;
+};
+
+using Worldf = World<float>;
+using Worldd = World<double>;
+
+}  // namespace tumble
