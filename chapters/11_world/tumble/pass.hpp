@@ -23,6 +23,15 @@ void for_each_of(const Group& group, std::vector<Element>& array, const Kernel& 
   else
     for (const BodyIndex index : group.members) kernel(array[index]);
 }
+
+/// Calls `kernel` with each index below `count` that the group names.
+template <class Kernel>
+void for_each_index(const Group& group, std::size_t count, const Kernel& kernel) {
+  if (group.everyone)
+    for (BodyIndex index = 0; index < count; ++index) kernel(index);
+  else
+    for (const BodyIndex index : group.members) kernel(index);
+}
 //! [group]
 
 /// What of a spring limits the time step.
@@ -44,13 +53,14 @@ class AnyEffect {
   virtual Phase phase() const = 0;
   virtual std::string_view reads() const = 0;
   virtual std::string_view writes() const = 0;
-  virtual bool joins_two() const = 0;     ///< it visits pairs of bodies
-  virtual bool visits_tops() const = 0;   ///< its group names tops
-  virtual bool gives_force() const = 0;   ///< it adds to Particle::force
-  virtual bool gives_torque() const = 0;  ///< it adds to Top::torque
-  virtual bool gives_motion() const = 0;  ///< it can set a resting centre in motion
-  virtual bool gives_spin() const = 0;    ///< it can set a resting top turning
-  virtual bool needs_top() const = 0;     ///< the (first) body must not be a point
+  virtual bool joins_two() const = 0;           ///< it visits pairs of bodies
+  virtual bool visits_tops() const = 0;         ///< its group names tops
+  virtual bool gives_force() const = 0;         ///< it adds to Particle::force
+  virtual bool gives_acceleration() const = 0;  ///< it changes velocities in the kick
+  virtual bool gives_torque() const = 0;        ///< it adds to Top::torque
+  virtual bool gives_motion() const = 0;        ///< it can set a resting centre in motion
+  virtual bool gives_spin() const = 0;          ///< it can set a resting top turning
+  virtual bool needs_top() const = 0;           ///< the (first) body must not be a point
   virtual bool needs_second_top() const = 0;
   /// Empty if the body needs the effect, else why it does not.
   virtual std::string_view why_skipped(const Facts& facts) const = 0;
@@ -129,6 +139,7 @@ class EffectOf final : public AnyEffect<Real> {
   bool gives_force() const override {
     return force_on_centre || force_on_body || push_on_body || push_between;
   }
+  bool gives_acceleration() const override { return accelerates; }
   bool gives_torque() const override {
     if constexpr (requires { effect_.gives_torque(); })
       return effect_.gives_torque();
@@ -189,17 +200,12 @@ class EffectOf final : public AnyEffect<Real> {
         add_push<Real>(bodies, second, {-push.force_on_first, push.torque_on_second});
       }
     } else {
-      const auto body_count = static_cast<BodyIndex>(bodies.centres.size());
-      const auto visit = [&](BodyIndex body) {
+      for_each_index(group, bodies.centres.size(), [&](BodyIndex body) {
         if constexpr (force_on_body)
           bodies.centres[body].force += effect_.force(state_of(bodies, body), moment.time);
         else
           add_push(bodies, body, effect_.push(state_of(bodies, body), moment.time));
-      };
-      if (group.everyone)
-        for (BodyIndex body = 0; body < body_count; ++body) visit(body);
-      else
-        for (const BodyIndex body : group.members) visit(body);
+      });
     }
   }
 

@@ -226,6 +226,7 @@ class World {
   void step_by_reference() {
     const Moment<Real> moment{time(), time_step_};
     const std::vector<Entry<Real>> entries = in_order(effects_, method_);
+    const std::vector<Facts> facts = facts_of_all(bodies_, histories_, entries, slots_);
     bool kicked = false, guarded = false;
     for (const Entry<Real>& entry : entries) {
       if (!kicked && entry.effect->phase() >= Phase::kick) {
@@ -237,7 +238,7 @@ class World {
         guard(moment);
         guarded = true;
       }
-      visit_one_by_one(entry, moment);
+      visit_one_by_one(entry, facts, moment);
     }
     ++ticks_;
   }
@@ -349,11 +350,10 @@ class World {
         " s, and only up to " + text_of(limit.time_step) + " s can this be excluded");
   }
 
-  void visit_one_by_one(const Entry<Real>& entry, const Moment<Real>& moment) {
+  void visit_one_by_one(const Entry<Real>& entry, const std::vector<Facts>& facts,
+                        const Moment<Real>& moment) {
     const AnyEffect<Real>& effect = *entry.effect;
     const std::vector<BodyIndex> targets = targets_of(entry, slots_, bodies_.centres.size());
-    const std::vector<Facts> facts =
-        facts_of_all(bodies_, histories_, in_order(effects_, method_), slots_);
     if (effect.joins_two()) {
       for (std::size_t i = 0; i < targets.size(); i += 2)
         if (effect.why_skipped(facts[targets[i]], facts[targets[i + 1]]).empty())

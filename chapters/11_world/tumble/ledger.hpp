@@ -1,0 +1,231 @@
+/// @file
+/// The books of a world: what each effect put in and took out, and what nobody can account for.
+#pragma once
+
+#include <cstdio>
+#include <tumble/world.hpp>
+
+namespace tumble {
+
+/// A line of the books: an amount of energy (J), momentum (kg m/s) and angular momentum about the
+/// world's origin (kg m²/s), world axes.
+struct LedgerLine {
+  std::string name;
+  double energy = 0;
+  Vec3d momentum = Vec3d::Zero();
+  Vec3d angular_momentum = Vec3d::Zero();
+
+  LedgerLine& operator+=(const LedgerLine& other) {
+    energy += other.energy;
+    momentum += other.momentum;
+    angular_momentum += other.angular_momentum;
+    return *this;
+  }
+  LedgerLine& operator-=(const LedgerLine& other) {
+    energy -= other.energy;
+    momentum -= other.momentum;
+    angular_momentum -= other.angular_momentum;
+    return *this;
+  }
+};
+
+/// What one body has.
+template <class Real>
+LedgerLine holdings_of(const BodyState<Real>& body) {
+  const Particle<double> centre{.position = body.centre.position.template cast<double>(),
+                                .velocity = body.centre.velocity.template cast<double>(),
+                                .inverse_mass = static_cast<double>(body.centre.inverse_mass)};
+  const Vec3d angular_velocity = angular_velocity_body(body.top).template cast<double>();
+  const Vec3d angular_momentum = body.top.angular_momentum_body.template cast<double>();
+  const Quaternion<double> q{static_cast<double>(body.top.orientation.real),
+                             body.top.orientation.imaginary.template cast<double>()};
+  const Vec3d p = momentum(centre);
+  return {{},
+          kinetic_energy(centre) + angular_velocity.dot(angular_momentum) / 2,
+          p,
+          centre.position.cross(p) + rotate(q, angular_momentum)};
+}
+
+/// What all bodies have.
+template <class Real>
+LedgerLine holdings_of(const Bodies<Real>& bodies) {
+  LedgerLine sum;
+  for (BodyIndex body = 0; body < bodies.centres.size(); ++body)
+    sum += holdings_of(state_of(bodies, body));
+  return sum;
+}
+
+/// What a push gives a body in the kick of `time_step` seconds, exactly but for rounding. `before`
+/// and `after` are the body around the kick, when it has not yet moved.
+///
+/// With Δv = h ΣF/m the energy grows by ½ m (v' + v)·(v' − v) = h ΣF · ½ (v + v'). The sum falls
+/// apart into the effects' shares, and the same holds for L, with ½ (ω + ω').
+//! [work_of]
+template <class Real>
+LedgerLine work_of(const Push<Real>& push, const BodyState<Real>& before,
+                   const BodyState<Real>& after, Real time_step) {
+  const double h = static_cast<double>(time_step);
+  LedgerLine work;
+  if (!is_static(before.centre)) {
+    const Vec3d mean = (before.centre.velocity.template cast<double>() +
+                        after.centre.velocity.template cast<double>()) /
+                       2;
+    work.momentum = h * push.force.template cast<double>();
+    work.energy = work.momentum.dot(mean);
+    work.angular_momentum = before.centre.position.template cast<double>().cross(work.momentum);
+  }
+  const Vec3<Real> torque_body =
+      free_part<Real>(before.top, rotate_back(before.top.orientation, push.torque));
+  const Vec3d mean_spin = (angular_velocity_body(before.top).template cast<double>() +
+                           angular_velocity_body(after.top).template cast<double>()) /
+                          2;
+  work.energy += h * torque_body.template cast<double>().dot(mean_spin);
+  work.angular_momentum +=
+      h * rotate<Real>(before.top.orientation, torque_body).template cast<double>();
+  return work;
+}
+//! [work_of]
+
+/// The books. They are kept beside the world and never touch it: a step with books is the same to
+/// the bit as one without.
+template <class Real>
+class Ledger {
+ public:
+  explicit Ledger(const World<Real>& world) : start_(holdings_of(world.bodies())) {}
+
+  /// One step of the world, booked. If it fails, nothing is booked.
+  //! [ledger_step]
+  void step(World<Real>& world) {
+    const Bodies<Real> before = world.bodies();
+    const Real time = world.time();
+    const std::vector<Pass<Real>> passes = world.passes();
+    std::vector<Line> lines = lines_;
+    for (const Pass<Real>& pass : passes)
+      if (pushes(*pass.effect) || pass.effect->phase() > Phase::kick) line_of(lines, *pass.effect);
+    Bodies<Real> kicked = before;
+    LedgerLine last;
+    bool all_kicked = false;
+    world.step([&](const AnyEffect<Real>& effect) {
+      if (effect.phase() <= Phase::kick) {
+        if (effect.phase() == Phase::kick) kicked = world.bodies();
+        return;
+      }
+      if (!all_kicked) last = holdings_of(kicked);
+      all_kicked = true;
+      LedgerLine change = holdings_of(world.bodies());
+      const LedgerLine now = change;
+      change -= last;
+      line_of(lines, effect) += change;
+      last = now;
+    });
+    for (const Pass<Real>& pass : passes)
+      book_pushes(pass, before, kicked, time, world.time_step(), lines);
+    lines_ = std::move(lines);
+  }
+  //! [ledger_step]
+
+  /// What the bodies had when the books were opened.
+  const LedgerLine& start() const { return start_; }
+
+  /// What they have now.
+  LedgerLine now(const World<Real>& world) const { return holdings_of(world.bodies()); }
+
+  /// What each effect put in so far.
+  std::vector<LedgerLine> lines() const {
+    std::vector<LedgerLine> lines;
+    for (const Line& line : lines_) lines.push_back(line.sum);
+    return lines;
+  }
+
+  /// What is neither start nor any line: rounding, if the books are right.
+  LedgerLine rest(const World<Real>& world) const {
+    LedgerLine rest = now(world);
+    rest -= start_;
+    for (const Line& line : lines_) rest -= line.sum;
+    return rest;
+  }
+
+  /// The energy (J) stored in the effects that know theirs: gravity and springs.
+  static double stored(World<Real>& world) {
+    double sum = 0;
+    for (const Pass<Real>& pass : world.passes()) {
+      if (!pass.effect->stores_energy()) continue;
+      const Bodies<Real>& bodies = world.bodies();
+      const std::vector<BodyIndex>& members = pass.group.members;
+      if (pass.effect->joins_two())
+        for (std::size_t i = 0; i < members.size(); i += 2)
+          sum += static_cast<double>(pass.effect->potential_energy(
+              state_of(bodies, members[i]), state_of(bodies, members[i + 1])));
+      else
+        for_each_index(pass.group, bodies.centres.size(), [&](BodyIndex body) {
+          sum += static_cast<double>(pass.effect->potential_energy(state_of(bodies, body)));
+        });
+    }
+    return sum;
+  }
+
+ private:
+  struct Line {
+    const AnyEffect<Real>* effect;
+    LedgerLine sum;
+  };
+
+  static LedgerLine& line_of(std::vector<Line>& lines, const AnyEffect<Real>& effect) {
+    for (Line& line : lines)
+      if (line.effect == &effect || line.sum.name == effect.name()) return line.sum;
+    lines.push_back({&effect, {effect.name(), 0, Vec3d::Zero(), Vec3d::Zero()}});
+    return lines.back().sum;
+  }
+
+  static bool pushes(const AnyEffect<Real>& effect) {
+    return effect.gives_force() || effect.gives_acceleration();
+  }
+
+  static void book_pushes(const Pass<Real>& pass, const Bodies<Real>& before,
+                          const Bodies<Real>& kicked, Real time, Real time_step,
+                          std::vector<Line>& lines) {
+    const AnyEffect<Real>& effect = *pass.effect;
+    if (!pushes(effect)) return;
+    LedgerLine& line = line_of(lines, effect);
+    const auto book = [&](BodyIndex body, const Push<Real>& push) {
+      line += work_of(push, state_of(before, body), state_of(kicked, body), time_step);
+    };
+    const std::vector<BodyIndex>& members = pass.group.members;
+    if (effect.joins_two()) {
+      for (std::size_t i = 0; i < members.size(); i += 2) {
+        const PairPush<Real> push =
+            effect.push_on(state_of(before, members[i]), state_of(before, members[i + 1]), time);
+        book(members[i], {push.force_on_first, push.torque_on_first});
+        book(members[i + 1], {-push.force_on_first, push.torque_on_second});
+      }
+    } else {
+      for_each_index(pass.group, before.centres.size(), [&](BodyIndex body) {
+        book(body, effect.push_on(state_of(before, body), time));
+      });
+    }
+  }
+
+  LedgerLine start_;
+  std::vector<Line> lines_;
+};
+
+/// The books as a table of text.
+template <class Real>
+std::string table_of(const Ledger<Real>& ledger, const World<Real>& world) {
+  const auto row = [](const std::string& name, const LedgerLine& line) {
+    char text[256];
+    const Vec3d &p = line.momentum, &L = line.angular_momentum;
+    std::snprintf(text, sizeof text,
+                  "%-28.28s %12.5g  (%11.4g, %11.4g, %11.4g)  (%11.4g, %11.4g, %11.4g)\n",
+                  name.c_str(), line.energy, p.x(), p.y(), p.z(), L.x(), L.y(), L.z());
+    return std::string(text);
+  };
+  char head[256];
+  std::snprintf(head, sizeof head, "%-28s %12s  %-39s  %s\n", "", "energy, J", "momentum, kg m/s",
+                "angular momentum about the origin, kg m^2/s");
+  std::string text = head + row("at the start", ledger.start());
+  for (const LedgerLine& line : ledger.lines()) text += row("  " + line.name, line);
+  return text + row("now", ledger.now(world)) + row("unexplained", ledger.rest(world));
+}
+
+}  // namespace tumble
