@@ -24,7 +24,7 @@ World<double> free_kick(double turns_per_second) {
   world.add(QuadraticDrag<double>{.coefficient = drag_coefficient(density, 0.25, area)});
   // A fifth of what air without friction would give: a wake is not so well behaved.
   world.add(Magnus<double>{.strength = 8.0 / 3 * std::numbers::pi * density * radius * radius *
-                                       radius / 3});
+                                       radius / 5});
   return world;
 }
 //! [kick]

@@ -47,6 +47,7 @@ World<float> balls_and_boxes() {
 
 int main(int argument_count, char** arguments) {
   course::Notebook notebook(argument_count, arguments);
+  notebook.value("drops", std::to_string(rain().body_count()));
   show("100000 drops of rain", rain().plan());
   show("500 spinning balls and 12 spinning boxes, far from everything", balls_and_boxes().plan());
 
