@@ -2,7 +2,6 @@
 /// A world: bodies, the effects that a scene calls for, and a step that runs what the plan says.
 #pragma once
 
-#include <concepts>
 #include <tumble/guard.hpp>
 #include <tumble/make_rigid_body.hpp>
 #include <tumble/spring_limits.hpp>
