@@ -105,7 +105,6 @@
       if (this.requested || !this.is_playing || !this.#is_in_sight) return;
       this.requested = requestAnimationFrame(now => {
         this.requested = undefined;
-        if (!this.is_playing || !this.#is_in_sight) return;
         // A page that was asleep does not jump.
         const passed = Math.min(0.1, (now - (this.#last_tick ?? now)) / 1000);
         this.#last_tick = now;

@@ -76,6 +76,18 @@ test('An unknown part and a recording without frames are refused.', () => {
   assert.throws(() => player.scenes_of([empty], 16), /"Nothing" holds no frame/);
 });
 
+test('The matrix of a quaternion, unit or not, turns a vector as the product q v q* does.', () => {
+  const [w, ...u] = [0.5, -0.1, 0.7, 0.5]; // of length 1
+  for (const v of [[1, 0, 0], [0, 1, 0], [0, 0, 1]]) {
+    const once = sum(cross(u, v), scaled(v, w));
+    const expected = sum(v, scaled(cross(u, once), 2));
+    for (const factor of [1, -1, 3]) {
+      const turned = player.turned(player.matrix_of([w, ...u].map(value => factor * value)), v);
+      assert.ok(length(player.difference(turned, expected)) < 1e-12, `${turned} is not ${expected}`);
+    }
+  }
+});
+
 test('Half-way between two orientations is half the angle, on the shortest arc.', () => {
   const turn = angle => [Math.cos(angle / 2), 0, 0, Math.sin(angle / 2)];
   const close = (p, q) => assert.ok(p.every((value, n) => Math.abs(value - q[n]) < 1e-12), `${p} is not ${q}`);
@@ -114,6 +126,30 @@ test('The first camera sees every body all the time, and every end of a link, in
     }
     assert.ok(most - least > 0.6, `it fills ${most - least} of the picture at most`);
   }
+});
+
+test('Only the faces on the side of the camera are drawn, far ones first and over the floor.', () => {
+  const [scene] = player.scenes_of([recording], 16), size = {width: 300, height: 200};
+  const [camera] = player.first_cameras([scene], size);
+  const order = [], polygons = [];
+  const painter = {
+    line: (points, colour) => order.push(colour === 'grid' ? 'floor' : 'link'), shadow: () => order.push('floor'), text() {},
+    polygon: points => polygons.push(points) && order.push('face'),
+  };
+  const black = [0, 0, 0];
+  scene.draw(painter, size, camera, 0, {paper: black, ink: black, shade: black, grid: 'grid', bodies: [black]}, {has_scale: false});
+  assert.ok(order.lastIndexOf('floor') < order.indexOf('face'));
+  assert.equal(order.filter(kind => kind === 'link').length, 8);
+  // Anticlockwise in the world is a negative area where y grows downwards.
+  const area = points => points.reduce((total, [x, y], n) => {
+    const [u, v] = points[(n + 1) % points.length];
+    return total + x * v - y * u;
+  }, 0);
+  assert.ok(polygons.every(points => area(points) < 1e-9));
+  const faces = scene.models.flatMap(model => model.faces).length;
+  assert.ok(polygons.length > 0.35 * faces && polygons.length < 0.6 * faces, `${polygons.length} of ${faces}`);
+  const depths = polygons.map(points => points.reduce((total, point) => total + point[2] / points.length, 0));
+  assert.ok(depths.every((depth, n) => n === 0 || depth <= depths[n - 1] + 1e-12));
 });
 
 test('Scenes side by side are seen from equally far.', () => {
