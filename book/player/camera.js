@@ -21,17 +21,23 @@
     });
   }
 
+  const common_divisor = (a, b) => (b ? common_divisor(b, a % b) : a);
+
   /**
-   * What a recording fills: {balls, radius, floor}. The balls, each {centre, radius}, hold every body in as many frames as
-   * a look needs; one of `radius` would hold them all; the lowest touches the height `floor`. Lengths in m.
+   * What a recording fills: {balls, centre, radius, floor}. The balls, each {centre, radius}, hold the bodies, of which a
+   * sample is enough where they are many; one of `radius` about `centre` would hold them all; the lowest touches the height
+   * `floor`. Lengths in m.
    */
   function bounds_of(recording, models) {
     const balls = [];
-    const stride = Math.ceil(recording.frames.length / 200);
-    recording.frames.forEach((frame, n) => {
-      if (n % stride) return;
-      models.forEach(({radius}, body) => balls.push({centre: frame.slice(7 * body, 7 * body + 3), radius}));
-    });
+    const count = models.length, all = count * recording.frames.length;
+    let stride = Math.ceil(all / 20_000);
+    while (common_divisor(stride, count) > 1) ++stride; // so that every body gets its turn
+    for (let n = 0; n < all; n += stride) {
+      const body = n % count;
+      const frame = recording.frames[Math.floor(n / count)];
+      balls.push({centre: frame.slice(7 * body, 7 * body + 3), radius: models[body].radius});
+    }
     for (const {from, to} of recording.links ?? [])
       for (const end of [from, to]) if (end.body === undefined) balls.push({centre: end.point, radius: 0});
     const extent = k => {
