@@ -19,6 +19,7 @@ import tempfile
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+sys.dont_write_bytecode = True  # nothing is written beside the sources
 from mutation_list import ListError, read_list
 
 jobs = 2
@@ -114,7 +115,7 @@ def turns_red(name, directory, words, main, scratch):
     failed = re.search(r"^TEST CASE:\s+(.+)", checked.stdout, re.MULTILINE)
     if failed:
         return f"{name}: {failed[1]}", True
-    return f"{name}: ended by signal {-checked.returncode}, without a verdict", True
+    return f"{name}: no verdict within {computing_seconds} s of computing, or a crash", True
 
 
 def settle(mutation, build):
