@@ -1,0 +1,108 @@
+/// @file
+/// What each effect costs, in nanoseconds for each body and step.
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <tumble/world.hpp>
+
+namespace tumble::simulate {
+
+/// The passes of the plan run in their order on a copy of the bodies, with a look at the clock
+/// before and after each, and beside them whole steps on a copy of the world. So all lines come from
+/// one run. Each round takes a few milliseconds and begins where the world is now; what is told is
+/// the median of the rounds, less what looking at the clock takes.
+template <class Real>
+class Bill {
+  using Clock = std::chrono::steady_clock;
+
+ public:
+  explicit Bill(World<Real> world) : world_(std::move(world)), passes_(world_.passes()) {
+    for (const PlanRow& row : world_.plan().rows)
+      if (row.visited > 0) rows_.push_back(row);
+    samples_.resize(passes_.size() + 1);
+    steps_in_round_ = 1;
+    while (steps_in_round_ < 1 << 16 && round() < 2e6) steps_in_round_ *= 2;
+    for (std::vector<double>& sample : samples_) sample.clear();
+    const Clock::time_point begin = Clock::now();
+    for (int n = 0; n < 5 || (n < 100 && Clock::now() - begin < std::chrono::seconds(1)); ++n)
+      round();
+  }
+
+  std::string table() {
+    const double whole = median(samples_.back());
+    std::string text = line("effect", "bodies", "ns per body and step", "part of the step");
+    double sum = 0;
+    for (std::size_t i = 0; i < passes_.size(); ++i) {
+      const double time = median(samples_[i]);
+      sum += time;
+      text += line(rows_[i].effect, std::to_string(rows_[i].visited),
+                   number(time / static_cast<double>(rows_[i].visited)),
+                   number(100 * time / whole) + " %");
+    }
+    const auto count = static_cast<double>(world_.body_count());
+    text += line("guard and the rest", std::to_string(world_.body_count()),
+                 number(std::max(0.0, whole - sum) / count),
+                 number(std::max(0.0, 100 * (whole - sum) / whole)) + " %");
+    return text + line("whole step", std::to_string(world_.body_count()), number(whole / count),
+                       "100 %");
+  }
+
+ private:
+  static std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, value < 99.95 ? "%.1f" : "%.0f", value);
+    return text;
+  }
+  static std::string line(const std::string& effect, const std::string& bodies,
+                          const std::string& time, const std::string& part) {
+    char text[160];
+    std::snprintf(text, sizeof text, "%-28.28s  %10s  %20s  %16s\n", effect.c_str(), bodies.c_str(),
+                  time.c_str(), part.c_str());
+    return text;
+  }
+  static double median(std::vector<double>& sample) {
+    const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(sample.size() / 2);
+    std::nth_element(sample.begin(), middle, sample.end());
+    return *middle;
+  }
+  static double nanoseconds(Clock::duration time) {
+    return std::chrono::duration<double, std::nano>(time).count();
+  }
+
+  /// One round of the passes, one of whole steps. @return how long a pass took, or a step, ns
+  double round() {
+    std::vector<double> times(passes_.size() + 1, 0.0);
+    double looking = 0;
+    Bodies<Real> bodies = world_.bodies();
+    World<Real> world = world_;
+    for (int step = 0; step < steps_in_round_; ++step) {
+      const Moment<Real> moment{
+          static_cast<Real>(world_.ticks() + step) * world_.time_step(), world_.time_step()};
+      for (std::size_t i = 0; i < passes_.size(); ++i) {
+        const Clock::time_point before = Clock::now();
+        passes_[i].effect->act(bodies, passes_[i].group, moment);
+        times[i] += nanoseconds(Clock::now() - before);
+      }
+      const Clock::time_point before = Clock::now();
+      looking += nanoseconds(Clock::now() - before);
+    }
+    const Clock::time_point before = Clock::now();
+    for (int step = 0; step < steps_in_round_; ++step) world.step();
+    times.back() = nanoseconds(Clock::now() - before);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+      const double lost = i < passes_.size() ? looking : 0;
+      samples_[i].push_back(std::max(0.0, times[i] - lost) / steps_in_round_);
+    }
+    return times.back();
+  }
+
+  World<Real> world_;
+  std::vector<Pass<Real>> passes_;
+  std::vector<PlanRow> rows_;
+  std::vector<std::vector<double>> samples_;  // ns for each step, of the passes and of the whole
+  int steps_in_round_ = 1;
+};
+
+}  // namespace tumble::simulate
