@@ -5,6 +5,7 @@ import {spawnSync} from 'node:child_process';
 import {map_of_chapters} from './chapter_map.mjs';
 import {check_line} from './checks.mjs';
 import {figure, graph} from './figures.mjs';
+import {player} from './players.mjs';
 import {BookError} from './results.mjs';
 import {cell, escape, listed, typeset} from './text.mjs';
 
@@ -49,6 +50,8 @@ export class Blocks {
       output: (page, argument) => this.#output(page, argument),
       table: (page, argument) => this.#table(page, argument),
       figure: (page, argument) => this.#figure(page, argument),
+      player: (page, argument) => this.#player(page, argument, 'player', 1),
+      players: (page, argument) => this.#player(page, argument, 'players', 2),
       check: (page, argument) => this.#check(page, argument),
       costs: (page, argument) => this.#costs(page, argument),
       map: () => this.#map(),
@@ -127,15 +130,35 @@ export class Blocks {
       rows.map(row => row.map(cell)));
   }
 
-  #figure(page, argument) {
+  /** [what stands before the bar, the words behind it with their values] */
+  #described(page, argument, directive, name) {
     const [reference, description] = parted(argument);
     if (!description) {
-      throw new BookError(`{{figure ${argument}}} should read {{figure name | what it shows, for those who cannot see it}}`);
+      throw new BookError(`{{${directive} ${argument}}} should read {{${directive} ${name} | what it shows, for those who cannot see it}}`);
     }
-    const says = description.replace(/\{\{value\s+([^{}]*)\}\}/g, (_, name) => typeset(this.value_of(page, name.trim())));
+    const says = description.replace(/\{\{value\s+([^{}]*)\}\}/g, (_, value) => typeset(this.value_of(page, value.trim())));
     if (says.includes('{{')) {
-      throw new BookError('the description of a figure may hold {{value program.name}} and no other directive');
+      throw new BookError(`the description of a ${directive} may hold {{value program.name}} and no other directive`);
     }
+    return [reference, says];
+  }
+
+  #player(page, argument, directive, count) {
+    const shape = count === 1 ? 'recording' : 'one recording, the other';
+    const [reference, says] = this.#described(page, argument, directive, shape);
+    const names = reference.split(',').map(name => name.trim());
+    if (names.length !== count) {
+      throw new BookError(`{{${directive} ${argument}}} should read {{${directive} ${shape} | what it shows, for those who cannot see it}}`);
+    }
+    const recordings = names.map(reference_to_one => {
+      const [chapter, name] = this.#of(page, reference_to_one);
+      return {name, text: this.results.text(chapter, name, '.recording.json', 'recording')};
+    });
+    return player(recordings, says, this.settings.source);
+  }
+
+  #figure(page, argument) {
+    const [reference, says] = this.#described(page, argument, 'figure', 'name');
     const [chapter, name] = this.#of(page, reference);
     const {title, svg} = figure(this.results.text(chapter, name, '.svg', 'figure'), says, name);
     return `<figure class="drawing"><figcaption>${escape(title)}</figcaption><div class="scroll">${svg}</div></figure>`;

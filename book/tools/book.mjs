@@ -16,6 +16,7 @@ import {Directives} from './directives.mjs';
 import {Formulas} from './formulas.mjs';
 import {finish_contents} from './contents.mjs';
 import {layout} from './layout.mjs';
+import {player_files} from './players.mjs';
 import {read_pages} from './pages.mjs';
 import {run_doxygen, write_expanded} from './doxygen.mjs';
 import {search_script, sections} from './search.mjs';
@@ -105,6 +106,9 @@ function copy_theme(folder) {
   const own = join(settings.source, 'book/theme');
   for (const name of readdirSync(own).filter(file => /\.(css|js|svg)$/.test(file)))
     copyFileSync(join(own, name), join(folder, name));
+  const player = player_files(settings.source);
+  writeFileSync(join(folder, 'player.js'), player.script);
+  writeFileSync(join(folder, 'player.css'), player.style);
   // Doxygen's own style sheet draws arrows and tabs from images that our pages do not use.
   const style = readFileSync(join(settings.work, 'doxygen/html/doxygen.css'), 'utf8');
   writeFileSync(join(folder, 'doxygen.css'), style.replace(/^.*url\(.*$\n/gm, ''));

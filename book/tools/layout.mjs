@@ -63,7 +63,7 @@ export function layout(page, {html, headings}, pages, book) {
 <link rel="stylesheet" href="book.css">
 <link rel="stylesheet" href="contents.css">
 <link rel="stylesheet" href="print.css" media="print">
-<script src="doxygen-awesome-darkmode-toggle.js"></script>
+${html.includes('<figure class="player') ? '<link rel="stylesheet" href="player.css">\n<script src="player.js" defer></script>\n' : ''}<script src="doxygen-awesome-darkmode-toggle.js"></script>
 <script src="book.js" defer></script>
 <script src="search.js" defer></script>
 </head>

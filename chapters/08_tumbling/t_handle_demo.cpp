@@ -1,5 +1,6 @@
 // A T-handle is thrown in free fall, with its gyroscopic motion and without.
 #include <course/record.hpp>
+#include <course/recording.hpp>
 #include <course/rules.hpp>
 #include <numbers>
 
@@ -11,18 +12,20 @@ namespace {
 
 const double seconds = 12, time_step = 1.0 / 60;
 
-/// The drawn pose at every step, for whoever wants to replay it.
-void record(const course::Notebook& notebook, const char* name, void (*turn)(Topd&, double)) {
-  course::Table table =
-      notebook.table(name, {"time (s)", "x (m)", "y (m)", "z (m)", "w", "i", "j", "k"});
+/// The drawn pose at every second step, for the player to replay.
+course::Recording recorded(const char* title, void (*turn)(Topd&, double)) {
+  course::Recording recording(title, 2 * time_step);
+  std::vector<course::Part> parts;
+  for (const auto& [cylinder, axes, centre] : course::t_handle_shape())
+    parts.push_back(course::Part::cylinder(cylinder.radius, cylinder.height)
+                        .at(Posed{.position = centre, .orientation = quaternion_of(axes)}));
+  recording.add_body("T-handle", parts);
   ModelledBody<double> handle = course::thrown_t_handle();
   for (int n = 0; n * time_step <= seconds; ++n) {
-    const Posed pose = drawn_pose(handle.body, handle.model_in_body);
-    table.row(n * time_step, pose.position.x(), pose.position.y(), pose.position.z(),
-              pose.orientation.real, pose.orientation.imaginary.x(), pose.orientation.imaginary.y(),
-              pose.orientation.imaginary.z());
+    if (n % 2 == 0) recording.add_frame(std::array{drawn_pose(handle.body, handle.model_in_body)});
     turn(handle.body.top, time_step);
   }
+  return recording;
 }
 
 /// ω in model axes: x along the bar, y along the shaft.
@@ -90,6 +93,10 @@ int main(int argument_count, char** arguments) {
   std::printf(
       "\nafter %.0f s the angular momentum points off by %.1e deg with the term, %.2f without\n",
       seconds, tilt(handle.body.top), tilt(steady.body.top));
-  record(notebook, "t_handle_poses", [](Topd& top, double h) { drift(top, h); });
-  record(notebook, "t_handle_poses_steady", [](Topd& top, double h) { turn_steadily(top, h); });
+  recorded("With its gyroscopic motion", [](Topd& top, double h) {
+    drift(top, h);
+  }).write(notebook.file_in_folder("t_handle.recording.json"));
+  recorded("Without its gyroscopic motion", [](Topd& top, double h) {
+    turn_steadily(top, h);
+  }).write(notebook.file_in_folder("t_handle_steady.recording.json"));
 }

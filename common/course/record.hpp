@@ -82,12 +82,13 @@ class Notebook {
     return {file_in_folder(std::filesystem::path(name) += ".tsv"), columns};
   }
 
- private:
+  /// Where to write a file called `name`; its folder is there from now on.
   std::filesystem::path file_in_folder(const std::filesystem::path& name) const {
     std::filesystem::create_directories(folder_);
     return folder_ / name;
   }
 
+ private:
   std::filesystem::path folder_;
   Table values_;
 };

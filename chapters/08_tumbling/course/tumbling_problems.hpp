@@ -58,19 +58,32 @@ Top<Real> top_of(const TumblingProblem& problem) {
   return top_in_order<Real>(problem, order);
 }
 
-/// A handle of aluminium in the shape of a T: a bar along x and a shaft down from its middle, in
-/// model axes.
-inline MassProperties<double> t_handle() {
-  const double density = 2700;
+/// A cylinder somewhere in a model.
+struct PlacedCylinder {
+  Cylinder<double> cylinder;
+  Mat3d axes;    ///< from the cylinder's axes to the model's
+  Vec3d centre;  ///< m, model axes
+};
+
+/// The shape of a T: a bar along x and a shaft down from its middle, in model axes.
+inline std::array<PlacedCylinder, 2> t_handle_shape() {
   const Cylinder<double> bar{.radius = 0.008, .height = 0.12},
       shaft{.radius = 0.01, .height = 0.06};
   Mat3d z_to_x, z_to_y;
   z_to_x << 0, 0, 1, 0, 1, 0, -1, 0, 0;
   z_to_y << 1, 0, 0, 0, 0, 1, 0, -1, 0;
-  return combined<double>(
-      {moved<double>(mass_properties_of_density(bar, density), z_to_x, Vec3d::Zero()),
-       moved<double>(mass_properties_of_density(shaft, density), z_to_y,
-                     {0, -bar.radius - shaft.height / 2, 0})});
+  return {{{bar, z_to_x, Vec3d::Zero()}, {shaft, z_to_y, {0, -bar.radius - shaft.height / 2, 0}}}};
+}
+
+/// The handle, made of aluminium.
+inline MassProperties<double> t_handle() {
+  const auto made = [](const PlacedCylinder& part) {
+    const double density = 2700;
+    return moved<double>(mass_properties_of_density(part.cylinder, density), part.axes,
+                         part.centre);
+  };
+  const auto [bar, shaft] = t_handle_shape();
+  return combined<double>({made(bar), made(shaft)});
 }
 
 /// The handle, thrown with a spin of 10 rad/s about its shaft that is off by a hundredth.

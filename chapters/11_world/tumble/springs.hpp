@@ -63,10 +63,10 @@ Vec3<Real> velocity_of_arm(const BodyState<Real>& body, const Vec3<Same<Real>>& 
 //! [spring_to_point]
 template <class Real>
 struct SpringToPoint {
-  std::string name = "spring";  ///< what plans and errors call it
-  Spring<Real> spring;
+  Spring<Real> spring = {};
   Vec3<Real> anchor = Vec3<Real>::Zero();      ///< where it hangs, m, world axes
   Vec3<Real> attachment = Vec3<Real>::Zero();  ///< where it holds the body, m, body axes
+  std::string name = "spring";                 ///< what plans and errors call it
 
   void check() const {
     check_spring(spring);
@@ -97,10 +97,10 @@ struct SpringToPoint {
 //! [spring_between]
 template <class Real>
 struct SpringBetween {
-  std::string name = "spring between bodies";  ///< what plans and errors call it
-  Spring<Real> spring;
+  Spring<Real> spring = {};
   Vec3<Real> attachment_first = Vec3<Real>::Zero();   ///< m, body axes of the first
   Vec3<Real> attachment_second = Vec3<Real>::Zero();  ///< m, body axes of the second
+  std::string name = "spring between bodies";         ///< what plans and errors call it
 
   void check() const {
     check_spring(spring);

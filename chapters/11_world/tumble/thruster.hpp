@@ -11,12 +11,12 @@ namespace tumble {
 //! [thruster]
 template <class Real>
 struct Thruster {
-  std::string name = "thruster";  ///< what plans and errors call it
   static constexpr std::string_view reads = "time, orientation";
   Vec3<Real> force_body = Vec3<Real>::Zero();          ///< F, N, body axes
   Vec3<Real> point = Vec3<Real>::Zero();               ///< p, where it acts, m, body axes
   Real from = 0;                                       ///< s, when it starts to burn
   Real until = std::numeric_limits<Real>::infinity();  ///< s, when it stops
+  std::string name = "thruster";                       ///< what plans and errors call it
 
   void check() const {
     require_finite("force of a thruster", force_body, "N");

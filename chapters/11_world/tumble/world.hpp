@@ -158,6 +158,10 @@ class World {
     call_for("another method of turning was chosen");
   }
 
+  /// The effects of the scene, in the order in which they came.
+  const std::vector<Entry<Real>>& effects() const { return effects_; }
+  TurningMethod turning_method() const { return method_; }
+
   // --- Time -------------------------------------------------------------------------------------
 
   const StepLength& step_length() const { return step_; }
@@ -185,6 +189,13 @@ class World {
     plan();
     return planned_.passes;
   }
+
+  /// What the plan knows of each body.
+  const std::vector<Facts>& facts() {
+    plan();
+    return planned_.facts;
+  }
+  const Slots& slots() const { return slots_; }
 
   // --- The step ---------------------------------------------------------------------------------
 

@@ -1,0 +1,105 @@
+// A painter for a canvas, and the colours that the page gives it.
+(() => {
+  const player = (globalThis.tumble_player ??= {});
+
+  const css = ([red, green, blue], opacity = 1) =>
+    `rgb(${Math.round(red)} ${Math.round(green)} ${Math.round(blue)} / ${Math.round(1000 * opacity) / 1000})`;
+
+  class CanvasPainter {
+    constructor(canvas) {
+      this.canvas = canvas;
+      this.context = canvas.getContext('2d');
+    }
+
+    /** An empty picture of width and height in CSS pixels, sharp on fine screens. */
+    begin({width, height}, paper) {
+      const ratio = Math.min(2, globalThis.devicePixelRatio || 1);
+      const [columns, rows] = [Math.round(width * ratio), Math.round(height * ratio)];
+      if (this.canvas.width !== columns) this.canvas.width = columns;
+      if (this.canvas.height !== rows) this.canvas.height = rows;
+      this.context.setTransform(columns / width, 0, 0, rows / height, 0, 0);
+      this.context.lineJoin = 'round';
+      this.context.lineCap = 'round';
+      this.is_dark = paper[0] < 128; // where a shadow must be deeper to be seen
+      this.context.fillStyle = css(paper);
+      this.context.fillRect(0, 0, width, height);
+    }
+
+    #path(points) {
+      points.forEach(([x, y], n) => (n ? this.context.lineTo(x, y) : this.context.moveTo(x, y)));
+    }
+
+    polygon(points, colour) {
+      const {context} = this;
+      context.beginPath();
+      this.#path(points);
+      context.closePath();
+      context.fillStyle = context.strokeStyle = css(colour);
+      context.fill();
+      // The outline closes the hairline between two neighbours.
+      context.lineWidth = 0.7;
+      context.stroke();
+    }
+
+    disc(x, y, radius, colour) {
+      this.context.beginPath();
+      this.context.arc(x, y, radius, 0, 2 * Math.PI);
+      this.context.fillStyle = css(colour);
+      this.context.fill();
+    }
+
+    line(points, colour, width, opacity) {
+      if (opacity <= 0.01) return;
+      this.context.beginPath();
+      this.#path(points);
+      this.context.strokeStyle = css(colour, opacity);
+      this.context.lineWidth = width;
+      this.context.stroke();
+    }
+
+    /** All polygons as one shape, its rim soft. */
+    shadow(polygons, colour) {
+      const {context} = this;
+      context.beginPath();
+      for (const points of polygons) {
+        this.#path(points);
+        context.closePath();
+      }
+      context.fillStyle = context.strokeStyle = css(colour, this.is_dark ? 0.09 : 0.028);
+      for (const width of [0, 2, 4, 6, 8, 10]) {
+        context.lineWidth = width;
+        if (width) context.stroke();
+        context.fill();
+      }
+    }
+
+    text(words, x, y, align, colour) {
+      this.context.font = '12px system-ui, sans-serif';
+      this.context.textAlign = align;
+      this.context.textBaseline = 'middle';
+      this.context.fillStyle = css(colour);
+      this.context.fillText(words, x, y);
+    }
+  }
+
+  /** The colours of the page at `element`, light or dark, as numbers. */
+  function palette_of(element) {
+    const style = getComputedStyle(element);
+    const context = Object.assign(document.createElement('canvas'), {width: 1, height: 1})
+      .getContext('2d', {willReadFrequently: true});
+    const colour = name => {
+      context.fillStyle = style.getPropertyValue(name).trim();
+      context.fillRect(0, 0, 1, 1);
+      return [...context.getImageData(0, 0, 1, 1).data].slice(0, 3);
+    };
+    return {
+      paper: colour('--player-paper'),
+      ink: colour('--player-ink'),
+      grid: colour('--player-grid'),
+      shade: colour('--player-shade'),
+      bodies: [1, 2, 3, 4, 5, 6].map(n => colour(`--figure-${n}`)),
+    };
+  }
+
+  Object.assign(player, {CanvasPainter, palette_of});
+})();

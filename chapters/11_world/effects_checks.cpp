@@ -1,0 +1,291 @@
+#include <course/checks.hpp>
+#include <course/random_world.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+template <class Real>
+RigidBody<Real> ball_body(const Vec3<Real>& place, const Vec3<Real>& velocity,
+                          const Vec3<Real>& spin) {
+  return make_rigid_body<Real>("ball", mass_properties(Sphere<Real>{Real(0.5)}, 2), {place},
+                               velocity, spin)
+      .body;
+}
+
+/// The user's own effect: a breeze that comes and goes.
+//! [own_effect]
+template <class Real>
+struct Breeze {
+  static constexpr std::string_view name = "breeze";
+  Vec3<Real> push = {1, 0, 0};  // N
+  Vec3<Real> force(const Particle<Real>&, Real time) const { return std::sin(time) * push; }
+};
+//! [own_effect]
+
+/// A blow that doubles what the kick has made of a speed.
+template <class Real>
+struct Blow {
+  static constexpr std::string_view name = "blow";
+  static constexpr Phase phase = Phase::impulse;
+  void act(Particle<Real>& centre, const Moment<Real>&) const { centre.velocity *= 2; }
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("Gravity as force and as acceleration lead through the same points", Real,
+                   EVERY_PRECISION) {
+  World<Real> by_force, by_acceleration;
+  const BodyHandle a = by_force.add("stone", make_particle<Real>(3, {0, 0, 9}, {1, 0, 5}));
+  const BodyHandle b = by_acceleration.add("stone", make_particle<Real>(3, {0, 0, 9}, {1, 0, 5}));
+  by_force.add(Gravity<Real>{});
+  by_acceleration.add(GravityAsAcceleration<Real>{});
+  const int steps = 60;
+  for (int n = 0; n < steps; ++n) {
+    by_force.step();
+    by_acceleration.step();
+  }
+  // m g/m rounds three times more than g; speeds and places stay below 16.
+  CHECK(distance(by_force.body(a).centre.position, by_acceleration.body(b).centre.position) <=
+        steps * 8 * 16 * unit_roundoff<Real>);
+}
+
+//! [orbit]
+TEST_CASE_TEMPLATE("A body circles a point of gravity in Kepler's time", Real, EVERY_PRECISION) {
+  // G M = 8, r = 2: v² = G M/r = 4 and the period is 2π r/v = 2π s.
+  const int steps = 4096;
+  const Real period = 2 * std::numbers::pi_v<Real>;
+  World<Real> world(
+      step_of_nanoseconds(static_cast<std::int64_t>(std::llround(2e9 * std::numbers::pi / steps))));
+  // Kick before drift is a leapfrog whose velocity lags by half a step: start it so, and the orbit
+  // closes to second order, with a phase error of (2π)³/(24 · 4096²) · 2π < 1e-5 turns.
+  const Real h = world.time_step();
+  const BodyHandle moon = world.add("moon", make_particle<Real>(5, {2, 0, 0}, {h, 2, 0}));
+  world.add(PointGravity<Real>{.strength = 8});
+  for (int n = 0; n < steps; ++n) {
+    world.step();
+    // The radius wavers by second order, (ω h)²/4 of itself, and by rounding.
+    REQUIRE(std::abs(world.body(moon).centre.position.norm() - 2) <=
+            2 * (period / steps) * (period / steps) + 8 * steps * unit_roundoff<Real>);
+  }
+  const Vec3<Real> end = world.body(moon).centre.position;
+  CHECK(std::abs(end.y() / 2) <= Real(2e-5) + 16 * steps * unit_roundoff<Real>);
+}
+//! [orbit]
+
+TEST_CASE_TEMPLATE("Point gravity falls with the square of the distance, towards the point", Real,
+                   EVERY_PRECISION) {
+  const PointGravity<Real> gravity{.strength = 12, .centre = {1, 1, 1}};
+  const auto force = [&](Real x) {
+    return gravity.force(make_particle<Real>(3, {1 + x, 1, 1}), 0);
+  };
+  CHECK(same_bits(force(1), Vec3<Real>(-36, 0, 0)));
+  CHECK(same_bits(force(-2), Vec3<Real>(9, 0, 0)));
+  const Real far = Real(1e15);  // |r|³ is beyond float
+  CHECK(force(far).x() == doctest::Approx(-36 / (1e15 * 1e15)).epsilon(1e-5));
+  // −dU/dx = F, by a difference whose step is a power of two.
+  const auto energy = [&](Real x) {
+    const Particle<Real> at = make_particle<Real>(3, {1 + x, 1, 1});
+    return gravity.potential_energy({at, Top<Real>{}});
+  };
+  const Real h = Real(1) / 256;
+  // Third derivative of 36/x at 1 is 216: the difference is off by 36 h², and rounds by u 36/h.
+  CHECK(std::abs((energy(1 - h) - energy(1 + h)) / (2 * h) + 36) <=
+        40 * h * h + 4 * 36 * unit_roundoff<Real> / h);
+}
+
+//! [spring_oscillates]
+TEST_CASE_TEMPLATE("A spring to a point is chapter 6's oscillator, to rounding", Real,
+                   EVERY_PRECISION) {
+  World<Real> world(steps_per_second(100));
+  const BodyHandle ball = world.add("ball", make_particle<Real>(2, {3, 0, 0}));
+  world.add(SpringToPoint<Real>{.spring = {.stiffness = 50, .damping = 1, .rest_length = 1},
+                                .anchor = {1, 0, 0}},
+            {ball});
+  Real x = 1, v = 0;  // the stretch
+  const Real h = world.time_step();
+  const int steps = 200;
+  for (int n = 0; n < steps; ++n) {
+    v += h * (-50 * x - v) / 2;
+    x += h * v;
+    world.step();
+    REQUIRE(std::abs(world.body(ball).centre.position.x() - 2 - x) <=
+            Real(n + 1) * 32 * unit_roundoff<Real>);
+  }
+}
+//! [spring_oscillates]
+
+TEST_CASE_TEMPLATE("A spring off the centre gives the torque of its force at its attachment", Real,
+                   EVERY_PRECISION) {
+  Dice dice(3);
+  for (int n = 0; n < 50; ++n) {
+    RigidBody<Real> body =
+        make_rigid_body<Real>(
+            "box", mass_properties(Box<Real>{{1, 2, 3}}, 2),
+            {dice.vector<Real>(), quaternion_of_rotation_vector<Real>(3 * dice.vector<Real>())},
+            dice.vector<Real>(), dice.vector<Real>())
+            .body;
+    const SpringToPoint<Real> spring{
+        .spring = {.stiffness = 3, .damping = 2, .rest_length = Real(0.5)},
+        .anchor = {5, 5, 5},
+        .attachment = dice.vector<Real>()};
+    const Push<Real> push = spring.push({body.centre, body.top}, 0);
+    // By chapter 5's functions: the point of the body, its velocity, the force at it.
+    const Vec3<Real> point = point_outward(pose_of(body), spring.attachment);
+    const Vec3<Real> along = (point - spring.anchor).normalized();
+    const Real length = (point - spring.anchor).norm();
+    const Real tension = 3 * (length - Real(0.5)) + 2 * velocity_at(body, point).dot(along);
+    add_force_at<Real>(body, -tension * along, point);
+    // Forces below 64 N, arms below 2 m; some sixty roundings.
+    CHECK(distance(push.force, body.centre.force) <= 64 * 64 * unit_roundoff<Real>);
+    CHECK(distance(push.torque, body.top.torque) <= 128 * 64 * unit_roundoff<Real>);
+    CHECK(push.torque.norm() > 0);
+  }
+}
+
+TEST_CASE_TEMPLATE("A tether pulls and never pushes", Real, EVERY_PRECISION) {
+  const Spring<Real> tether{.stiffness = 10, .damping = 1, .rest_length = 2, .only_pulls = true};
+  const Vec3<Real> rest(0, 0, 0), outward(3, 0, 0), inward(-30, 0, 0);
+  CHECK(same_bits(spring_force<Real>(tether, {3, 0, 0}, rest), Vec3<Real>(-10, 0, 0)));
+  CHECK(same_bits(spring_force<Real>(tether, {1, 0, 0}, outward), rest));
+  CHECK(same_bits(spring_force<Real>(tether, {3, 0, 0}, inward), rest));
+  CHECK(spring_energy<Real>(tether, {1, 0, 0}) == 0);
+  CHECK(spring_energy<Real>(tether, {4, 0, 0}) == 20);
+  CHECK(same_bits(spring_force<Real>(tether, rest, rest), rest));
+}
+
+//! [thruster_spins]
+TEST_CASE_TEMPLATE("A thruster turns with its body: it spins up as τ t/I and pushes along itself",
+                   Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(128));
+  const BodyHandle ball = world.add("ball", ball_body<Real>({0, 0, 0}, {0, 0, 0}, {0, 0, 0}));
+  world.add(Thruster<Real>{.force_body = {0, 1, 0}, .point = {2, 0, 0}, .from = 1, .until = 3},
+            {ball});
+  Vec3<Real> momentum = Vec3<Real>::Zero();
+  for (int n = 0; n < 512; ++n) {
+    const Real burning = n >= 128 && n < 384 ? Real(1) : Real(0);
+    momentum += burning * world.time_step() *
+                rotate<Real>(world.body(ball).top.orientation, Vec3<Real>(0, 1, 0));
+    world.step();
+  }
+  const RigidBody<Real> end = world.body(ball);
+  // I = 2/5 · 2 kg · (0.5 m)² = 0.2 kg m², τ = 2 N m for 2 s: ω = 20 rad/s, after 256 kicks.
+  CHECK(std::abs(angular_velocity_world(end.top).z() - 20) <= 256 * 4 * 20 * unit_roundoff<Real>);
+  CHECK(distance(tumble::momentum(end), momentum) <= 512 * 8 * unit_roundoff<Real>);
+}
+//! [thruster_spins]
+
+TEST_CASE_TEMPLATE("The Magnus force is square to spin and path: topspin dips, and no work is done",
+                   Real, EVERY_PRECISION) {
+  const Magnus<Real> magnus{.strength = Real(0.5), .wind = {0, 0, 0}};
+  // Forward along x, the top side running forward too: ω along +y.
+  const RigidBody<Real> topspin = ball_body<Real>({0, 0, 0}, {2, 0, 0}, {0, 4, 0});
+  const Vec3<Real> force = magnus.force({topspin.centre, topspin.top}, 0);
+  CHECK(std::abs(force.z() + 4) <= 16 * unit_roundoff<Real>);
+  CHECK(force.x() == 0);
+  const Magnus<Real> with_wind{.strength = Real(0.5), .wind = {2, 0, 0}};
+  CHECK(same_bits(with_wind.force({topspin.centre, topspin.top}, 0), Vec3<Real>(0, 0, 0)));
+}
+
+//! [buoyancy_volume]
+TEST_CASE_TEMPLATE("A ball is lifted by the weight of what it displaces, at every depth", Real,
+                   EVERY_PRECISION) {
+  const Buoyancy<Real> water{.density = 1000, .radius = 2, .surface = 5, .gravity = 10};
+  const auto volume = [&](Real z) {
+    return water.force(make_particle<Real>(1, {0, 0, z}), 0).z() / 10'000;
+  };
+  CHECK(volume(8) == 0);
+  CHECK(volume(7) == 0);
+  const Real ball = Real(4) / 3 * std::numbers::pi_v<Real> * 8;
+  CHECK(std::abs(volume(5) - ball / 2) <= 16 * ball * unit_roundoff<Real>);
+  CHECK(std::abs(volume(3) - ball) <= 16 * ball * unit_roundoff<Real>);
+  CHECK(std::abs(volume(-90) - ball) <= 16 * ball * unit_roundoff<Real>);
+  // Simpson's rule integrates the discs π (r² − z²) exactly: they are of second degree.
+  for (const Real height : {Real(6.5), Real(5.25), Real(4), Real(3.5)}) {
+    const Real depth = 7 - height;  // of the cap
+    const auto disc = [](Real z) { return std::numbers::pi_v<Real> * (4 - z * z); };
+    const Real simpson = depth / 6 * (disc(-2) + 4 * disc(-2 + depth / 2) + disc(-2 + depth));
+    CHECK(std::abs(volume(height) - simpson) <= 32 * ball * unit_roundoff<Real>);
+  }
+}
+//! [buoyancy_volume]
+
+TEST_CASE_TEMPLATE("Damping as an effect keeps the fraction that chapter 9 computes", Real,
+                   EVERY_PRECISION) {
+  World<Real> world(steps_per_second(50));
+  const BodyHandle ball = world.add("ball", ball_body<Real>({0, 0, 0}, {2, 0, 0}, {0, 4, 0}));
+  world.add(LinearDamping<Real>{.rate = 3});
+  world.add(AngularDamping<Real>{.rate = 5});
+  RigidBody<Real> expected = world.body(ball);
+  world.step();
+  damp(expected.centre, fraction_kept<Real>(3, world.time_step()));
+  damp(expected.top, fraction_kept<Real>(5, world.time_step()));
+  CHECK(same_bits(world.body(ball).centre.velocity, expected.centre.velocity));
+  CHECK(same_bits(world.body(ball).top.angular_momentum_body, expected.top.angular_momentum_body));
+}
+
+TEST_CASE_TEMPLATE("Drag in a world is chapter 9's, wind and all", Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(64));
+  const BodyHandle leaf = world.add("leaf", make_particle<Real>(1));
+  world.add(QuadraticDrag<Real>{.coefficient = Real(0.5), .wind = {4, 0, 0}});
+  world.step();
+  CHECK(world.body(leaf).centre.velocity.x() == Real(0.125));  // ½ · 4² /64, exact in binary
+}
+
+//! [own]
+TEST_CASE_TEMPLATE("An effect of the user's own is planned, run and named like ours", Real,
+                   EVERY_PRECISION) {
+  World<Real> world(steps_per_second(1000));
+  const BodyHandle leaf = world.add("leaf", make_particle<Real>(2));
+  world.add("rock", make_static_particle<Real>({0, 0, 0}));
+  world.add(Breeze<Real>{});
+  const auto row = std::find_if(world.plan().rows.begin(), world.plan().rows.end(),
+                                [](const PlanRow& r) { return r.effect == "breeze"; });
+  REQUIRE(row != world.plan().rows.end());
+  CHECK(row->visited == 1);
+  CHECK(row->reason == "not 1: nothing can move them");
+  for (int n = 0; n < 3000; ++n) world.step();
+  // v = (1 − cos t)/m; the sum of the steps is off by h/2 sin t/m at most, and rounds.
+  CHECK(std::abs(world.body(leaf).centre.velocity.x() - (1 - std::cos(Real(3))) / 2) <=
+        Real(0.0005) / 2 + 3000 * 2 * unit_roundoff<Real>);
+}
+//! [own]
+
+TEST_CASE_TEMPLATE("The order of work is kick, blow, damping, drift", Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(1));
+  const BodyHandle ball = world.add("ball", make_particle<Real>(1));
+  world.add(LinearDamping<Real>{.rate = std::numbers::ln2_v<Real>});
+  world.add(Blow<Real>{});
+  world.add(Gravity<Real>{.gravity = {3, 0, 0}});
+  world.step();
+  // (0 + 3) · 2 · ½, and the place follows the damped speed. The half is e^(−ln 2), two roundings.
+  CHECK(std::abs(world.body(ball).centre.position.x() - 3) <= 8 * unit_roundoff<Real>);
+}
+
+//! [methods]
+TEST_CASE_TEMPLATE("A world turns by the rule that was chosen", Real, EVERY_PRECISION) {
+  const RigidBody<Real> box = make_rigid_body<Real>("box", mass_properties(Box<Real>{{1, 2, 3}}, 2),
+                                                    {}, Vec3<Real>::Zero(), {1, 2, 3})
+                                  .body;
+  const auto turned = [&](TurningMethod method) {
+    World<Real> world(steps_per_second(10), method);
+    const BodyHandle handle = world.add("box", box);
+    world.step();
+    return world.body(handle).top;
+  };
+  const auto expect = [&](TurningMethod method, void (*rule)(Top<Real>&, Same<Real>)) {
+    Top<Real> top = box.top;
+    rule(top, Real(0.1));
+    CHECK(same_bits(turned(method).orientation.imaginary, top.orientation.imaginary));
+    CHECK(same_bits(turned(method).angular_momentum_body, top.angular_momentum_body));
+  };
+  expect(TurningMethod::splitting, &turn_by_splitting<Real>);
+  expect(TurningMethod::axis_by_axis, &turn_axis_by_axis<Real>);
+  expect(TurningMethod::carrying_momentum, &turn_carrying_momentum<Real>);
+  expect(TurningMethod::implicit_newton, &turn_implicitly<Real>);
+  expect(TurningMethod::restoring_momentum, &turn_restoring_momentum<Real>);
+  expect(TurningMethod::explicit_euler, &turn_explicitly<Real>);
+  expect(TurningMethod::steady, &turn_steadily<Real>);
+}
+//! [methods]

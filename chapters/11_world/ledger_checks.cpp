@@ -1,0 +1,118 @@
+#include <course/checks.hpp>
+#include <course/random_world.hpp>
+#include <tumble/ledger.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+double size_of(const LedgerLine& line) {
+  return std::abs(line.energy) + line.momentum.norm() + line.angular_momentum.norm();
+}
+
+}  // namespace
+
+//! [closes]
+TEST_CASE_TEMPLATE("The books close to rounding: what the effects put in is what the bodies have",
+                   Real, EVERY_PRECISION) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    CAPTURE(seed);
+    Dice dice(seed);
+    World<Real> world = random_world<Real>(dice);
+    Ledger<Real> ledger(world);
+    double turnover = size_of(ledger.start());
+    const int steps = 60;
+    for (int n = 0; n < steps; ++n) {
+      ledger.step(world);
+      turnover = std::max(turnover, size_of(ledger.now(world)));
+    }
+    for (const LedgerLine& line : ledger.lines()) turnover += size_of(line);
+    // In each step each of up to five bodies rounds its sums, its momenta and its place: 32
+    // roundings of numbers that are no larger than what was ever had or turned over.
+    const double bound = steps * 5 * 32 * static_cast<double>(unit_roundoff<Real>) * (1 + turnover);
+    CHECK(size_of(ledger.rest(world)) <= bound);
+  }
+}
+//! [closes]
+
+TEST_CASE_TEMPLATE("A step with books is a step without them, to the bit", Real, EVERY_PRECISION) {
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    Dice dice(seed);
+    World<Real> booked = random_world<Real>(dice);
+    World<Real> plain = booked;
+    Ledger<Real> ledger(booked);
+    for (int n = 0; n < 20; ++n) {
+      ledger.step(booked);
+      plain.step();
+    }
+    REQUIRE(same_motion(booked.bodies(), plain.bodies()));
+  }
+}
+
+//! [throw]
+TEST_CASE_TEMPLATE(
+    "Gravity's line is the work that a fall says: m g times the height, and half a "
+    "step's more",
+    Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(64));  // 1/64 s is a number without rounding
+  world.add("stone", make_particle<Real>(2, {0, 0, 100}));
+  world.add(Gravity<Real>{.gravity = {0, 0, -8}});
+  Ledger<Real> ledger(world);
+  const double before = Ledger<Real>::stored(world);
+  for (int n = 0; n < 64; ++n) ledger.step(world);
+  const double fallen =
+      100 - static_cast<double>(world.body(world.find("stone")).centre.position.z());
+  // Kick before drift: the fall is ½ g t (t + h) = 4 · 65/64 m, the speed 8 m/s, all exact in
+  // binary.
+  CHECK(fallen == 4.0625);
+  REQUIRE(ledger.lines().size() == 2);
+  CHECK(ledger.lines()[0].name == "gravity");
+  CHECK(ledger.lines()[0].energy == 64);  // ½ · 2 kg · (8 m/s)²
+  CHECK(ledger.lines()[0].momentum == Vec3d(0, 0, -16));
+  // Stored energy fell by m g times the height; the rest is what the step's length makes of it.
+  CHECK(before - Ledger<Real>::stored(world) == 2 * 8 * 4.0625);
+}
+//! [throw]
+
+TEST_CASE_TEMPLATE("A spring between bodies puts in no momentum and no angular momentum", Real,
+                   EVERY_PRECISION) {
+  World<Real> world(steps_per_second(1000));
+  const auto box = [](const Vec3<Real>& place, const Vec3<Real>& spin) {
+    return make_rigid_body<Real>("box", mass_properties(Box<Real>{{1, 2, 3}}, 2), {place},
+                                 {0, 1, 0}, spin)
+        .body;
+  };
+  const BodyHandle a = world.add("a", box({0, 0, 0}, {1, 2, 3}));
+  const BodyHandle b = world.add("b", box({0, 0, 5}, {0, 0, 0}));
+  world.add(SpringBetween<Real>{.spring = {.stiffness = 50, .damping = 1, .rest_length = 2},
+                                .attachment_first = {Real(0.5), 1, 0},
+                                .attachment_second = {0, -1, Real(0.25)}},
+            {a, b});
+  Ledger<Real> ledger(world);
+  double energy_moved = 0;
+  const int steps = 500;
+  for (int n = 0; n < steps; ++n) {
+    ledger.step(world);
+    energy_moved = std::max(energy_moved, std::abs(ledger.lines()[0].energy));
+  }
+  CHECK(energy_moved > 1);  // it did pull
+  // A step's force times h is below 50 · 8 / 1000 N s, its arm below 8 m; 16 roundings a step.
+  const double bound = steps * 16 * 0.4 * 8 * static_cast<double>(unit_roundoff<Real>);
+  CHECK(ledger.lines()[0].momentum.norm() <= bound);
+  CHECK(ledger.lines()[0].angular_momentum.norm() <= bound);
+}
+
+TEST_CASE_TEMPLATE("A failed step leaves the books as they were", Real, EVERY_PRECISION) {
+  World<Real> world;
+  const BodyHandle stone = world.add("stone", make_particle<Real>(1));
+  world.add(PointGravity<Real>{.strength = 1});
+  Ledger<Real> ledger(world);
+  const std::size_t lines = ledger.lines().size();
+  CHECK_THROWS_AS(ledger.step(world), SimulationError);
+  CHECK(ledger.lines().size() == lines);
+  CHECK(world.ticks() == 0);
+  world.set_position(stone, {1, 0, 0});
+  ledger.step(world);
+  CHECK(ledger.lines()[0].momentum.x() < 0);
+}

@@ -1,0 +1,236 @@
+#include <course/checks.hpp>
+#include <course/random_world.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+/// Steps, and says whether that could be done.
+template <class Step>
+std::string complaint_of_step(const Step& step) {
+  try {
+    step();
+  } catch (const SimulationError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+const PlanRow* row_of(const Plan& plan, std::string_view effect) {
+  for (const PlanRow& row : plan.rows)
+    if (row.effect == effect) return &row;
+  return nullptr;
+}
+
+/// A text with every run of blanks made one.
+std::string squeezed(const std::string& text) {
+  std::string result;
+  for (const char letter : text)
+    if (letter != ' ' || result.empty() || result.back() != ' ') result += letter;
+  return result;
+}
+
+template <class Real>
+RigidBody<Real> box_body(const Vec3<Real>& spin = Vec3<Real>::Zero()) {
+  return make_rigid_body<Real>("box", mass_properties(Box<Real>{{1, 2, 3}}, 2), {},
+                               Vec3<Real>::Zero(), spin)
+      .body;
+}
+
+}  // namespace
+
+//! [thousand]
+TEST_CASE_TEMPLATE("A thousand random worlds move by plan as by the reference run, to the bit",
+                   Real, EVERY_PRECISION) {
+  int moved = 0;
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    CAPTURE(seed);
+    Dice dice(seed);
+    World<Real> planned = random_world<Real>(dice);
+    World<Real> reference = planned;
+    const Bodies<Real> start = planned.bodies();
+    Dice planned_dice = dice, reference_dice = dice;
+    for (int n = 0; n < 12; ++n) {
+      if (n % 4 == 3) {
+        meddle(planned, planned_dice, n);
+        meddle(reference, reference_dice, n);
+      }
+      const std::string complaint = complaint_of_step([&] { planned.step(); });
+      REQUIRE(complaint_of_step([&] { reference.step_by_reference(); }) == complaint);
+      REQUIRE(same_motion(planned.bodies(), reference.bodies()));
+    }
+    moved += !same_motion(start, planned.bodies());
+  }
+  CHECK(moved > 800);  // the worlds are not idle: four in five have changed
+}
+//! [thousand]
+
+//! [sound]
+TEST_CASE_TEMPLATE("Whatever a predicate skips would have changed nothing", Real, EVERY_PRECISION) {
+  int skipped = 0;
+  for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
+    CAPTURE(seed);
+    Dice dice(seed);
+    World<Real> world = random_world<Real>(dice);
+    const Moment<Real> moment{0, world.time_step()};
+    const std::vector<Facts> facts = world.facts();
+    for (const Entry<Real>& entry : in_order(world.effects(), world.turning_method())) {
+      const AnyEffect<Real>& effect = *entry.effect;
+      if (effect.joins_two()) continue;
+      for (const BodyIndex body : targets_of(entry, world.slots(), world.body_count())) {
+        const std::string_view why = effect.why_skipped(facts[body]);
+        const bool other_rule =
+            effect.phase() == Phase::drift && effect.visits_tops() && facts[body].turns;
+        if (why.empty() || other_rule || (effect.visits_tops() && facts[body].is_point) ||
+            (effect.needs_top() && facts[body].is_point))
+          continue;
+        CAPTURE(effect.name());
+        CAPTURE(why);
+        // The sums are empty here, so kicks after the effect show all that it would have done.
+        Bodies<Real> bodies = world.bodies();
+        const Group centre{false, {body}}, top{false, {bodies.top_of[body]}};
+        effect.act(bodies, effect.visits_tops() ? top : centre, moment);
+        kick(bodies.centres[body], moment.time_step);
+        if (!facts[body].is_point) kick(bodies.tops[top.members[0]], moment.time_step);
+        const BodyState<Real> before = state_of(world.bodies(), body);
+        const BodyState<Real> after = state_of(bodies, body);
+        REQUIRE(same_bits(after.centre.velocity, before.centre.velocity));
+        REQUIRE(same_bits(after.centre.position, before.centre.position));
+        REQUIRE(same_bits(after.top.angular_momentum_body, before.top.angular_momentum_body));
+        // A turn by nothing multiplies by 1 and brings |q| back to 1: it rounds each of the four
+        // numbers by no more than 2 units.
+        REQUIRE(distance(after.top.orientation.imaginary, before.top.orientation.imaginary) <=
+                2 * unit_roundoff<Real>);
+        ++skipped;
+      }
+    }
+  }
+  CHECK(skipped > 5000);  // five a world, or the check would say little
+}
+//! [sound]
+
+TEST_CASE_TEMPLATE("A top with equal moments turns by splitting as it turns steadily", Real,
+                   EVERY_PRECISION) {
+  Dice dice(7);
+  for (int n = 0; n < 100; ++n) {
+    Top<Real> steady;
+    steady.inverse_moments = Vec3<Real>::Constant(Real(2));
+    steady.angular_momentum_body = 3 * dice.vector<Real>();
+    steady.orientation = quaternion_of_rotation_vector<Real>(3 * dice.vector<Real>());
+    Top<Real> split = steady;
+    turn_steadily(steady, Real(0.1));
+    turn_by_splitting(split, Real(0.1));
+    // Two turns by nothing and the length brought back: eight roundings of numbers up to |L| < 6.
+    CHECK(distance(split.angular_momentum_body, steady.angular_momentum_body) <=
+          8 * 6 * unit_roundoff<Real>);
+    CHECK(distance(split.orientation.imaginary, steady.orientation.imaginary) <=
+          16 * unit_roundoff<Real>);
+  }
+}
+
+//! [nothing]
+TEST_CASE_TEMPLATE("A scene of resting points under no force runs no pass at all", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  world.add("a", make_particle<Real>(1, {1, 2, 3}));
+  world.add("b", make_static_particle<Real>({0, 0, 0}));
+  world.add(LinearDamping<Real>{.rate = 1});
+  CHECK(world.passes().empty());
+  CHECK(world.top_count() == 0);
+  world.step();
+  CHECK(world.ticks() == 1);
+}
+//! [nothing]
+
+//! [first_spin]
+TEST_CASE_TEMPLATE("A first spin changes the plan at once, and the world says so", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  const BodyHandle box = world.add("box", box_body<Real>());
+  CHECK(row_of(world.plan(), "tumbling: splitting")->visited == 0);
+  CHECK(row_of(world.plan(), "tumbling: splitting")->reason ==
+        "not 1: no spin and nothing that can give torque");
+  CHECK(world.news().empty());
+  for (int n = 0; n < 3; ++n) world.step();
+  world.set_angular_velocity(box, {0, 1, 0});
+  CHECK(row_of(world.plan(), "tumbling: splitting")->visited == 1);
+  REQUIRE(world.news().size() == 1);
+  CHECK(world.news()[0] ==
+        "step 3: tumbling: splitting visits 1 of 1, before 0 ('box' got its first spin)");
+  const Quaternion<Real> before = world.body(box).top.orientation;
+  world.step();
+  CHECK_FALSE(same_bits(world.body(box).top.orientation.imaginary, before.imaginary));
+}
+//! [first_spin]
+
+TEST_CASE_TEMPLATE("A first torque calls for turning, and turning for the Magnus force", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  const BodyHandle ball = world.add(
+      "ball",
+      make_rigid_body<Real>("ball", mass_properties(Sphere<Real>{1}, 2), {}, {1, 0, 0}).body);
+  world.add(Magnus<Real>{.strength = 1});  // before the effect that calls for it
+  CHECK(row_of(world.plan(), "Magnus force")->visited == 0);
+  const EffectHandle thruster =
+      world.add(Thruster<Real>{.force_body = {1, 0, 0}, .point = {0, 1, 0}}, {ball});
+  CHECK(row_of(world.plan(), "Magnus force")->visited == 1);
+  CHECK(row_of(world.plan(), "steady turning")->visited == 1);
+  CHECK(row_of(world.plan(), "kick of the spin")->visited == 1);
+  world.remove(thruster);  // before the ball turned
+  CHECK(row_of(world.plan(), "Magnus force")->visited == 0);
+  CHECK(row_of(world.plan(), "kick of the spin")->visited == 0);
+}
+
+//! [explain]
+TEST_CASE("A plan prints as a table, with a reason in every line") {
+  World<double> world;
+  for (int n = 0; n < 3; ++n)
+    world.add("ball " + std::to_string(n),
+              make_rigid_body<double>("ball", mass_properties(Sphere<double>{1}, 2), {},
+                                      Vec3d::Zero(), {0, 0, 1})
+                  .body);
+  world.add("box", box_body<double>({0, 0, 1}));
+  world.add(Gravity<double>{});
+  const std::string table = squeezed(table_of(world.plan()));
+  CHECK(table.find("\ngravity force 4 of 4 mass force every body calls for it\n") !=
+        std::string::npos);
+  CHECK(table.find("\ntumbling: splitting drift 1 of 4 ") != std::string::npos);
+  CHECK(table.find("not 3: equal moments or a locked axis: they turn steadily\n") !=
+        std::string::npos);
+  CHECK(table.find("\nkick of the spin no pass 0 of 4 ") != std::string::npos);
+}
+//! [explain]
+
+TEST_CASE_TEMPLATE("A spring that is too stiff for the step is announced, and its neighbours count",
+                   Real, EVERY_PRECISION) {
+  // One spring on one mass: the limit is 2 √(m/k), chapter 6's.
+  const auto world_with = [](Real stiffness, int springs) {
+    World<Real> world(steps_per_second(100));
+    const BodyHandle ball = world.add("ball", make_particle<Real>(1));
+    for (int n = 0; n < springs; ++n)
+      world.add(SpringToPoint<Real>{.spring = {.stiffness = stiffness}, .anchor = {1, 0, 0}},
+                {ball});
+    return world;
+  };
+  CHECK(world_with(39'000, 1).plan().warnings.empty());
+  CHECK(world_with(41'000, 1).plan().warnings.size() == 1);
+  CHECK(world_with(13'000, 3).plan().warnings.empty());
+  World<Real> stiff = world_with(14'000, 3);
+  REQUIRE(stiff.plan().warnings.size() == 1);
+  CHECK(stiff.plan().warnings[0].find("'spring' on 'ball' may gain energy without bound: the time "
+                                      "step is 0.01 s, and only up to 0.00975") == 0);
+  // And it does: with h² k/m = 4.2 the error grows by 1.56 in each step, 1 mm to 66 m in 25.
+  stiff.set_position(stiff.find("ball"), {Real(1.001), 0, 0});
+  for (int n = 0; n < 25; ++n) stiff.step();
+  CHECK(stiff.body(stiff.find("ball")).centre.position.norm() > 5);
+}
+
+TEST_CASE_TEMPLATE("A mass ratio of 10^9 on a stiff spring is announced", Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(60));
+  const BodyHandle heavy = world.add("ship", make_particle<Real>(Real(1e6)));
+  const BodyHandle light = world.add("bolt", make_particle<Real>(Real(1e-3), {0, 0, 1}));
+  world.add(SpringBetween<Real>{.spring = {.stiffness = 1000, .rest_length = 1}}, {heavy, light});
+  CHECK(world.plan().warnings.size() == 1);
+  CHECK(world.plan().warnings[0].find("'spring between bodies' on 'ship'") == 0);
+}

@@ -1,0 +1,40 @@
+// What a world does that can't go on: a force that is no number, and a spring that is too stiff.
+#include <course/record.hpp>
+#include <tumble/gravity.hpp>
+#include <tumble/springs.hpp>
+#include <tumble/world.hpp>
+
+using namespace tumble;
+
+int main(int argument_count, char** arguments) {
+  course::Notebook notebook(argument_count, arguments);
+  //! [singular]
+  World<double> sky;
+  const BodyHandle comet = sky.add("comet", make_particle<double>(1e9, {1, 0, 0}));
+  sky.add("planet", make_particle<double>(1, {5, 0, 0}, {0, 1, 0}));
+  sky.add(PointGravity<double>{.strength = 10, .centre = {0, 0, 0}});
+  sky.set_position(comet, {0, 0, 0});
+  try {
+    sky.step();
+  } catch (const SimulationError& error) {
+    std::printf("%s\n\n", error.what());
+  }
+  //! [singular]
+  course::expect(sky.ticks() == 0, "the step was not taken");
+  course::expect(sky.body(sky.find("planet")).centre.position == Vec3d(5, 0, 0),
+                 "and nobody has moved");
+
+  //! [stiff]
+  World<double> dock(steps_per_second(60));
+  const BodyHandle ship = dock.add("ship", make_particle<double>(1e6));
+  const BodyHandle buoy = dock.add("buoy", make_particle<double>(1e-3, {1.001, 0, 0}));
+  dock.add(SpringBetween<double>{.spring = {.stiffness = 1000, .rest_length = 1}}, {ship, buoy});
+  for (const std::string& warning : dock.plan().warnings) std::printf("%s\n", warning.c_str());
+  for (int n = 0; n <= 6; ++n) {
+    std::printf("  step %d: the buoy is at %.3g m\n", n, dock.body(buoy).centre.position.x());
+    dock.step();
+  }
+  //! [stiff]
+  course::expect(dock.plan().warnings.size() == 1, "the world warns of a mass ratio of 1e9");
+  course::expect(dock.body(buoy).centre.position.norm() > 1e3, "and it is right");
+}

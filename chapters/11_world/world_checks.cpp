@@ -1,0 +1,296 @@
+#include <course/checks.hpp>
+#include <course/random_world.hpp>
+#include <string>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+template <class Real>
+const Real infinity = std::numeric_limits<Real>::infinity();
+template <class Real>
+const Real not_a_number = std::numeric_limits<Real>::quiet_NaN();
+
+template <class Action>
+std::string complaint_of_any(const Action& action) {
+  try {
+    action();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "nothing thrown";
+}
+
+/// A force that is no number from a certain time on.
+template <class Real>
+struct BrokenMotor {
+  static constexpr std::string_view name = "broken motor";
+  Real breaks_at = Real(0.05);
+  Vec3<Real> force(const Particle<Real>&, Real time) const {
+    return {time < breaks_at ? Real(1) : not_a_number<Real>, 0, 0};
+  }
+};
+
+template <class Real>
+RigidBody<Real> ball_body(const Vec3<Real>& place, const Vec3<Real>& spin = Vec3<Real>::Zero()) {
+  return make_rigid_body<Real>("ball", mass_properties(Sphere<Real>{1}, 2), {place},
+                               Vec3<Real>::Zero(), spin)
+      .body;
+}
+
+}  // namespace
+
+//! [stale]
+TEST_CASE_TEMPLATE("A stale handle says so, and its slot's next body is another body", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  const BodyHandle first = world.add("first", make_particle<Real>(1, {1, 0, 0}));
+  const BodyHandle second = world.add("second", ball_body<Real>({2, 0, 0}));
+  const BodyHandle third = world.add("third", ball_body<Real>({3, 0, 0}));
+  world.remove(first);
+  CHECK(complaint_of_any([&] {
+          world.set_velocity(first, {1, 0, 0});
+        }) == "stale handle: body 0, generation 0, has been removed or never was in this world");
+  const BodyHandle fourth = world.add("fourth", make_particle<Real>(1, {4, 0, 0}));
+  CHECK(fourth.slot == first.slot);
+  CHECK_FALSE(world.contains(first));
+  CHECK(world.body(second).centre.position.x() == 2);
+  CHECK(world.body(third).centre.position.x() == 3);
+  CHECK(world.body(fourth).centre.position.x() == 4);
+  CHECK(world.find("third") == third);
+  CHECK(world.name_of(second) == "second");
+}
+//! [stale]
+
+TEST_CASE_TEMPLATE("Bodies keep their tops while others are removed", Real, EVERY_PRECISION) {
+  Dice dice(5);
+  World<Real> world;
+  std::vector<BodyHandle> handles;
+  std::vector<Real> marks;
+  for (int n = 0; n < 200; ++n) {
+    if (!handles.empty() && dice.one_in(3)) {
+      const std::size_t gone = dice.below(handles.size());
+      world.remove(handles[gone]);
+      handles.erase(handles.begin() + static_cast<std::ptrdiff_t>(gone));
+      marks.erase(marks.begin() + static_cast<std::ptrdiff_t>(gone));
+    } else {
+      const Real mark = Real(n + 1);
+      handles.push_back(dice.one_in(2) ? world.add(std::to_string(n), make_particle(mark))
+                                       : world.add(std::to_string(n),
+                                                   ball_body<Real>({mark, 0, 0}, {mark, 0, 0})));
+      marks.push_back(mark);
+    }
+    for (std::size_t i = 0; i < handles.size(); ++i) {
+      const RigidBody<Real> body = world.body(handles[i]);
+      if (body.top.inverse_moments.x() == 0) {
+        REQUIRE(body.centre.inverse_mass == 1 / marks[i]);
+      } else {
+        REQUIRE(body.centre.position.x() == marks[i]);
+        // L = I ω and back: two roundings.
+        REQUIRE(std::abs(angular_velocity_body(body.top).x() - marks[i]) <=
+                4 * unit_roundoff<Real> * marks[i]);
+      }
+    }
+  }
+}
+
+//! [broken]
+TEST_CASE_TEMPLATE("A force that turns NaN stops the step, names its effect, and nothing has moved",
+                   Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(64));
+  world.add("rock", ball_body<Real>({0, 0, 5}, {1, 0, 0}));
+  const BodyHandle kite = world.add("kite", make_particle<Real>(1, {1, 0, 0}));
+  world.add(Gravity<Real>{});
+  world.add(BrokenMotor<Real>{.breaks_at = Real(0.07)}, {kite});
+  world.add(LinearDamping<Real>{.rate = 1});
+  for (int n = 0; n < 5; ++n) world.step();
+  const Bodies<Real> before = world.bodies();
+  std::string effect, body, what;
+  double time = 0;
+  try {
+    world.step();
+  } catch (const SimulationError& error) {
+    effect = error.effect, body = error.body, what = error.what(), time = error.time;
+  }
+  CHECK(effect == "broken motor");
+  CHECK(body == "kite");
+  CHECK(time == 0.078125);  // 5/64, exact in binary
+  CHECK(what.find("'kite' at 0.078125 s (step 5): broken motor gives a force of (") == 0);
+  CHECK(what.find(" N; every component must be finite; the world is as it was before this step") !=
+        std::string::npos);
+  CHECK(same_motion(before, world.bodies()));
+  CHECK(world.ticks() == 5);
+}
+//! [broken]
+
+TEST_CASE_TEMPLATE("A step that leads nowhere finite is not taken", Real, EVERY_PRECISION) {
+  World<Real> world;
+  const Real huge = std::numeric_limits<Real>::max();
+  const BodyHandle comet = world.add("comet", make_particle<Real>(1, {huge, 0, 0}));
+  const BodyHandle rock = world.add("rock", make_particle<Real>(1, {0, 0, 0}, {1, 0, 0}));
+  world.set_velocity(comet, {huge, 0, 0});
+  CHECK(complaint_of_any([&] { world.step(); })
+            .find("'comet' at 0 s (step 0): with a velocity of "
+                  "(") == 0);
+  CHECK(world.body(rock).centre.position.x() == 0);
+  world.set_velocity(comet, {0, 0, 0});  // it does no harm where it stays
+  world.step();
+  CHECK(world.body(rock).centre.position.x() == world.time_step());
+}
+
+TEST_CASE_TEMPLATE("A turn that no sine can be had of is refused before the step", Real,
+                   EVERY_PRECISION) {
+  const Real largest = 2 * SineCosineConstants<Real>::limit;
+  const auto world_with = [&](Real turn) {
+    World<Real> world(steps_per_second(1));
+    world.add("top", ball_body<Real>({0, 0, 0}, {turn, 0, 0}));
+    return world;
+  };
+  World<Real> slow = world_with(largest * Real(0.99)), fast = world_with(largest * Real(1.01));
+  slow.step();
+  CHECK(std::isfinite(slow.body(slow.find("top")).top.orientation.real));
+  CHECK(complaint_of_any([&] {
+          fast.step();
+        }).find("'top' at 0 s (step 0): it would turn by up to ") == 0);
+}
+
+//! [bad_input]
+TEST_CASE_TEMPLATE("Bad input is refused when it comes, by name, value, unit and rule", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  const BodyHandle ball = world.add("ball", ball_body<Real>({0, 0, 0}));
+  const BodyHandle point = world.add("point", make_particle<Real>(1));
+  const Vec3<Real> nan_vector(not_a_number<Real>, 0, 0);
+  const Bodies<Real> before = world.bodies();
+  const auto complaint = [&](const auto& effect) {
+    return complaint_of_any([&] { world.add(effect); });
+  };
+  const auto spring = [&](Spring<Real> terms) {
+    return complaint_of_any([&] { world.add(SpringToPoint<Real>{.spring = terms}, {ball}); });
+  };
+  using Refused = std::pair<std::string, std::string>;  // what is said, and how it must begin
+  for (const auto& [said, rule] : {
+           Refused(complaint_of_any([&] { world.add("ball", make_particle<Real>(1)); }),
+                   "two bodies are called 'ball'; names must differ"),
+           Refused(complaint_of_any([&] { world.add("", make_particle<Real>(1)); }),
+                   "a body needs a name"),
+           Refused(complaint_of_any([&] { world.set_velocity(ball, nan_vector); }),
+                   "ball: velocity is (nan, 0, 0) m/s; every component must be finite"),
+           Refused(complaint_of_any([&] { world.set_position(ball, nan_vector); }),
+                   "ball: position is (nan, 0, 0) m; every component must be finite"),
+           Refused(complaint_of_any([&] { world.set_angular_velocity(ball, nan_vector); }),
+                   "ball: angular velocity is (nan, 0, 0) rad/s; every component must be finite"),
+           Refused(complaint_of_any([&] {
+                     world.set_orientation(ball, {0, {0, 0, 0}});
+                   }),
+                   "ball: orientation"),
+           Refused(complaint_of_any([&] {
+                     world.set_angular_velocity(point, {1, 0, 0});
+                   }),
+                   "'point' is a point: it has no orientation"),
+           Refused(complaint_of_any([&] {
+                     world.apply_impulse_at(ball, nan_vector, {0, 0, 0});
+                   }),
+                   "impulse is (nan, 0, 0) N s; every component must be finite"),
+           Refused(complaint_of_any([&] { world.find("bell"); }), "no body is called 'bell'"),
+           Refused(complaint(Gravity<Real>{.gravity = nan_vector}),
+                   "gravity is (nan, 0, 0) m/s^2; every component must be finite"),
+           Refused(complaint(LinearDamping<Real>{.rate = -1}),
+                   "linear damping is -1 1/s; it must be 0 or more: a negative one adds speed"),
+           Refused(complaint(AngularDamping<Real>{.rate = infinity<Real>}),
+                   "angular damping is inf 1/s; it must be finite"),
+           Refused(complaint(QuadraticDrag<Real>{.coefficient = -2}),
+                   "drag coefficient is -2 kg/m; it must be 0 or more"),
+           Refused(complaint(Magnus<Real>{.strength = not_a_number<Real>}),
+                   "strength of the Magnus force is nan kg; it must be finite"),
+           Refused(complaint(Buoyancy<Real>{.radius = -1}),
+                   "radius of a floating ball is -1 m; it must be 0 or more"),
+           Refused(complaint(PointGravity<Real>{.strength = -1}),
+                   "strength of point gravity is -1 m^3/s^2; it must be 0 or more"),
+           Refused(spring({.stiffness = -1}),
+                   "stiffness of a spring is -1 N/m; it must be 0 or more"),
+           Refused(spring({.damping = not_a_number<Real>}),
+                   "damping of a spring is nan N s/m; it must be finite"),
+           Refused(spring({.rest_length = -1}),
+                   "rest length of a spring is -1 m; it must be 0 or more"),
+           Refused(complaint_of_any([&] {
+                     world.add(SpringToPoint<Real>{.attachment = {1, 0, 0}}, {point});
+                   }),
+                   "'spring' needs an orientation, and 'point' is a point"),
+           Refused(complaint_of_any([&] {
+                     world.add(SpringBetween<Real>{}, {ball, ball});
+                   }),
+                   "'spring between bodies' joins 'ball' to itself"),
+           Refused(complaint_of_any([&] { world.add(SpringBetween<Real>{}, {ball}); }),
+                   "'spring between bodies' was given 1 bodies; it needs pairs of them"),
+           Refused(complaint_of_any([&] { world.add(Gravity<Real>{}, {}); }),
+                   "'gravity' was given 0 bodies; it needs at least one"),
+           Refused(
+               complaint_of_any([&] { world.add(Thruster<Real>{.from = 2, .until = 1}, {ball}); }),
+               "end of a thruster is 1 s; it must not lie before the start"),
+           Refused(complaint_of_any([&] { world.remove(EffectHandle{77}); }),
+                   "stale handle: effect 77 has been removed or never was in this world"),
+       }) {
+    CAPTURE(said);
+    CAPTURE(rule);
+    CHECK(said.find(rule) == 0);
+  }
+  CHECK(same_motion(before, world.bodies()));
+  CHECK(world.effects().empty());
+  CHECK(world.body_count() == 2);
+}
+//! [bad_input]
+
+TEST_CASE_TEMPLATE("Removing a body removes what was fixed to it, and nothing else", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  const BodyHandle a = world.add("a", make_particle<Real>(1));
+  const BodyHandle b = world.add("b", make_particle<Real>(1, {1, 0, 0}));
+  const BodyHandle c = world.add("c", make_particle<Real>(1, {2, 0, 0}));
+  const Spring<Real> spring{.stiffness = 1};
+  world.add(SpringBetween<Real>{.spring = spring, .name = "chain"}, {a, b, b, c});
+  world.add(SpringToPoint<Real>{.spring = spring, .name = "nail"}, {b, c});
+  world.add(SpringBetween<Real>{.spring = spring, .name = "only a"}, {a, c});
+  world.add(Gravity<Real>{});
+  world.remove(a);
+  REQUIRE(world.effects().size() == 3);
+  CHECK(world.effects()[0].targets == std::vector<BodyHandle>{b, c});
+  CHECK(world.effects()[1].targets == std::vector<BodyHandle>{b, c});
+  CHECK(world.effects()[2].everyone);
+  world.remove(c);
+  REQUIRE(world.effects().size() == 2);
+  CHECK(world.effects()[0].targets == std::vector<BodyHandle>{b});
+  world.step();
+}
+
+TEST_CASE_TEMPLATE("A world's time is a count of steps: it does not drift", Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(60));
+  for (int n = 0; n < 6000; ++n) world.step();
+  CHECK(world.ticks() == 6000);
+  // The length of a step and the product round once each.
+  CHECK(std::abs(world.time() - 100) <= 2 * 100 * unit_roundoff<Real>);
+}
+
+TEST_CASE_TEMPLATE("A body of no interest costs nothing: the others move as without it", Real,
+                   EVERY_PRECISION) {
+  const auto box = [](World<Real>& world) {
+    world.add("box", make_rigid_body<Real>("box", mass_properties(Box<Real>{{1, 2, 3}}, 2), {},
+                                           {0, 0, 5}, {1, 2, 3})
+                         .body);
+    world.add(Gravity<Real>{});
+    world.add(AngularDamping<Real>{.rate = Real(0.1)});
+  };
+  World<Real> alone, crowded;
+  box(alone);
+  crowded.add("wall", make_static_body<Real>("wall", {}));
+  crowded.add("far", make_particle<Real>(1, {std::numeric_limits<Real>::max(), 0, 0}));
+  box(crowded);
+  for (int n = 0; n < 100; ++n) {
+    alone.step();
+    crowded.step();
+  }
+  const RigidBody<Real> a = alone.body(alone.find("box")), b = crowded.body(crowded.find("box"));
+  CHECK(same_bits(a.centre.position, b.centre.position));
+  CHECK(same_bits(a.top.orientation.imaginary, b.top.orientation.imaginary));
+}
