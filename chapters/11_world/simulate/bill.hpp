@@ -10,20 +10,23 @@
 namespace tumble::simulate {
 
 /// The passes of the plan run in their order on a copy of the bodies, with a look at the clock
-/// before and after each, and beside them whole steps on a copy of the world. So all lines come from
-/// one run. Each round takes a few milliseconds and begins where the world is now; what is told is
-/// the median of the rounds, less what looking at the clock takes.
+/// before and after each, and beside them whole steps on a copy of the world. So all lines come
+/// from one run. Each round takes a few milliseconds and begins where the world is now; what is
+/// told is the median of the rounds, less what looking at the clock takes.
 template <class Real>
 class Bill {
   using Clock = std::chrono::steady_clock;
 
  public:
-  explicit Bill(World<Real> world) : world_(std::move(world)), passes_(world_.passes()) {
+  /// `most_steps` is how many steps are known to succeed.
+  Bill(World<Real> world, std::int64_t most_steps)
+      : world_(std::move(world)), passes_(world_.passes()) {
     for (const PlanRow& row : world_.plan().rows)
       if (row.visited > 0) rows_.push_back(row);
     samples_.resize(passes_.size() + 1);
     steps_in_round_ = 1;
-    while (steps_in_round_ < 1 << 16 && round() < 2e6) steps_in_round_ *= 2;
+    while (2 * steps_in_round_ <= std::min<std::int64_t>(most_steps, 1 << 16) && round() < 2e6)
+      steps_in_round_ *= 2;
     for (std::vector<double>& sample : samples_) sample.clear();
     const Clock::time_point begin = Clock::now();
     for (int n = 0; n < 5 || (n < 100 && Clock::now() - begin < std::chrono::seconds(1)); ++n)
@@ -45,8 +48,8 @@ class Bill {
     text += line("guard and the rest", std::to_string(world_.body_count()),
                  number(std::max(0.0, whole - sum) / count),
                  number(std::max(0.0, 100 * (whole - sum) / whole)) + " %");
-    return text + line("whole step", std::to_string(world_.body_count()), number(whole / count),
-                       "100 %");
+    return text +
+           line("whole step", std::to_string(world_.body_count()), number(whole / count), "100 %");
   }
 
  private:
@@ -71,15 +74,15 @@ class Bill {
     return std::chrono::duration<double, std::nano>(time).count();
   }
 
-  /// One round of the passes, one of whole steps. @return how long a pass took, or a step, ns
+  /// One round of the passes, one of whole steps. @return how long the latter took, ns
   double round() {
     std::vector<double> times(passes_.size() + 1, 0.0);
     double looking = 0;
     Bodies<Real> bodies = world_.bodies();
     World<Real> world = world_;
-    for (int step = 0; step < steps_in_round_; ++step) {
-      const Moment<Real> moment{
-          static_cast<Real>(world_.ticks() + step) * world_.time_step(), world_.time_step()};
+    for (std::int64_t step = 0; step < steps_in_round_; ++step) {
+      const Moment<Real> moment{static_cast<Real>(world_.ticks() + step) * world_.time_step(),
+                                world_.time_step()};
       for (std::size_t i = 0; i < passes_.size(); ++i) {
         const Clock::time_point before = Clock::now();
         passes_[i].effect->act(bodies, passes_[i].group, moment);
@@ -89,11 +92,11 @@ class Bill {
       looking += nanoseconds(Clock::now() - before);
     }
     const Clock::time_point before = Clock::now();
-    for (int step = 0; step < steps_in_round_; ++step) world.step();
+    for (std::int64_t step = 0; step < steps_in_round_; ++step) world.step();
     times.back() = nanoseconds(Clock::now() - before);
     for (std::size_t i = 0; i < times.size(); ++i) {
       const double lost = i < passes_.size() ? looking : 0;
-      samples_[i].push_back(std::max(0.0, times[i] - lost) / steps_in_round_);
+      samples_[i].push_back(std::max(0.0, times[i] - lost) / static_cast<double>(steps_in_round_));
     }
     return times.back();
   }
@@ -102,7 +105,7 @@ class Bill {
   std::vector<Pass<Real>> passes_;
   std::vector<PlanRow> rows_;
   std::vector<std::vector<double>> samples_;  // ns for each step, of the passes and of the whole
-  int steps_in_round_ = 1;
+  std::int64_t steps_in_round_ = 1;
 };
 
 }  // namespace tumble::simulate

@@ -34,8 +34,8 @@ Ctrl-C ends the simulation; files then hold what was computed. Ends with 0 when 
 taken, 2 if the command line or the scene is wrong, 3 if a file could not be written, 130 after Ctrl-C.
 )";
 
-const std::vector<std::string> options_with_value = {"dt",  "until", "method", "precision", "csv",
-                                                     "jsonl", "plot", "view",   "every"};
+const std::vector<std::string> options_with_value = {"dt",    "until", "method", "precision", "csv",
+                                                     "jsonl", "plot",  "view",   "every"};
 const std::vector<std::string> switches = {"plan", "no-ledger", "bill", "help"};
 
 double seconds(const std::string& option, const std::string& text) {

@@ -14,10 +14,10 @@ namespace tumble::simulate {
 /// How the program ends.
 enum ExitCode {
   all_simulated = 0,
-  step_failed = 1,      ///< a step could not be taken; what was computed before is kept
-  bad_input = 2,        ///< the command line or the scene is wrong; nothing was done
-  file_failed = 3,      ///< a file could not be written; it was left as it was
-  interrupted = 130     ///< by Ctrl-C, as shells count it; what was computed before is kept
+  step_failed = 1,   ///< a step could not be taken; what was computed before is kept
+  bad_input = 2,     ///< the command line or the scene is wrong; nothing was done
+  file_failed = 3,   ///< a file could not be written; it was left as it was
+  interrupted = 130  ///< by Ctrl-C, as shells count it; what was computed before is kept
 };
 
 /// The command line is wrong.
@@ -31,9 +31,9 @@ struct Options {
   bool is_float = false;
   bool only_plan = false, ledger = true, bill = false;
   SceneChanges changes;
-  std::string said;              ///< how --dt was rounded; empty if it was not given
-  std::optional<double> until;   ///< s
-  std::int64_t every = 1;        ///< steps between two records
+  std::string said;             ///< how --dt was rounded; empty if it was not given
+  std::optional<double> until;  ///< s
+  std::int64_t every = 1;       ///< steps between two records
   std::filesystem::path csv, json_lines, plot, view;  ///< empty if not asked for
 };
 

@@ -22,7 +22,7 @@ class OutputFile {
  public:
   /// @throws FileError if `path` is something other than a file, or nothing can be written there.
   explicit OutputFile(const std::filesystem::path& path)
-      : path_(std::filesystem::weakly_canonical(path)) {
+      : path_(std::filesystem::weakly_canonical(std::filesystem::absolute(path))) {
     namespace fs = std::filesystem;
     if (fs::is_directory(path_)) throw FileError(path, "it is a directory");
     if (fs::exists(path_) && !fs::is_regular_file(path_))

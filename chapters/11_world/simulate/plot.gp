@@ -1,4 +1,5 @@
 set terminal svg size 960,420 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
+set output name.".svg"
 set multiplot layout 1,2
 set title scene
 set xlabel across." (m)"
@@ -8,4 +9,5 @@ set title "Energies"
 set xlabel "time (s)"
 set ylabel "energy (J)"
 plot "energy.tsv" using 1:2 with lines linestyle 1, "" using 1:3 with lines linestyle 2, "" using 1:4 with lines linestyle 3
-unset multiplot
+unset output name.".svg"
+set multiplot

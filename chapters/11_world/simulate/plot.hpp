@@ -13,7 +13,8 @@ namespace tumble::simulate {
 /// A text as one word of a shell.
 inline std::string shell_word(const std::string& text) {
   std::string word = "'";
-  for (const char letter : text) word += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  for (const char letter : text)
+    word += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
   return word + "'";
 }
 
@@ -45,7 +46,8 @@ class Plot {
   /// @throws FileError without gnuplot, or if the file can't be written.
   explicit Plot(const std::filesystem::path& path) : file_(path) {
     if (std::system("command -v gnuplot >/dev/null 2>&1") != 0)
-      throw FileError(path, "gnuplot draws it and is not installed (Debian's package is gnuplot-nox)");
+      throw FileError(path,
+                      "gnuplot draws it and is not installed (Debian's package is gnuplot-nox)");
   }
 
   template <class Real>
@@ -55,8 +57,10 @@ class Plot {
     energies_.push_back({time, kinetic, Ledger<Real>::stored(scene.world)});
     for (std::size_t k = 0; k < std::min(count, most_paths); ++k) {
       const auto body = static_cast<BodyIndex>(count <= most_paths ? k : k * count / most_paths);
-      if (energies_.size() == 1) paths_.push_back({scene.world.name_of(scene.world.handle_at(body)), {}});
-      paths_[k].points.push_back(scene.world.bodies().centres[body].position.template cast<double>());
+      if (energies_.size() == 1)
+        paths_.push_back({scene.world.name_of(scene.world.handle_at(body)), {}});
+      paths_[k].points.push_back(
+          scene.world.bodies().centres[body].position.template cast<double>());
     }
   }
 
@@ -74,8 +78,8 @@ class Plot {
         " " + shell_word(TUMBLE_PLOT_SCRIPT) + " 2>gnuplot.log";
     if (std::system(command.c_str()) != 0) {
       std::ifstream log(scratch.path() / "gnuplot.log");
-      throw FileError(file_.path(), "gnuplot says: " +
-                                        std::string(std::istreambuf_iterator<char>(log), {}));
+      throw FileError(file_.path(),
+                      "gnuplot says: " + std::string(std::istreambuf_iterator<char>(log), {}));
     }
     std::ifstream drawn(scratch.path() / "figure.svg");
     file_.write({std::istreambuf_iterator<char>(drawn), {}});
@@ -94,7 +98,8 @@ class Plot {
 
   static std::string gnuplot_text(const std::string& text) {
     std::string quoted = "'";
-    for (const char letter : text) quoted.append(letter == '\'' ? 2 : 1, letter == '\n' ? ' ' : letter);
+    for (const char letter : text)
+      quoted.append(letter == '\'' ? 2 : 1, letter == '\n' ? ' ' : letter);
     return quoted + "'";
   }
 
@@ -119,7 +124,8 @@ class Plot {
       energy.row(time, kinetic, stored, kinetic + stored);
     for (std::size_t k = 0; k < paths_.size(); ++k) {
       std::string name = paths_[k].body;
-      std::replace_if(name.begin(), name.end(), [](char c) { return c == '\t' || c == '\n' || c == '"'; }, ' ');
+      std::replace_if(
+          name.begin(), name.end(), [](char c) { return c == '\t' || c == '\n' || c == '"'; }, ' ');
       course::Table path(folder / ("path" + std::to_string(k + 1) + ".tsv"), {"across", name});
       for (const Vec3d& point : paths_[k].points) path.row(point[across], point[up]);
     }

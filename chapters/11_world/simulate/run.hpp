@@ -10,6 +10,7 @@
 #include "options.hpp"
 #include "plot.hpp"
 #include "progress.hpp"
+#include "view.hpp"
 
 namespace tumble::simulate {
 
@@ -27,20 +28,26 @@ struct Outputs {
   std::optional<CsvFile> csv;
   std::optional<JsonLinesFile> json_lines;
   std::optional<Plot> plot;
+  std::optional<View> view;
 
-  explicit Outputs(const Options& options) {
+  template <class Real>
+  Outputs(const Options& options, const Scene<Real>& scene, std::int64_t steps) {
     if (!options.csv.empty()) csv.emplace(options.csv);
     if (!options.json_lines.empty()) json_lines.emplace(options.json_lines);
     if (!options.plot.empty()) plot.emplace(options.plot);
+    if (!options.view.empty()) view.emplace(options.view, scene, options.every, steps);
   }
 
+  /// Records this moment. The page of a view has equal intervals only: it leaves out a last moment
+  /// that comes early.
   template <class Real>
-  void record(Scene<Real>& scene) {
+  void record(Scene<Real>& scene, bool comes_early = false) {
     const double time =
         static_cast<double>(scene.world.ticks()) * time_step_of<double>(scene.world.step_length());
     if (csv) csv->record(time, scene);
     if (json_lines) json_lines->record(time, scene);
     if (plot) plot->record(time, scene);
+    if (view && !comes_early) view->record(scene);
   }
 
   void finish(const std::string& title) {
@@ -48,6 +55,7 @@ struct Outputs {
     if (csv) csv->file().finish(), say(csv->file());
     if (json_lines) json_lines->file().finish(), say(json_lines->file());
     if (plot) plot->finish(title), say(plot->file());
+    if (view) view->finish(), say(view->file());
   }
 };
 
@@ -78,7 +86,7 @@ ExitCode take_steps(Scene<Real>& scene, Ledger<Real>& ledger, const Options& opt
       break;
     }
   }
-  if (!is_recorded) outputs.record(scene);
+  if (!is_recorded) outputs.record(scene, true);
   progress.end();
   const double seconds = progress.seconds();
   std::printf("%lld steps in %.3g s: %.4g steps per second\n",
@@ -99,7 +107,9 @@ void print_scene(Scene<Real>& scene, const Options& options, std::int64_t steps)
   std::printf("%s\n%s\n\n", scene.title.c_str(), scene.description.c_str());
   if (!options.said.empty()) std::printf("%s\n", options.said.c_str());
   const double h = time_step_of<double>(scene.world.step_length());
-  std::printf("%zu bodies, %lld steps of %.6g s, in %s\n\n%s\n", scene.world.body_count(),
+  const std::size_t bodies = scene.world.body_count();
+  std::printf("%s, %lld steps of %.6g s, in %s\n\n%s\n",
+              bodies == 1 ? "1 body" : (std::to_string(bodies) + " bodies").c_str(),
               static_cast<long long>(steps), h, std::string(range_of<Real>().precision).c_str(),
               table_of(scene.world.plan()).c_str());
   std::fflush(stdout);
@@ -110,10 +120,13 @@ template <class Real>
 ExitCode run(const Options& options) {
   Scene<Real> scene = read_scene_file<Real>(options.scene, options.changes);
   const std::int64_t steps = steps_until(scene, options);
-  print_scene(scene, options, steps);
-  if (options.only_plan) return all_simulated;
+  if (options.only_plan) {
+    print_scene(scene, options, steps);
+    return all_simulated;
+  }
   catch_interrupts();
-  Outputs outputs(options);
+  Outputs outputs(options, scene, steps);
+  print_scene(scene, options, steps);
   const World<Real> start = scene.world;
   Ledger<Real> ledger(scene.world);
   std::string failure;
@@ -125,7 +138,7 @@ ExitCode run(const Options& options) {
   for (const std::string& sentence : scene.world.news()) std::printf("%s\n", sentence.c_str());
   if (options.ledger) std::printf("\n%s", table_of(ledger, scene.world).c_str());
   if (options.bill && code == all_simulated)
-    std::printf("\n%s", Bill<Real>(start).table().c_str());
+    std::printf("\n%s", Bill<Real>(start, steps).table().c_str());
   outputs.finish(scene.title);
   return code;
 }

@@ -1,4 +1,5 @@
-// Simulates a scene file: prints the plan, takes the steps, prints the books, writes what is asked for.
+// Simulates a scene file: prints the plan, takes the steps, prints the books, writes what is asked
+// for.
 #include "run.hpp"
 
 int main(int argument_count, char** arguments) {

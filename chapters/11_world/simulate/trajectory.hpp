@@ -19,9 +19,9 @@ template <class Real>
 BodyRecord record_of(const BodyState<Real>& body, const Posed& model_in_body) {
   const Quaternion<double> q{static_cast<double>(body.top.orientation.real),
                              body.top.orientation.imaginary.template cast<double>()};
-  return {body.centre.position.template cast<double>(), body.centre.velocity.template cast<double>(),
-          angular_velocity_world(body.top).template cast<double>(),
-          q * model_in_body.orientation};
+  return {body.centre.position.template cast<double>(),
+          body.centre.velocity.template cast<double>(),
+          angular_velocity_world(body.top).template cast<double>(), q * model_in_body.orientation};
 }
 
 /// Calls `visit` with each body's name and record.
@@ -37,8 +37,9 @@ void for_each_body(const Scene<Real>& scene, const Visit& visit) {
 
 inline std::array<double, 13> numbers_of(const BodyRecord& body) {
   const auto& [x, v, w, q] = body;
-  return {x.x(), x.y(), x.z(), q.real, q.imaginary.x(), q.imaginary.y(), q.imaginary.z(),
-          v.x(), v.y(), v.z(), w.x(),  w.y(),           w.z()};
+  return {x.x(),           x.y(),           x.z(), q.real, q.imaginary.x(),
+          q.imaginary.y(), q.imaginary.z(), v.x(), v.y(),  v.z(),
+          w.x(),           w.y(),           w.z()};
 }
 
 /// A name as a cell of CSV (RFC 4180).

@@ -21,6 +21,7 @@ struct Named : Effect {
 struct Targets {
   std::size_t model = 0;
   std::vector<BodyHandle> bodies;
+  std::vector<std::size_t> indices;  ///< of the same bodies in the world
 };
 
 /// Finds the bodies that a text names: one body, or all copies of one element.
@@ -31,12 +32,14 @@ Targets find_targets(const Value& name, const Scene<Real>& scene) {
   for (std::size_t m = 0; m < scene.models.size(); ++m) {
     const BodyModel& model = scene.models[m];
     known.push_back(model.name);
-    Targets targets{m, {}};
+    Targets targets{m, {}, {}};
     for (std::size_t i = model.first; i < model.first + model.count; ++i) {
       const BodyHandle body = scene.world.handle_at(static_cast<BodyIndex>(i));
       if (word == model.name || (word.size() > model.name.size() && word.starts_with(model.name) &&
-                                 word == scene.world.name_of(body)))
+                                 word == scene.world.name_of(body))) {
         targets.bodies.push_back(body);
+        targets.indices.push_back(i);
+      }
     }
     if (!targets.bodies.empty()) return targets;
   }
@@ -101,6 +104,12 @@ Vec3<Real> attachment_in_body(const Object& object, std::string_view key,
   return point_outward(model_in_body, object[key].vector()).template cast<Real>();
 }
 
+/// The same point in model axes, to draw it.
+inline DrawnEnd drawn_end(const Object& object, std::string_view key, const Posed& model_in_body,
+                          std::size_t body) {
+  return {object.vector(key, inverse(model_in_body).position), body};
+}
+
 template <class Real>
 void read_spring_between(const Object& object, Scene<Real>& scene) {
   const auto one_body = [&](std::string_view key) {
@@ -121,6 +130,23 @@ void read_spring_between(const Object& object, Scene<Real>& scene) {
   object.value().guarded([&] {
     return scene.world.add(effect, {first.bodies[0], second.bodies[0]});
   });
+}
+
+template <class Real>
+void read_spring_to_point(const Object& object, Scene<Real>& scene) {
+  const Spring<Real> spring = read_spring<Real>(object);
+  const Vec3d anchor = object.vector("anchor");
+  add_for_each_model(object, scene, [&](const Posed& model_in_body) {
+    return SpringToPoint<Real>{
+        .spring = spring,
+        .anchor = anchor.cast<Real>(),
+        .attachment = attachment_in_body<Real>(object, "attachment", model_in_body)};
+  });
+  for (const Targets& targets : read_targets(object["bodies"], scene))
+    for (const std::size_t body : targets.indices)
+      scene.springs.push_back(
+          {drawn_end(object, "attachment", scene.models[targets.model].model_in_body, body),
+           DrawnEnd{anchor}});
 }
 
 template <class Real>
@@ -176,13 +202,7 @@ void read_effect(const Value& value, Scene<Real>& scene) {
                        static_cast<Real>(object.number("surface", 0)),
                        not_negative("gravity", 9.81)});
   } else if (kind == "spring") {
-    const Spring<Real> spring = read_spring<Real>(object);
-    add_for_each_model(object, scene, [&](const Posed& model_in_body) {
-      return SpringToPoint<Real>{
-          .spring = spring,
-          .anchor = vector("anchor"),
-          .attachment = attachment_in_body<Real>(object, "attachment", model_in_body)};
-    });
+    read_spring_to_point(object, scene);
   } else if (kind == "spring_between") {
     read_spring_between(object, scene);
   } else {

@@ -22,6 +22,12 @@ struct BodyModel {
   Posed model_in_body;
 };
 
+/// One end of a spring as it is drawn: a point (m) in a body's model axes, or of the world.
+struct DrawnEnd {
+  Vec3d point = Vec3d::Zero();
+  std::optional<std::size_t> body = {};  ///< its index in the world; none: the point is the world's
+};
+
 /// A world to simulate, and what the file says beside it.
 //! [scene]
 template <class Real>
@@ -30,6 +36,7 @@ struct Scene {
   double duration = 0;  ///< s
   World<Real> world = World<Real>();
   std::vector<BodyModel> models = {};  ///< in the order of the file
+  std::vector<std::array<DrawnEnd, 2>> springs = {};
 };
 //! [scene]
 
