@@ -9,5 +9,4 @@ set title "Energies"
 set xlabel "time (s)"
 set ylabel "energy (J)"
 plot "energy.tsv" using 1:2 with lines linestyle 1, "" using 1:3 with lines linestyle 2, "" using 1:4 with lines linestyle 3
-unset output name.".svg"
-set multiplot
+unset multiplot

@@ -32,6 +32,12 @@ struct Reading {
   NumberRange range;
 };
 
+/// "a body", "an effect".
+inline std::string with_article(std::string_view noun) {
+  return (std::string_view("aeiou").find(noun[0]) == std::string_view::npos ? "a " : "an ") +
+         std::string(noun);
+}
+
 /// A value and where it stands.
 class Value {
  public:
@@ -60,7 +66,7 @@ class Value {
     try {
       return action();
     } catch (const std::invalid_argument& error) {
-      fail(std::string(": ") + error.what());
+      fail(std::string("is refused: ") + error.what());
     }
   }
 
@@ -157,13 +163,13 @@ class Value {
 class Object {
  public:
   Object(Value value, const ObjectKeys& kind) : value_(std::move(value)), kind_(kind) {
-    if (!value_.is_object()) value_.reject("it must be an object: a " + std::string(kind_.name));
+    if (!value_.is_object()) value_.reject("it must be an object: " + with_article(kind_.name));
     std::vector<std::string_view> names;
     for (const Key& key : kind_.keys) names.push_back(key.name);
     for (const auto& [name, json] : value_.json().items())
       if (std::find(names.begin(), names.end(), name) == names.end())
         throw SceneError(value_.reading().file, pointer_to(value_.pointer(), name),
-                         "is no key of a " + std::string(kind_.name) + did_you_mean(name, names));
+                         "is no key of " + with_article(kind_.name) + did_you_mean(name, names));
     for (const Key& key : kind_.keys)
       if (key.required && !has(key.name))
         value_.fail("needs the key " + std::string(key.name) +
@@ -212,7 +218,7 @@ class Object {
 template <std::size_t count>
 Object object_of_kind(const Value& value, const std::string& what, const std::string& key,
                       const std::array<ObjectKeys, count>& kinds) {
-  if (!value.is_object()) value.reject("it must be an object: a " + what);
+  if (!value.is_object()) value.reject("it must be an object: " + with_article(what));
   if (!value.json().contains(key))
     value.fail("needs the key " + key + ": which " + what + " is it?");
   std::array<std::string_view, count> names;

@@ -96,7 +96,7 @@ class JsonBuilder : public nlohmann::json_sax<nlohmann::json> {
   bool open(nlohmann::json&& empty) {
     if (open_.size() == deepest_nesting)
       throw SceneError(file_, pointer(),
-                       ": nested more than " + std::to_string(deepest_nesting) + " levels deep");
+                       "is nested more than " + std::to_string(deepest_nesting) + " levels deep");
     open_.push_back(place(std::move(empty)));
     keys_.emplace_back();
     return true;

@@ -42,8 +42,8 @@ struct Scene {
 
 /// What a program may want to be otherwise than the file says.
 struct SceneChanges {
-  std::optional<StepLength> step;
-  std::optional<TurningMethod> turning_method;
+  std::optional<StepLength> step = {};
+  std::optional<TurningMethod> turning_method = {};
   /// No element of "bodies" becomes more bodies than this.
   std::size_t most_copies = static_cast<std::size_t>(most_bodies);
 };

@@ -15,8 +15,7 @@ namespace tumble {
 class SceneError : public std::runtime_error {
  public:
   SceneError(std::string in_file, std::string at_pointer, std::string what_is_wrong)
-      : std::runtime_error(in_file + ": " + at_pointer +
-                           (at_pointer.empty() || what_is_wrong.starts_with(':') ? "" : " ") +
+      : std::runtime_error(in_file + ": " + at_pointer + (at_pointer.empty() ? "" : " ") +
                            what_is_wrong),
         file(std::move(in_file)),
         pointer(std::move(at_pointer)),
