@@ -21,37 +21,68 @@
     });
   }
 
-  /** {centre, radius, drop}: a ball that holds all bodies at all times, and how far below its centre the floor lies, m. */
+  const common_divisor = (a, b) => (b ? common_divisor(b, a % b) : a);
+
+  /**
+   * What a recording fills: {balls, centre, radius, floor}. The balls, each {centre, radius}, hold the bodies, of which a
+   * sample is enough where they are many; one of `radius` about `centre` would hold them all; the lowest touches the height
+   * `floor`. Lengths in m.
+   */
   function bounds_of(recording, models) {
-    const least = [Infinity, Infinity, Infinity], most = [-Infinity, -Infinity, -Infinity];
-    const each = action => {
-      for (const frame of recording.frames)
-        models.forEach(({radius}, body) => action(frame.slice(7 * body, 7 * body + 3), radius));
-      for (const {from, to} of recording.links ?? [])
-        for (const end of [from, to]) if (end.body === undefined) action(end.point, 0);
+    const balls = [];
+    const count = models.length, all = count * recording.frames.length;
+    let stride = Math.ceil(all / 20_000);
+    while (common_divisor(stride, count) > 1) ++stride; // so that every body gets its turn
+    for (let n = 0; n < all; n += stride) {
+      const body = n % count;
+      const frame = recording.frames[Math.floor(n / count)];
+      balls.push({centre: frame.slice(7 * body, 7 * body + 3), radius: models[body].radius});
+    }
+    for (const {from, to} of recording.links ?? [])
+      for (const end of [from, to]) if (end.body === undefined) balls.push({centre: end.point, radius: 0});
+    const extent = k => {
+      const least = balls.reduce((least, {centre, radius}) => Math.min(least, centre[k] - radius), Infinity);
+      const most = balls.reduce((most, {centre, radius}) => Math.max(most, centre[k] + radius), -Infinity);
+      return [least, most];
     };
-    each((point, radius) => {
-      for (let k = 0; k < 3; ++k) {
-        least[k] = Math.min(least[k], point[k] - radius);
-        most[k] = Math.max(most[k], point[k] + radius);
-      }
-    });
-    const centre = least.map((value, k) => (value + most[k]) / 2);
-    let radius = 0;
-    each((point, own) => {
-      radius = Math.max(radius, player.length(player.difference(point, centre)) + own);
-    });
-    return {centre, radius: radius > 0 ? radius : 1, drop: centre[2] - least[2]};
+    const extents = [0, 1, 2].map(extent);
+    const radius = player.length(extents.map(([least, most]) => (most - least) / 2));
+    return {balls, centre: extents.map(([least, most]) => (least + most) / 2), radius: radius || 1, floor: extents[2][0]};
   }
 
   /**
-   * A camera that looks at `target` from `distance` (m): `azimuth` is counted from the x axis towards y, `elevation` from
-   * the horizon up (rad). z is up.
+   * A camera looks at `target` from `distance` (m); `azimuth` is counted from the x axis towards y, `elevation` from the
+   * horizon up (rad). z is up. The first one sees every ball and, on the floor, its shadow.
    */
-  function first_camera({centre, radius}) {
-    // A little below the middle, where the shadow lies.
-    const target = player.sum(centre, [0, 0, -0.14 * radius]);
-    return {target, azimuth: -Math.PI / 4, elevation: 0.4, distance: (1.08 * radius) / Math.sin(field_of_view / 2)};
+  function first_camera({balls, floor, radius}, {width, height}) {
+    const camera = {azimuth: -Math.PI / 4, elevation: 0.4};
+    const axes = picture_axes(camera);
+    const seen = balls.flatMap(({centre, radius: own}) =>
+      [[...centre], [centre[0], centre[1], floor]].map((point, is_shadow) => ({
+        right: player.dot(point, axes.right), up: player.dot(point, axes.up), back: player.dot(point, axes.back),
+        half_width: own, half_height: is_shadow ? own * Math.sin(camera.elevation) : own,
+      })));
+    const middle = (along, half) => {
+      const least = seen.reduce((least, ball) => Math.min(least, ball[along] - ball[half]), Infinity);
+      return (least + seen.reduce((most, ball) => Math.max(most, ball[along] + ball[half]), -Infinity)) / 2;
+    };
+    const [right, up] = [middle('right', 'half_width'), middle('up', 'half_height')];
+    const back = player.dot(seen.length ? balls[0].centre : [0, 0, 0], axes.back);
+    camera.target = [axes.right, axes.up, axes.back].reduce((point, axis, k) =>
+      player.sum(point, player.scaled(axis, [right, up, back][k])), [0, 0, 0]);
+    // Half of the picture's sides, a metre before the camera, less a margin.
+    const [across, along] = [width, height].map(side => (0.93 * Math.tan(field_of_view / 2) * side) / Math.min(width, height));
+    camera.distance = seen.reduce((distance, ball) => Math.max(distance, ball.back - back +
+      Math.max((Math.abs(ball.right - right) + ball.half_width) / across, (Math.abs(ball.up - up) + ball.half_height) / along)),
+    1e-3 * radius);
+    return camera;
+  }
+
+  /** First cameras of scenes that stand side by side: equally far away, so that lengths can be compared. */
+  function first_cameras(scenes, size) {
+    const cameras = scenes.map(({bounds}) => first_camera(bounds, size));
+    const distance = Math.max(...cameras.map(camera => camera.distance));
+    return cameras.map(camera => ({...camera, distance}));
   }
 
   /** Unit vectors of the picture in the world: to the right, up, and back to the camera. */
@@ -73,5 +104,5 @@
     };
   }
 
-  Object.assign(player, {duration_of, poses_at, bounds_of, first_camera, picture_axes, projection});
+  Object.assign(player, {duration_of, poses_at, bounds_of, first_cameras, picture_axes, projection});
 })();

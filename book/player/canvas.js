@@ -13,8 +13,8 @@
 
     /** An empty picture of width and height in CSS pixels, sharp on fine screens. */
     begin({width, height}, paper) {
-      const ratio = Math.min(2, globalThis.devicePixelRatio || 1);
-      const [columns, rows] = [Math.round(width * ratio), Math.round(height * ratio)];
+      this.ratio = Math.min(2, globalThis.devicePixelRatio || 1);
+      const [columns, rows] = [width, height].map(length => Math.round(length * this.ratio));
       if (this.canvas.width !== columns) this.canvas.width = columns;
       if (this.canvas.height !== rows) this.canvas.height = rows;
       this.context.setTransform(columns / width, 0, 0, rows / height, 0, 0);
@@ -37,7 +37,7 @@
       context.fillStyle = context.strokeStyle = css(colour);
       context.fill();
       // The outline closes the hairline between two neighbours.
-      context.lineWidth = 0.7;
+      context.lineWidth = 1.1;
       context.stroke();
     }
 
@@ -60,17 +60,18 @@
     /** All polygons as one shape, its rim soft. */
     shadow(polygons, colour) {
       const {context} = this;
+      const aside = 10_000; // the shape itself falls outside the picture, and only the shadow that it throws lies inside
+      context.save();
+      context.shadowColor = css(colour, this.is_dark ? 0.6 : 0.2);
+      context.shadowBlur = 5 * this.ratio;
+      context.shadowOffsetX = aside * this.ratio;
       context.beginPath();
       for (const points of polygons) {
-        this.#path(points);
+        this.#path(points.map(([x, y]) => [x - aside, y]));
         context.closePath();
       }
-      context.fillStyle = context.strokeStyle = css(colour, this.is_dark ? 0.09 : 0.028);
-      for (const width of [0, 2, 4, 6, 8, 10]) {
-        context.lineWidth = width;
-        if (width) context.stroke();
-        context.fill();
-      }
+      context.fill();
+      context.restore();
     }
 
     text(words, x, y, align, colour) {

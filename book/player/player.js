@@ -62,10 +62,10 @@
       views.removeAttribute('aria-label');
       this.duration = Math.max(...this.views.map(({recording}) => player.duration_of(recording)));
       this.frame_time = this.views[0].recording.seconds_between_frames;
-      this.#reset_view();
       this.#make_controls();
       for (const view of this.views) this.#listen_to(view.canvas);
       figure.classList.add('live');
+      this.#reset_view();
       this.#watch_the_page();
       this.is_playing = !this.calm.matches;
       this.#show_state();
@@ -105,7 +105,6 @@
       if (this.requested || !this.is_playing || !this.#is_in_sight) return;
       this.requested = requestAnimationFrame(now => {
         this.requested = undefined;
-        if (!this.is_playing || !this.#is_in_sight) return;
         // A page that was asleep does not jump.
         const passed = Math.min(0.1, (now - (this.#last_tick ?? now)) / 1000);
         this.#last_tick = now;
@@ -117,11 +116,14 @@
     }
 
     #reset_view() {
-      for (const view of this.views) view.camera = player.first_camera(view.scene.bounds);
+      this.has_first_view = true;
+      const cameras = player.first_cameras(this.views.map(({scene}) => scene), this.views[0].size);
+      this.views.forEach((view, n) => { view.camera = cameras[n]; });
     }
 
     /** Turns or zooms all views alike, so that they can be compared. */
     #move_cameras({azimuth = 0, elevation = 0, zoom = 1}) {
+      this.has_first_view = false;
       for (const {camera, scene} of this.views) {
         camera.azimuth += azimuth;
         camera.elevation = Math.max(-most_elevation, Math.min(most_elevation, camera.elevation + elevation));
@@ -197,7 +199,10 @@
         this.#last_tick = undefined;
         this.#request();
       }, {threshold: 0.35}).observe(this.figure);
-      const resized = new ResizeObserver(() => this.draw());
+      const resized = new ResizeObserver(() => {
+        if (this.has_first_view) this.#reset_view();
+        this.draw();
+      });
       for (const {canvas} of this.views) resized.observe(canvas);
       const recolour = () => {
         this.palette = undefined;

@@ -33,7 +33,7 @@
 
     /** The distance between the lines of the floor, m. */
     get grid() {
-      return round_length(this.bounds.radius / 2.5);
+      return round_length(this.bounds.radius / 3);
     }
 
     /** The bodies that go somewhere, as far as there are few enough to follow: their paths are drawn. */
@@ -48,7 +48,7 @@
     }
 
     /** `palette` holds colours as [red, green, blue]: paper, ink, grid, and bodies, which take them by turns. */
-    draw(painter, size, camera, time, palette, {grid_pieces = 10, grid_reach = 1.6, has_scale = true} = {}) {
+    draw(painter, size, camera, time, palette, {grid_pieces = 10, grid_reach = 1.25, has_scale = true} = {}) {
       const project = player.projection(camera, size);
       const axes = player.picture_axes(camera);
       const poses = player.poses_at(this.recording, time)
@@ -124,8 +124,8 @@
 
     /** A grid that fades towards its rim, and the shadows that light from straight above throws on it. */
     #draw_floor(painter, project, poses, palette, pieces, grid_reach) {
-      const {centre, radius, drop} = this.bounds;
-      const floor = centre[2] - drop, reach = grid_reach * radius;
+      const {centre, radius, floor} = this.bounds;
+      const reach = grid_reach * radius;
       for (const [along, across] of [[0, 1], [1, 0]]) {
         const first = Math.ceil((centre[across] - reach) / this.grid), last = Math.floor((centre[across] + reach) / this.grid);
         for (let n = first; n <= last; ++n) {
@@ -170,13 +170,11 @@
     }
   }
 
-  /** Scenes of recordings that stand side by side: they are framed alike, so that lengths can be compared. */
+  /** Scenes of recordings that stand side by side: on floors of the same size and grid. */
   function scenes_of(recordings, detail) {
     const scenes = recordings.map(recording => new Scene(recording, detail));
-    for (const side of ['radius', 'drop']) {
-      const most = Math.max(...scenes.map(({bounds}) => bounds[side]));
-      for (const {bounds} of scenes) bounds[side] = most;
-    }
+    const radius = Math.max(...scenes.map(({bounds}) => bounds.radius));
+    for (const {bounds} of scenes) bounds.radius = radius;
     return scenes;
   }
 

@@ -36,13 +36,19 @@
     }
   }
 
+  /** A still picture for each of the scenes that stand side by side. */
+  function stills_of(scenes, palette) {
+    const cameras = player.first_cameras(scenes, cell);
+    return scenes.map((scene, n) => still_of(scene, cameras[n], palette));
+  }
+
   /** A row of `count` pictures at equal intervals of time, each with its time below; `palette` as for Scene.draw(). */
-  function still_of(scene, palette, count = 6) {
-    const {recording} = scene, camera = player.first_camera(scene.bounds);
+  function still_of(scene, camera, palette, count = 6) {
+    const {recording} = scene;
     const cells = Array.from({length: count}, (_, n) => {
       const time = (player.duration_of(recording) * n) / Math.max(1, count - 1);
       const painter = new SvgPainter(palette);
-      scene.draw(painter, cell, camera, time, palette, {grid_pieces: 1, grid_reach: 1.05, has_scale: false});
+      scene.draw(painter, cell, camera, time, palette, {grid_pieces: 1, grid_reach: 0.8, has_scale: false});
       return `<svg x="${n * cell.width}" y="0" width="${cell.width}" height="${cell.height}"><g stroke-width="2">${painter.svg}</g></svg>` +
         `<text x="${(n + 0.5) * cell.width}" y="${cell.height + 64}" text-anchor="middle" font-size="60" ` +
         `fill="var(--figure-frame)">${Number(time.toPrecision(3))} s</text>`;
@@ -50,5 +56,5 @@
     return `<svg class="player-still" viewBox="0 0 ${count * cell.width} ${cell.height + 96}">${cells.join('')}</svg>`;
   }
 
-  Object.assign(player, {still_of});
+  Object.assign(player, {stills_of});
 })();

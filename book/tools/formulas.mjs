@@ -44,7 +44,10 @@ export class Formulas {
                 /\\\[([\s\S]*?)\\\]/g,
                 (_, tex) => `<span class="formula scroll">${this.#typeset(unescape(tex), true, page)}</span>`,
               )
-              .replace(/\\\(([\s\S]*?)\\\)/g, (_, tex) => this.#typeset(unescape(tex), false, page)),
+              // A comma or full stop goes into the formula, or it could begin the next line.
+              .replace(/\\\(([\s\S]*?)\\\)([,.;:]?)/g, (_, tex, mark) =>
+                this.#typeset(unescape(tex) + (mark && `\\text{${mark}}`), false, page),
+              ),
       )
       .join('');
   }

@@ -9,7 +9,7 @@ import '../player/still.js';
 import {BookError} from './results.mjs';
 import {escape} from './text.mjs';
 
-const {scenes_of, still_of} = globalThis.tumble_player;
+const {scenes_of, stills_of} = globalThis.tumble_player;
 
 /** The light colours of the book's style sheet, as the player wants them. */
 function light_palette(source) {
@@ -39,20 +39,20 @@ export function player_files(source) {
   return {script: joined('.js'), style: joined('.css')};
 }
 
-function view(scene, text, palette) {
+function view(scene, text, still) {
   return (
-    `<div class="player-view"><p class="player-title">${escape(scene.recording.title)}</p>${still_of(scene, palette)}` +
+    `<div class="player-view"><p class="player-title">${escape(scene.recording.title)}</p>${still}` +
     `<script type="application/json" class="player-recording">${text.trim().replace(/</g, '\\u003c')}</script></div>`
   );
 }
 
 /** `recordings` are {name, text}; those side by side share one set of controls. `says` tells what one sees. */
 export function player(recordings, says, source) {
-  const palette = light_palette(source);
   let views;
   try {
     const scenes = scenes_of(recordings.map(({text}) => JSON.parse(text)), 16);
-    views = recordings.map(({text}, n) => view(scenes[n], text, palette));
+    const stills = stills_of(scenes, light_palette(source));
+    views = recordings.map(({text}, n) => view(scenes[n], text, stills[n]));
   } catch (error) {
     const names = recordings.map(({name}) => `"${name}"`).join(' and ');
     throw new BookError(`the recording ${names} cannot be replayed: ${error.message}`);

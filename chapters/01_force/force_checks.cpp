@@ -121,6 +121,8 @@ TEST_CASE_TEMPLATE("Forces add up, and after clearing none is left", Real, EVERY
   add_force(particle, Vec3<Real>(1, 2, 3));
   add_force(particle, Vec3<Real>(10, 20, 30));
   CHECK(same_bits(particle.force, Vec3<Real>(11, 22, 33)));
+  add_gravity(particle, Vec3<Real>(0, 0, -8));  // 2 kg: 16 N
+  CHECK(same_bits(particle.force, Vec3<Real>(11, 22, 17)));
   clear_force(particle);
   CHECK(same_bits(particle.force, Vec3<Real>::Zero()));
 }

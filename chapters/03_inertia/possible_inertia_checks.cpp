@@ -82,6 +82,19 @@ TEST_CASE_TEMPLATE("Negative moments, lopsided and unfinished tensors are refuse
         "hammer: mass is -1 kg; it must be greater than 0");
 }
 
+TEST_CASE_TEMPLATE("Mirrored elements may differ by 64 roundings of the largest one and no more",
+                   Real, EVERY_PRECISION) {
+  for (const Real scale : {Real(1e-12), Real(1), Real(1e12)}) {
+    CAPTURE(scale);
+    Mat3<Real> lopsided = diagonal<Real>(2 * scale, 3 * scale, 4 * scale);
+    // 64 roundings of 4 are let pass; 1 either way is room for those of the check itself.
+    lopsided(1, 2) = 4 * scale * 63 * unit_roundoff<Real>;
+    CHECK(complaint_about(lopsided) == "nothing thrown");
+    lopsided(1, 2) = 4 * scale * 65 * unit_roundoff<Real>;
+    CHECK(complaint_about(lopsided).find("they must be equal") != std::string::npos);
+  }
+}
+
 TEST_CASE_TEMPLATE("A zero moment is refused where it would be inverted, never turned into 0", Real,
                    EVERY_PRECISION) {
   const std::string why =

@@ -132,6 +132,25 @@ TEST_CASE_TEMPLATE("A rod is refused, or locked about its own line when that is 
 }
 //! [rod]
 
+TEST_CASE_TEMPLATE("What rounding leaves of a slanted rod's zero moment is locked, never inverted",
+                   Real, EVERY_PRECISION) {
+  std::mt19937_64 generator(76);
+  const MassProperties<Real> rod = mass_properties(ThinRod<Real>{2}, 3);  // along z, 1 kg m²
+  bool was_rounded = false;
+  for (int trial = 0; trial < 20; ++trial) {
+    const Mat3<Real> slant = matrix_of(random_orientation<Real>(generator));
+    const MassProperties<Real> model = moved(rod, slant, Vec3<Real>::Zero());
+    was_rounded |= principal_axes(model.inertia).moments(0) > 0;
+    const RigidBody<Real> body = make_rigid_body("rod", model, {}, Vec3<Real>::Zero(),
+                                                 Vec3<Real>::Zero(), Turning::locked_where_thin)
+                                     .body;
+    CHECK((body.top.inverse_moments.array() == 0).count() == 1);
+    // Across the rod the moments are 1; the turn and the way to the principal axes round them.
+    CHECK(body.top.inverse_moments.maxCoeff() <= 1 + 4 * tensor_error<Real>);
+  }
+  CHECK(was_rounded);  // or nothing was checked
+}
+
 TEST_CASE_TEMPLATE("A point is refused, or locked about every axis when that is asked for", Real,
                    EVERY_PRECISION) {
   const MassProperties<Real> point{.mass = 3};

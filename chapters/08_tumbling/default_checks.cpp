@@ -320,6 +320,27 @@ TEST_CASE("A needle's |L| doesn't drift in float: ten minutes leave a random wal
   CHECK(std::abs(exactly(top).angular_momentum_body.norm() / start - 1) <= walk);
 }
 
+TEST_CASE("Turned by the same angle in every step, |L| and |q| don't drift by either splitting") {
+  // So slow about two axes that the third one's spin keeps every bit, and with it the angle's sine
+  // and cosine: whatever they round, they round the same way 36000 times.
+  const int steps = 36'000;
+  const long double walk =
+      3 * std::sqrt(static_cast<long double>(steps)) * 2 * unit_roundoff<float>;
+  for (const auto turn : {turn_axis_by_axis<float>, turn_by_splitting<float>})
+    for (const float spin : {50.0f, 100.0f, 150.0f, 200.0f, 300.0f}) {
+      CAPTURE(spin);
+      Topf top{.angular_momentum_body = Vec3f(100, 50, spin),
+               .inverse_moments = Vec3f(1e-9f, 1e-9f, 1)};
+      const long double start = exactly(top).angular_momentum_body.norm();
+      for (int n = 0; n < steps; ++n) turn(top, 1.0f / 60);
+      CHECK(std::abs(exactly(top).angular_momentum_body.norm() / start - 1) <= walk);
+      // renormalized() lets 16 roundings of |q|^2 pass and may misjudge it by 4; |q| has half that.
+      const long double imaginary = top.orientation.imaginary.cast<long double>().norm();
+      CHECK(std::abs(std::hypot(top.orientation.real, imaginary) - 1) <=
+            (16 + 4) / 2 * unit_roundoff<float> * 1.01L);
+    }
+}
+
 TEST_CASE_TEMPLATE("A top at rest stays at rest, without a NaN, and so does one too slow to matter",
                    Real, EVERY_PRECISION) {
   for (const Rule<Real>& rule : rules<Real>) {

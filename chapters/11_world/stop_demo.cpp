@@ -6,6 +6,17 @@
 
 using namespace tumble;
 
+namespace {
+
+/// Each part of a long sentence on a line of its own.
+std::string in_lines(std::string sentence) {
+  for (std::size_t at = 0; (at = sentence.find_first_of(":;", at)) != std::string::npos; ++at)
+    if (at + 1 < sentence.size()) sentence.replace(at + 1, 1, "\n  ");
+  return sentence;
+}
+
+}  // namespace
+
 int main(int argument_count, char** arguments) {
   course::Notebook notebook(argument_count, arguments);
   //! [singular]
@@ -17,7 +28,7 @@ int main(int argument_count, char** arguments) {
   try {
     sky.step();
   } catch (const SimulationError& error) {
-    std::printf("%s\n\n", error.what());
+    std::printf("%s\n\n", in_lines(error.what()).c_str());
   }
   //! [singular]
   course::expect(sky.ticks() == 0, "the step was not taken");
@@ -29,7 +40,8 @@ int main(int argument_count, char** arguments) {
   const BodyHandle ship = dock.add("ship", make_particle<double>(1e6));
   const BodyHandle buoy = dock.add("buoy", make_particle<double>(1e-3, {1.001, 0, 0}));
   dock.add(SpringBetween<double>{.spring = {.stiffness = 1000, .rest_length = 1}}, {ship, buoy});
-  for (const std::string& warning : dock.plan().warnings) std::printf("%s\n", warning.c_str());
+  for (const std::string& warning : dock.plan().warnings)
+    std::printf("%s\n", in_lines(warning).c_str());
   for (int n = 0; n <= 6; ++n) {
     std::printf("  step %d: the buoy is at %.3g m\n", n, dock.body(buoy).centre.position.x());
     dock.step();

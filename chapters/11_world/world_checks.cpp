@@ -264,6 +264,31 @@ TEST_CASE_TEMPLATE("Removing a body removes what was fixed to it, and nothing el
   world.step();
 }
 
+TEST_CASE_TEMPLATE("A body can be replaced by a heavier one, which keeps its name and its effects",
+                   Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(1));
+  const BodyHandle ball = world.add("ball", ball_body<Real>({0, 0, 0}));
+  world.add(Thruster<Real>{.force_body = {12, 0, 0}}, {ball});
+  world.step();
+  CHECK(world.body(ball).centre.velocity.x() == 6);  // 12 N on 2 kg for 1 s
+  RigidBody<Real> heavier = world.body(ball);
+  heavier.centre.inverse_mass = Real(0.25);
+  world.replace(ball, heavier);
+  world.step();
+  CHECK(world.body(ball).centre.velocity.x() == 9);
+  CHECK(world.name_of(ball) == "ball");
+  heavier.centre.inverse_mass = 0;
+  world.replace(ball, heavier);  // now nothing moves it but the velocity that it was given
+  world.step();
+  CHECK(world.body(ball).centre.velocity.x() == 6);
+  heavier.centre.inverse_mass = -1;
+  CHECK(complaint_of_any([&] { world.replace(ball, heavier); }) ==
+        "ball: inverse mass is -1 1/kg; it must be 0 or more");
+  const BodyHandle point = world.add("point", make_particle<Real>(1));
+  CHECK(complaint_of_any([&] { world.replace(point, world.body(ball)); }) ==
+        "'point' is a point: it has no orientation");
+}
+
 TEST_CASE_TEMPLATE("A world's time is a count of steps: it does not drift", Real, EVERY_PRECISION) {
   World<Real> world(steps_per_second(60));
   for (int n = 0; n < 6000; ++n) world.step();

@@ -20,6 +20,8 @@ function make_book_with(length) {
 const part = (page, pattern) => pattern.exec(page)?.[0];
 const drawing = page => part(page, /<svg role="img"[^]*?<\/svg>/).replace(/aria-label="[^"]*"/, '');
 
+const still = page => part(page, /<svg class="player-still"[^]*?<\/figure>/);
+
 let first;
 before(() => { first = make_book_with('1.25'); assert.equal(first.status, 0, first.said); });
 after(() => writeFileSync(header, sound));
@@ -31,10 +33,11 @@ test('Another number in the code is another number everywhere on the page.', () 
   const places = {
     'the prose': /It is 1\.75&#160;m long/, 'a formula': /L = 1\.75/, 'the code': /return<\/span> 1\.75;/,
     'the output': /The stick is 1\.75 m long\./, 'the table': /<td class="number">1\.75<\/td>/,
-    "the figure's description": /aria-label="[^"]*1\.75[^"]*"/,
+    "the figure's description": /aria-label="[^"]*1\.75[^"]*"/, 'the recording': /"cylinder":\[0\.05,1\.75\]/,
   };
   for (const [place, pattern] of Object.entries(places)) assert.match(page, pattern, place);
   assert.notEqual(drawing(page), drawing(first.page), 'the figure is still the old one');
+  assert.notEqual(still(page), still(first.page), 'the still picture of the player is the old one');
 });
 
 test('A check that the code no longer passes fails the build, and the page shows it failed.', () => {

@@ -22,7 +22,8 @@ test('The chapter without a mistake is made, and holds what its directives stand
   assert.equal(status, 0, stderr);
   const page = readFileSync(join(folder, 'book_made/chapter_01_tiny.html'), 'utf8');
   for (const expected of ['The stick is 1.25 m long.', 'stick_length', '<b>passed</b>', 'rises from zero to 1.25',
-    '<summary>Why so short?</summary>', 'The line ends at the stick']) {
+    '<summary>Why so short?</summary>', 'The line ends at the stick',
+    'The stick rises</p><svg class="player-still"', '"cylinder":[0.05,1.25]', 'A stick of 1.25', '<script src="player.js" defer>']) {
     assert.ok(page.includes(expected), expected);
   }
 });
@@ -34,6 +35,10 @@ const mistakes = [
   ['a value of an unknown program', 'It is {{value big_demo.length}} long.', /no .*"big_demo".*tiny_demo/],
   ['an unknown figure', '{{figure circle | A circle with a radius of two metres.}}', /no figure "circle".*line/],
   ['a figure without alternative text', '{{figure line}}', /should read \{\{figure name \| what it shows/],
+  ['an unknown recording', '{{player circle | A circle rolls along the ground.}}', /no recording "circle".*stick/],
+  ['a player without alternative text', '{{player stick}}', /should read \{\{player recording \| what it shows/],
+  ['one player where two are announced', '{{players stick | A stick rises by a metre.}}', /should read \{\{players one recording, the other \|/],
+  ['two recordings in one player', '{{player stick, stick | A stick rises by a metre.}}', /should read \{\{player recording \|/],
   ['an unknown table', '{{table circle}}', /no table "circle".*line/],
   ['an unknown program', '{{output big_demo}}', /no output of program "big_demo".*tiny_demo/],
   ['an unknown directive', '{{photograph line}}', /unknown directive \{\{photograph\}\}/],

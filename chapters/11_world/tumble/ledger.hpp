@@ -209,23 +209,32 @@ class Ledger {
   std::vector<Line> lines_;
 };
 
-/// The books as a table of text.
+/// The books as a table of text: energy in J, momentum in kg m/s, and angular momentum about the
+/// origin in kg m²/s.
 template <class Real>
 std::string table_of(const Ledger<Real>& ledger, const World<Real>& world) {
-  const auto row = [](const std::string& name, const LedgerLine& line) {
-    char text[256];
-    const Vec3d &p = line.momentum, &L = line.angular_momentum;
-    std::snprintf(text, sizeof text,
-                  "%-28.28s %12.5g  (%11.4g, %11.4g, %11.4g)  (%11.4g, %11.4g, %11.4g)\n",
-                  name.c_str(), line.energy, p.x(), p.y(), p.z(), L.x(), L.y(), L.z());
+  std::vector<std::pair<std::string, LedgerLine>> rows = {{"at the start", ledger.start()}};
+  for (const LedgerLine& line : ledger.lines()) rows.emplace_back("+ " + line.name, line);
+  rows.emplace_back("now", ledger.now(world));
+  rows.emplace_back("unexplained", ledger.rest(world));
+  std::size_t width = 0;
+  for (const auto& row : rows) width = std::max(width, row.first.size());
+  const auto cell = [](double number) {
+    char text[32];
+    std::snprintf(text, sizeof text, " %9.3g", number);
     return std::string(text);
   };
-  char head[256];
-  std::snprintf(head, sizeof head, "%-28s %12s  %-39s  %s\n", "", "energy, J", "momentum, kg m/s",
-                "angular momentum about the origin, kg m^2/s");
-  std::string text = head + row("at the start", ledger.start());
-  for (const LedgerLine& line : ledger.lines()) text += row("  " + line.name, line);
-  return text + row("now", ledger.now(world)) + row("unexplained", ledger.rest(world));
+  std::string text(width, ' ');
+  text += "  energy, J  momentum x, y, z, kg m/s      angular momentum x, y, z, kg m^2/s\n";
+  for (const auto& [name, line] : rows) {
+    text.append(name).append(width - name.size(), ' ').append(" ").append(cell(line.energy));
+    for (const Vec3d* vector : {&line.momentum, &line.angular_momentum}) {
+      text += " ";
+      for (const double component : *vector) text += cell(component);
+    }
+    text += '\n';
+  }
+  return text;
 }
 
 }  // namespace tumble

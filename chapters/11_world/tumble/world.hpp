@@ -2,7 +2,6 @@
 /// A world: bodies, the effects that a scene calls for, and a step that runs what the plan says.
 #pragma once
 
-#include <concepts>
 #include <tumble/guard.hpp>
 #include <tumble/make_rigid_body.hpp>
 #include <tumble/spring_limits.hpp>
@@ -30,14 +29,8 @@ class World {
 
   /// Adds a body, which should come from make_rigid_body() or make_static_body().
   BodyHandle add(const std::string& name, const RigidBody<Real>& body) {
-    const Top<Real>& top = body.top;
-    checked_orientation(top.orientation, name + ": orientation");
-    require_finite(name + ": angular momentum", top.angular_momentum_body, "kg m^2/s");
-    require_finite(name + ": inverse moments", top.inverse_moments, "1/(kg m^2)");
-    if (top.inverse_moments.minCoeff() < 0)
-      reject(name + ": inverse moments", top.inverse_moments, "1/(kg m^2)",
-             "each must be 0 or more");
-    return append_body(name, body.centre, &top);
+    check_top(name, body.top);
+    return append_body(name, body.centre, &body.top);
   }
 
   /// Takes a body out, and the effects that are fixed to it.
@@ -86,6 +79,18 @@ class World {
   const Bodies<Real>& bodies() const { return bodies_; }
 
   // --- Changes while it runs --------------------------------------------------------------------
+
+  /// Puts another body in the place of one that is not a point: with another mass, say. It keeps
+  /// its name and its effects.
+  void replace(BodyHandle body, const RigidBody<Real>& by) {
+    const BodyIndex index = slots_.index_of(body);
+    check_centre(names_[index], by.centre);
+    check_top(names_[index], by.top);
+    top_of(index) = by.top;
+    bodies_.centres[index] = by.centre;
+    note_motion(index);
+    call_for("'" + names_[index] + "' was replaced");
+  }
 
   void set_position(BodyHandle body, const Vec3<Same<Real>>& position) {
     const BodyIndex index = slots_.index_of(body);
@@ -262,14 +267,27 @@ class World {
     array.pop_back();
   }
 
+  static void check_centre(const std::string& name, const Particle<Real>& centre) {
+    require_finite(name + ": position", centre.position, "m");
+    require_finite(name + ": velocity", centre.velocity, "m/s");
+    require_not_negative(name + ": inverse mass", centre.inverse_mass, "1/kg");
+  }
+
+  static void check_top(const std::string& name, const Top<Real>& top) {
+    checked_orientation(top.orientation, name + ": orientation");
+    require_finite(name + ": angular momentum", top.angular_momentum_body, "kg m^2/s");
+    require_finite(name + ": inverse moments", top.inverse_moments, "1/(kg m^2)");
+    if (top.inverse_moments.minCoeff() < 0)
+      reject(name + ": inverse moments", top.inverse_moments, "1/(kg m^2)",
+             "each must be 0 or more");
+  }
+
   BodyHandle append_body(const std::string& name, const Particle<Real>& centre,
                          const Top<Real>* top) {
     if (name.empty()) throw std::invalid_argument("a body needs a name");
     if (handles_.contains(name))
       throw std::invalid_argument("two bodies are called '" + name + "'; names must differ");
-    require_finite(name + ": position", centre.position, "m");
-    require_finite(name + ": velocity", centre.velocity, "m/s");
-    require_not_negative(name + ": inverse mass", centre.inverse_mass, "1/kg");
+    check_centre(name, centre);
     const BodyIndex index = append(bodies_, centre, top);
     histories_.push_back({});
     names_.push_back(name);

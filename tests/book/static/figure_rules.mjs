@@ -1,4 +1,4 @@
-// A reader who cannot see a figure is told what it shows.
+// A reader who cannot see a figure is told what it shows, and paper gets a picture of what moves.
 const is_picture = ({name, attributes}) =>
   ['img', 'svg', 'object', 'iframe'].includes(name) || attributes.role === 'img';
 
@@ -36,6 +36,19 @@ export function* every_figure_says_what_it_shows(book) {
       if (figure.is_inside(is_not_for_reading) || figure.parent.is_inside(is_picture)) continue;
       const problem = what_is_wrong(figure);
       if (problem) yield {path: page.path, line: figure.line, problem: `the figure ${problem}`};
+    }
+  }
+}
+
+export function* every_player_has_a_still_picture(book) {
+  for (const page of book.pages.values()) {
+    for (const view of page.with_class('player-view')) {
+      const stills = view.find(element => element.name === 'svg' && element.has_class('player-still'));
+      const is_drawn = stills.some(still => still.find(({name}) => name === 'polygon' || name === 'circle').length > 0);
+      if (!is_drawn) yield {path: page.path, line: view.line, problem: 'the player has no still picture'};
+      else if (!view.is_inside(is_picture)) {
+        yield {path: page.path, line: view.line, problem: 'the still picture of the player has no alternative text'};
+      }
     }
   }
 }

@@ -1,8 +1,23 @@
-// Prints the one number, and draws a line that ends there.
+// Prints the one number, draws a line that ends there, and records the stick as it rises.
 #include <course/record.hpp>
+#include <course/recording.hpp>
 #include <tumble/tiny.hpp>
 
 using tumble::course::number;
+
+namespace {
+
+struct Orientation {
+  double real = 1;
+  tumble::Vec3d imaginary = {0, 0, 0};
+};
+
+struct Pose {
+  tumble::Vec3d position;
+  Orientation orientation = {};
+};
+
+}  // namespace
 
 int main(int argument_count, char** arguments) {
   tumble::course::Notebook notebook(argument_count, arguments);
@@ -12,4 +27,8 @@ int main(int argument_count, char** arguments) {
   tumble::course::Table line = notebook.table("line", {"time (s)", "length (m)"});
   line.row(0.0, 0.0);
   line.row(1.0, length);
+  tumble::course::Recording rising("The stick rises", 0.5);
+  rising.add_body("stick", {tumble::course::Part::cylinder(0.05, length)});
+  for (const double height : {0.0, 1.0}) rising.add_frame(std::array{Pose{{0, 0, height}}});
+  rising.write(notebook.file_in_folder("stick.recording.json"));
 }

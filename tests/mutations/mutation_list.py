@@ -1,0 +1,70 @@
+"""The lists of mutations: one file a chapter, NN_name.txt, such as
+
+    tumble/force.hpp: a force replaces those before it
+    - particle.force += force;
+    + particle.force = force;
+    seen by: force
+    equivalent: a sentence that proves that nothing is broken
+
+The first line names the header and says what breaks. What stands behind "- " must occur exactly once in the header, and
+what stands behind "+ " takes its place; both may run over several lines, and "+" alone deletes. The last two lines are
+seldom needed. "seen by" names the checks to try first; without it they are those of the header's own name. "equivalent"
+says that no check can see the mutation. Blank lines stand between mutations, and lines that begin with # are remarks."""
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+
+class ListError(Exception):
+    """A list is wrong; the sentence says where and how."""
+
+
+@dataclass
+class Mutation:
+    chapter: str
+    header: str  # as it is included
+    breaks: str
+    original: str
+    replacement: str
+    seen_by: str = ""
+    proof: str = ""
+
+    def __str__(self):
+        return f"{self.chapter} {self.header}: {self.breaks}"
+
+    def apply(self, text):
+        """The text of the header with the mutation in it."""
+        count = text.count(self.original)
+        if count != 1:
+            raise ListError(f"{self}: its header holds \"{self.original}\" {count} times; it must do so exactly once")
+        return text.replace(self.original, self.replacement)
+
+
+def read_mutation(chapter, block):
+    """A Mutation from the lines that stand between two blank ones."""
+    place = f"list of {chapter}, at \"{block[0]}\""
+    headline = re.fullmatch(r"(tumble/\w+\.hpp): (.+)", block[0])
+    if not headline:
+        raise ListError(f"{place}: a mutation begins with \"tumble/NAME.hpp: what it breaks\"")
+    mutation = Mutation(chapter, *headline.groups(), "", "")
+    lines = {"-": [], "+": []}
+    for line in block[1:]:
+        if line[:2] in ("-", "- ", "+", "+ "):
+            lines[line[0]].append(line[2:])
+        elif line.startswith("seen by: "):
+            mutation.seen_by = line.removeprefix("seen by: ")
+        elif line.startswith("equivalent: "):
+            mutation.proof = line.removeprefix("equivalent: ")
+        else:
+            raise ListError(f"{place}: \"{line}\" begins with none of \"- \", \"+ \", \"seen by: \", \"equivalent: \"")
+    mutation.original, mutation.replacement = "\n".join(lines["-"]), "\n".join(lines["+"])
+    if not mutation.original or not lines["+"] or mutation.original == mutation.replacement:
+        raise ListError(f"{place}: a mutation needs \"- \" lines and other \"+\" lines")
+    return mutation
+
+
+def read_list(path):
+    """All mutations of the file NN_name.txt; the file's name is the chapter's."""
+    text = "".join(line for line in Path(path).read_text().splitlines(keepends=True) if not line.startswith("#"))
+    blocks = [block.strip("\n").split("\n") for block in re.split(r"\n\n+", text) if block.strip()]
+    return [read_mutation(Path(path).stem, block) for block in blocks]
