@@ -94,28 +94,32 @@ TEST_CASE_TEMPLATE("The handle of the scene file is that of chapter 8", Real, EV
 //! [places]
 TEST_CASE_TEMPLATE("A thruster pushes where the file says, in the axes of the model", Real,
                    EVERY_PRECISION) {
-  // Of a cone 4 m high the centre of mass lies 1 m above the model's origin. A push of 6 N along x
-  // at the origin turns it about −y; on its side, about the world's axis that the model's y became.
-  const std::string text =
-      scene_of(R"({"name": "cone", "solid": {"shape": "cone", "radius": 1, "height": 4}, "mass": 2,
-          "orientation": {"axis": [0, 0, 1], "angle": 1.5707963267948966}})",
-               effect("thruster", R"("bodies": ["cone"], "force": [6, 0, 0])"));
-  Scene<Real> scene = read_scene<Real>(text, "cone.json");
-  scene.world.step();
-  const RigidBody<Real> cone = scene.world.body(scene.world.find("cone"));
-  const Real h = scene.world.time_step(), slack = 64 * unit_roundoff<Real>;
-  CHECK(distance<Real>(cone.centre.velocity, Vec3<Real>(0, 3 * h, 0)) <= slack * 3 * h);
-  CHECK(distance<Real>(angular_momentum_world(cone.top), Vec3<Real>(6 * h, 0, 0)) <= slack * 6 * h);
+  // Of this box the centre of mass lies 1 m above the model's origin, and its body axes are not
+  // those of the model: they are ordered by the moments. A push of 6 N along x at the origin turns
+  // it about −y. A quarter turn about z makes the model's x the world's y, and its −y the world's
+  // x.
+  const std::string text = scene_of(
+      R"({"name": "box", "orientation": {"axis": [0, 0, 1], "angle": 1.5707963267948966},
+          "solid": {"shape": "compound", "parts": [{"mass": 2, "position": [0, 0, 1],
+            "solid": {"shape": "box", "size": [1, 2, 3]}}]}})",
+      effect("thruster", R"("bodies": ["box"], "force": [6, 0, 0])"));
+  Scene<Real> scene = read_scene<Real>(text, "box.json");
   const Posed& model = scene.models[0].model_in_body;
+  REQUIRE(std::abs(model.orientation.real) < 0.9);
+  scene.world.step();
+  const RigidBody<Real> box = scene.world.body(scene.world.find("box"));
+  const Real h = scene.world.time_step(), slack = 64 * unit_roundoff<Real>;
+  CHECK(distance<Real>(box.centre.velocity, Vec3<Real>(0, 3 * h, 0)) <= slack * 3 * h);
+  CHECK(distance<Real>(angular_momentum_world(box.top), Vec3<Real>(6 * h, 0, 0)) <= slack * 6 * h);
   CHECK(distance(inverse(model).position, Vec3d(0, 0, 1)) <= 8 * unit_roundoff<double>);
 }
 
 TEST_CASE_TEMPLATE("A spring holds the body where the file says, in the axes of the model", Real,
                    EVERY_PRECISION) {
-  // The box lies turned by a quarter about z, so its model's corner x = 1 is at y = 1 in the world,
+  // The box lies turned by a quarter about z, so the model's point x = 1 is at y = 1 in the world,
   // 2 m from the anchor: 10 N/m pull with 20 N along y, and the arm along y feels no torque.
   const std::string text = scene_of(
-      R"({"name": "box", "solid": {"shape": "box", "size": [2, 1, 3]}, "mass": 2,
+      R"({"name": "box", "solid": {"shape": "box", "size": [1, 2, 3]}, "mass": 2,
           "orientation": {"axis": [0, 0, 1], "angle": 1.5707963267948966}})",
       effect("spring", R"("bodies": ["box"], "stiffness": 10, "anchor": [0, 3, 0],)"
                        R"( "attachment": [1, 0, 0])"));
@@ -127,6 +131,19 @@ TEST_CASE_TEMPLATE("A spring holds the body where the file says, in the axes of 
   CHECK(angular_momentum_world(box.top).norm() <= slack * 20 * h);
 }
 //! [places]
+
+TEST_CASE_TEMPLATE("A part of a compound is turned as the file says", Real, EVERY_PRECISION) {
+  // A third of a turn about (1, 1, 1) takes x to y, y to z and z to x: what was long along z lies
+  // along x. The turn back would lay it along y.
+  const std::string text =
+      scene_of(R"({"name": "box", "solid": {"shape": "compound", "parts": [{"mass": 12,
+          "solid": {"shape": "box", "size": [1, 2, 3]},
+          "orientation": {"axis": [1, 1, 1], "angle": 2.0943951023931953}}]}})");
+  const Scene<Real> scene = read_scene<Real>(text, "box.json");
+  const Mat3<Real> inertia = world_inertia(scene.world.body(scene.world.find("box")).top);
+  const Mat3<Real> expected = Vec3<Real>(1 + 4, 9 + 4, 9 + 1).asDiagonal();
+  CHECK((inertia - expected).cwiseAbs().maxCoeff() <= 64 * unit_roundoff<Real> * 13);
+}
 
 TEST_CASE("Copies stand where the published rule puts them, with every standard library") {
   // The standard fixes the engine by this number: its 10,000th, from its own seed.
