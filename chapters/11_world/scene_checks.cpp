@@ -156,11 +156,11 @@ TEST_CASE("Copies stand where the published rule puts them, with every standard 
     return low + static_cast<double>(numbers() >> 11) / 9007199254740992.0 * (high - low);
   };
   for (const std::string name : {"drop 1", "drop 2"}) {
-    const RigidBody<double> drop = rain.world.body(rain.world.find(name));
+    const RigidBody<double> copy = rain.world.body(rain.world.find(name));
     const double x = draw(-50, 50), y = draw(-50, 50), z = draw(0, 100);
-    CHECK(same_bits(drop.centre.position, Vec3d(x, y, z)));
+    CHECK(same_bits(copy.centre.position, Vec3d(x, y, z)));
     const double u = draw(-0.5, 0.5), v = draw(-0.5, 0.5), w = draw(-6, 0);
-    CHECK(same_bits(drop.centre.velocity, Vec3d(u, v, w)));
+    CHECK(same_bits(copy.centre.velocity, Vec3d(u, v, w)));
   }
 }
 

@@ -1,6 +1,6 @@
-// Whatever the text of a scene file is: it becomes a world whose plan and reference run agree to the bit, or it is refused
-// with the name of the file. Nothing else is allowed to happen. libFuzzer calls this with texts of its own making, and
-// run_corpus.cpp with those in corpus/.
+// Whatever the text of a scene file is: it becomes a world whose plan and reference run agree to
+// the bit, or it is refused with the name of the file. Nothing else is allowed to happen. libFuzzer
+// calls this with texts of its own making, and run_corpus.cpp with those in corpus/.
 #include <course/random_world.hpp>
 #include <tumble/scene/read_scene.hpp>
 
@@ -26,8 +26,7 @@ void require(bool fact) {
 template <class Real>
 void load_and_step(std::string_view text) {
   try {
-    World<Real> planned =
-        read_scene<Real>(text, "fuzz.json", {.most_copies = 5}).world;
+    World<Real> planned = read_scene<Real>(text, "fuzz.json", {.most_copies = 5}).world;
     World<Real> reference = planned;
     for (int step = 0; step < 3; ++step) {
       const std::string complaint = complaint_of_step([&] { planned.step(); });
