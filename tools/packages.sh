@@ -2,13 +2,13 @@
 # What is installed, and how. Sourced by ../course, which sets no_install.
 
 # What each command needs: Debian's package, and after a colon the program that stands in for it where there is one.
-base_packages="g++:g++ make:make cmake:cmake libeigen3-dev doctest-dev"
+base_packages="g++:g++ make:make cmake:cmake libeigen3-dev doctest-dev nlohmann-json3-dev libcxxopts-dev"
 speed_packages="ninja-build:ninja ccache:ccache" # used when present, never required
 book_packages="doxygen:doxygen doxygen-awesome-css libjs-katex libjs-lunr nodejs:node gnuplot-nox:gnuplot graphviz:dot
   libbenchmark-dev"
-test_packages="node-parse5" # the tests read the book's pages with it
+test_packages="node-parse5 python3-jsonschema" # the tests read the book's pages and judge scene files with them
 browser_packages="chromium:chromium npm:npm"
-all_packages="clang:clang++ clang-format:clang-format clang-tidy:clang-tidy shellcheck:shellcheck
+all_packages="clang:clang++ libclang-rt-dev clang-format:clang-format clang-tidy:clang-tidy shellcheck:shellcheck
   python3:python3"
 
 system_file=/etc/os-release

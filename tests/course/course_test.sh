@@ -29,11 +29,13 @@ fresh() { # SYSTEM VERSION: a machine with apt and no package
   stand_in id <<<'echo 0'
   stand_in dpkg-query <<<'exit 1'
   stand_in apt-get <<<'echo "apt-get $*" >>"$CALLED"'
-  stand_in cmake <<<'echo "cmake $*" >>"$CALLED"; mkdir -p build/default/checks
+  stand_in cmake <<<'echo "cmake $*" >>"$CALLED"; mkdir -p build/default/checks build/default/programs/11_world
     for program in 01_force_checks 01_force.force; do
       printf "#!/usr/bin/env bash\necho checked\nexit ${CHECKS:-0}\n" >build/default/checks/$program
       chmod() { "$CHMOD" "$@"; }; chmod +x build/default/checks/$program
-    done'
+    done
+    printf "%s\n" "#!/usr/bin/env bash" "echo \$PWD \"\${@@Q}\"" "exit 130" >build/default/programs/11_world/simulate
+    chmod +x build/default/programs/11_world/simulate'
 }
 
 course() { # ARGUMENT...: its output and exit code go to `output` and `code`
@@ -88,6 +90,12 @@ for word in chapters/01_force/tumble/force.hpp /a/b/chapters/01_force/force_chec
 done
 checks=3 course check 1
 verify "a failed check ends with an error" ends_with 2
+
+course simulate "a scene.json" --csv "a file.csv" --no-install --all
+verify "simulate gives its options to the simulator, in the caller's folder" \
+  says "/ 'a scene.json' '--csv' 'a file.csv' '--all'"
+verify "and ends as it does" ends_with 130
+verify "simulate compiles the simulator alone" called "--target simulate"
 
 fresh debian 12
 course check 1

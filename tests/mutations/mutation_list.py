@@ -43,7 +43,7 @@ class Mutation:
 def read_mutation(chapter, block):
     """A Mutation from the lines that stand between two blank ones."""
     place = f"list of {chapter}, at \"{block[0]}\""
-    headline = re.fullmatch(r"(tumble/\w+\.hpp): (.+)", block[0])
+    headline = re.fullmatch(r"(tumble/[\w/]+\.hpp): (.+)", block[0])
     if not headline:
         raise ListError(f"{place}: a mutation begins with \"tumble/NAME.hpp: what it breaks\"")
     mutation = Mutation(chapter, *headline.groups(), "", "")

@@ -64,7 +64,7 @@ def find_header(name, folders):
 def includes(file, header, folders, seen):
     """Whether `file` includes `header`, itself or by way of others of ours."""
     seen.add(file)
-    for name in re.findall(r"#include <((?:tumble|course)/\w+\.hpp)>", file.read_text()):
+    for name in re.findall(r"#include <((?:tumble|course)/[\w/]+\.hpp)>", file.read_text()):
         path = find_header(name, folders)
         if path and (path == header or (path not in seen and includes(path, header, folders, seen))):
             return True
@@ -124,7 +124,7 @@ def settle(mutation, build):
     with tempfile.TemporaryDirectory() as folder:
         scratch = Path(folder)
         header = scratch / mutation.header
-        header.parent.mkdir()
+        header.parent.mkdir(parents=True)
         header.write_text(mutated_header(mutation, build))
         for name in names:
             end, is_killed = turns_red(name, *build.checks(mutation.chapter)[name], build.main, scratch)

@@ -1,0 +1,69 @@
+/// @file
+/// From the text of a scene file to a world.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <tumble/scene/read_body.hpp>
+#include <tumble/scene/read_effect.hpp>
+
+namespace tumble {
+
+inline StepLength read_step(const Object& object) {
+  const Value length = object.one_of("per_second", "nanoseconds");
+  return object.has("per_second") ? steps_per_second(length.whole(1, 1'000'000))
+                                  : step_of_nanoseconds(length.whole(1000, 3'600'000'000'000));
+}
+
+/// The whole scene that `text` describes: JSON as scene.schema.json says. `file` is what errors
+/// call it.
+/// @throws SceneError with the file, the pointer and what is wrong there. Nothing is left behind.
+//! [read_scene]
+template <class Real>
+Scene<Real> read_scene(std::string_view text, const std::string& file,
+                       const SceneChanges& changes = {}) {
+  const nlohmann::json json = parse_json(text, file);
+  const Reading reading{file, range_of<Real>()};
+  const Object object = object_called(Value(reading, "", json), "scene");
+  Scene<Real> scene{.title = object["title"].text(), .description = object["description"].text()};
+  scene.duration = object["duration"].positive();
+  if (scene.duration > longest_duration)
+    object["duration"].reject("at most " + text_of(longest_duration) + " s are simulated");
+
+  StepLength step;
+  if (object.has("step")) step = read_step(object_called(object["step"], "step"));
+  TurningMethod method = TurningMethod::splitting;
+  if (object.has("turning_method"))
+    method = static_cast<TurningMethod>(
+        object["turning_method"].one_of("method", turning_method_words()));
+  scene.world = World<Real>(changes.step.value_or(step), changes.turning_method.value_or(method));
+
+  const Value bodies = object["bodies"];
+  bodies.list("bodies");
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Object body = object_called(bodies.at(i), "body");
+    if (!names.insert(body["name"].text()).second)
+      body["name"].reject("another body is called so, and names must differ");
+    read_body(body, scene, changes);
+  }
+  if (!object.has("effects")) return scene;
+  const Value effects = object["effects"];
+  if (!effects.is_array()) effects.reject("it must be a list of effects");
+  for (std::size_t i = 0; i < effects.size(); ++i) read_effect(effects.at(i), scene);
+  return scene;
+}
+//! [read_scene]
+
+/// The scene in a file.
+/// @throws SceneError as read_scene() does, and if the file can't be read.
+template <class Real>
+Scene<Real> read_scene_file(const std::filesystem::path& path, const SceneChanges& changes = {}) {
+  std::ifstream in(path, std::ios::binary);
+  if (!in || std::filesystem::is_directory(path))
+    throw SceneError(path.string(), "", "there is no such file, or it can't be read");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  return read_scene<Real>(text, path.filename().string(), changes);
+}
+
+}  // namespace tumble

@@ -1,0 +1,65 @@
+/// @file
+/// What a scene file becomes.
+#pragma once
+
+#include <optional>
+#include <random>
+#include <tumble/scene/read_solid.hpp>
+#include <tumble/world.hpp>
+
+namespace tumble {
+
+constexpr std::int64_t most_bodies = 5'000'000;
+constexpr std::size_t longest_name = 200;  ///< bytes
+constexpr double longest_duration = 1e9;   ///< s
+
+/// How the bodies of one element of "bodies" are drawn. They stand next to each other in the world:
+/// their indices are first, first + 1, … as long as none is removed.
+struct BodyModel {
+  std::string name;  ///< of the body, or what the names of its copies begin with
+  std::size_t first = 0, count = 0;
+  std::vector<ModelPart> parts;  ///< none for a point, or where only the inertia is given
+  Posed model_in_body;
+};
+
+/// One end of a spring as it is drawn: a point (m) in a body's model axes, or of the world.
+struct DrawnEnd {
+  Vec3d point = Vec3d::Zero();
+  std::optional<std::size_t> body = {};  ///< its index in the world; none: the point is the world's
+};
+
+/// A world to simulate, and what the file says beside it.
+//! [scene]
+template <class Real>
+struct Scene {
+  std::string title, description;
+  double duration = 0;  ///< s
+  World<Real> world = World<Real>();
+  std::vector<BodyModel> models = {};  ///< in the order of the file
+  std::vector<std::array<DrawnEnd, 2>> springs = {};
+};
+//! [scene]
+
+/// What a program may want to be otherwise than the file says.
+struct SceneChanges {
+  std::optional<StepLength> step = {};
+  std::optional<TurningMethod> turning_method = {};
+  /// No element of "bodies" becomes more bodies than this.
+  std::size_t most_copies = static_cast<std::size_t>(most_bodies);
+};
+
+/// The methods' names as scene files spell them: "axis_by_axis".
+inline const std::array<std::string, turning_method_names.size()>& turning_method_words() {
+  static const auto words = [] {
+    std::array<std::string, turning_method_names.size()> made;
+    for (std::size_t i = 0; i < made.size(); ++i)
+      for (const char letter : turning_method_names[i])
+        made[i] += letter == ' '                    ? '_'
+                   : letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a')
+                                                    : letter;
+    return made;
+  }();
+  return words;
+}
+
+}  // namespace tumble

@@ -1,0 +1,162 @@
+#include "options.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <cxxopts.hpp>
+#include <tumble/scene/scene_error.hpp>
+#include <tumble/step_clock.hpp>
+
+namespace tumble::simulate {
+namespace {
+
+constexpr const char* help = R"(simulate SCENE [OPTION...]
+
+SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or the path of a scene file.
+
+  --plan              print the plan and do nothing else
+  --dt SECONDS        another time step, 1e-6 to 3600; rounded to whole nanoseconds
+  --until SECONDS     simulate so long, in place of the scene's duration
+  --method METHOD     turn by another rule of chapter 8
+  --precision KIND    double (the default) or float
+
+  --csv FILE          write the trajectory: time, body, position and velocity of the centre of mass, orientation of the
+                      model, angular velocity; world axes
+  --jsonl FILE        the same, an object of JSON in each line
+  --plot FILE.svg     draw paths and energies
+  --view FILE.html    write a page that replays the motion
+  --every N           record each N-th step only (and the first and last moment)
+
+  --no-ledger         do not keep the books of energy and momentum
+  --bill              measure what each effect costs
+  --help              this text
+
+Ctrl-C ends the simulation; files then hold what was computed. Ends with 0 when all was simulated, 1 if a step could not be
+taken, 2 if the command line or the scene is wrong, 3 if a file could not be written, 130 after Ctrl-C.
+)";
+
+const std::vector<std::string> options_with_value = {"dt",    "until", "method", "precision", "csv",
+                                                     "jsonl", "plot",  "view",   "every"};
+const std::vector<std::string> switches = {"plan", "no-ledger", "bill", "help"};
+
+double seconds(const std::string& option, const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    throw UsageError("--" + option + " is " + text + "; it must be a number of seconds");
+  return value;
+}
+
+StepLength rounded_step(const std::string& text, std::string& said) {
+  const double given = seconds("dt", text);
+  if (!(given >= 1e-6 && given <= 3600))
+    throw UsageError("--dt is " + text + " s; it must lie between 1e-6 and 3600 s");
+  const auto nanoseconds = static_cast<std::int64_t>(std::llround(given * 1e9));
+  said = "a time step of " + text + " s is taken as " + std::to_string(nanoseconds) + " ns";
+  return step_of_nanoseconds(nanoseconds);
+}
+
+std::vector<std::string> names_of_scenes() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(TUMBLE_SCENES))
+    if (entry.path().extension() == ".json" && entry.path().stem().extension() != ".schema")
+      names.push_back(entry.path().stem().string());
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+std::filesystem::path find_scene(const std::string& word) {
+  if (std::filesystem::is_regular_file(word)) return word;
+  const std::vector<std::string> names = names_of_scenes();
+  if (std::find(names.begin(), names.end(), word) != names.end())
+    return std::filesystem::path(TUMBLE_SCENES) / (word + ".json");
+  std::string sentence = "no scene and no file is called " + word +
+                         did_you_mean(word, {names.begin(), names.end()}) + "\nThe scenes are:";
+  for (const std::string& name : names) sentence += " " + name;
+  throw UsageError(sentence);
+}
+
+[[noreturn]] void reject_word(const std::string& word) {
+  if (!word.starts_with('-')) throw UsageError("one word too many: " + word);
+  std::vector<std::string> known;
+  for (const auto* list : {&options_with_value, &switches})
+    for (const std::string& name : *list) known.push_back("--" + name);
+  const std::string option = word.substr(0, word.find('='));
+  throw UsageError("there is no option " + option +
+                   did_you_mean(option, {known.begin(), known.end()}));
+}
+
+Options read(const cxxopts::ParseResult& given) {
+  const auto text = [&](const std::string& name) { return given[name].as<std::string>(); };
+  Options options;
+  if (given.count("scene") == 0) throw UsageError("which scene? --help lists the options");
+  options.scene = find_scene(text("scene"));
+  options.only_plan = given.count("plan") > 0;
+  options.ledger = given.count("no-ledger") == 0;
+  options.bill = given.count("bill") > 0;
+  if (given.count("dt")) options.changes.step = rounded_step(text("dt"), options.said);
+  if (given.count("until")) {
+    options.until = seconds("until", text("until"));
+    if (!(*options.until > 0 && *options.until <= longest_duration))
+      throw UsageError("--until is " + text("until") +
+                       " s; it must be greater than 0 and at most 1e9 s");
+  }
+  if (given.count("method")) {
+    const auto& words = turning_method_words();
+    const auto found = std::find(words.begin(), words.end(), text("method"));
+    if (found == words.end()) {
+      std::string all;
+      for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+      throw UsageError("no method is called " + text("method") +
+                       did_you_mean(text("method"), {words.begin(), words.end()}) +
+                       "\nThe methods are: " + all);
+    }
+    options.changes.turning_method = static_cast<TurningMethod>(found - words.begin());
+  }
+  if (given.count("precision")) {
+    options.is_float = text("precision") == "float";
+    if (!options.is_float && text("precision") != "double")
+      throw UsageError("--precision is " + text("precision") + "; it must be float or double");
+  }
+  if (given.count("every")) {
+    const std::string every = text("every");
+    const auto [end, error] =
+        std::from_chars(every.data(), every.data() + every.size(), options.every);
+    if (error != std::errc() || end != every.data() + every.size() || options.every < 1)
+      throw UsageError("--every is " + every + "; it must be a whole number of steps, 1 or more");
+  }
+  const auto path = [&](const std::string& name) {
+    if (given.count(name) > 0 && text(name).empty())
+      throw UsageError("--" + name + " needs the name of a file");
+    return given.count(name) > 0 ? std::filesystem::path(text(name)) : std::filesystem::path();
+  };
+  options.csv = path("csv");
+  options.json_lines = path("jsonl");
+  options.plot = path("plot");
+  options.view = path("view");
+  return options;
+}
+
+}  // namespace
+
+std::optional<Options> read_options(int argument_count, char** arguments) {
+  cxxopts::Options parser("simulate");
+  parser.allow_unrecognised_options();
+  for (const std::string& name : options_with_value)
+    parser.add_options()(name, "", cxxopts::value<std::string>());
+  for (const std::string& name : switches) parser.add_options()(name, "");
+  parser.add_options()("scene", "", cxxopts::value<std::string>());
+  parser.parse_positional({"scene"});
+  try {
+    const cxxopts::ParseResult given = parser.parse(argument_count, arguments);
+    if (given.count("help") > 0) {
+      std::fputs(help, stdout);
+      return std::nullopt;
+    }
+    if (!given.unmatched().empty()) reject_word(given.unmatched()[0]);
+    return read(given);
+  } catch (const cxxopts::exceptions::exception& error) {
+    throw UsageError(error.what());
+  }
+}
+
+}  // namespace tumble::simulate

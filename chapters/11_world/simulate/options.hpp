@@ -1,0 +1,44 @@
+/// @file
+/// What the command line of simulate asks for.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <tumble/scene/scene.hpp>
+
+namespace tumble::simulate {
+
+/// How the program ends.
+enum ExitCode {
+  all_simulated = 0,
+  step_failed = 1,   ///< a step could not be taken; what was computed before is kept
+  bad_input = 2,     ///< the command line or the scene is wrong; nothing was done
+  file_failed = 3,   ///< a file could not be written; it was left as it was
+  interrupted = 130  ///< by Ctrl-C, as shells count it; what was computed before is kept
+};
+
+/// The command line is wrong.
+class UsageError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct Options {
+  std::filesystem::path scene;
+  bool is_float = false;
+  bool only_plan = false, ledger = true, bill = false;
+  SceneChanges changes;
+  std::string said;             ///< how --dt was rounded; empty if it was not given
+  std::optional<double> until;  ///< s
+  std::int64_t every = 1;       ///< steps between two records
+  std::filesystem::path csv, json_lines, plot, view;  ///< empty if not asked for
+};
+
+/// @return nothing if the help was printed and that was all.
+/// @throws UsageError with a sentence.
+std::optional<Options> read_options(int argument_count, char** arguments);
+
+}  // namespace tumble::simulate

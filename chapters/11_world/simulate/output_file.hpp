@@ -1,0 +1,71 @@
+/// @file
+/// A file that is whole or not there: it is written under another name and gets its own at the end.
+#pragma once
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+namespace tumble::simulate {
+
+/// A file can't be written.
+class FileError : public std::runtime_error {
+ public:
+  FileError(const std::filesystem::path& path, const std::string& why)
+      : std::runtime_error("cannot write " + path.string() + ": " + why) {}
+};
+
+class OutputFile {
+ public:
+  /// @throws FileError if `path` is something other than a file, or nothing can be written there.
+  explicit OutputFile(const std::filesystem::path& path)
+      : path_(std::filesystem::weakly_canonical(std::filesystem::absolute(path))) {
+    namespace fs = std::filesystem;
+    if (fs::is_directory(path_)) throw FileError(path, "it is a directory");
+    if (fs::exists(path_) && !fs::is_regular_file(path_))
+      throw FileError(path, "it is no regular file");
+    if (!fs::is_directory(path_.parent_path()))
+      throw FileError(path, "there is no directory " + path_.parent_path().string());
+    if (::access(fs::exists(path_) ? path_.c_str() : path_.parent_path().c_str(), W_OK) != 0)
+      throw FileError(path, "no permission");
+    partial_ = path_;
+    partial_ += ".partial-" + std::to_string(::getpid());
+    out_.open(partial_, std::ios::binary | std::ios::trunc);
+    if (!out_) throw FileError(path, "no permission, or no space");
+  }
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+  ~OutputFile() {
+    if (finished_) return;
+    out_.close();
+    std::error_code ignored;
+    std::filesystem::remove(partial_, ignored);
+  }
+
+  void write(const std::string& text) {
+    if (!out_.write(text.data(), static_cast<std::streamsize>(text.size())))
+      throw FileError(path_, "the disk may be full");
+  }
+
+  /// Gives the file its name.
+  void finish() {
+    out_.close();
+    std::error_code error;
+    if (out_) std::filesystem::rename(partial_, path_, error);
+    if (!out_ || error) throw FileError(path_, error ? error.message() : "the disk may be full");
+    finished_ = true;
+  }
+
+  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& partial_path() const { return partial_; }
+
+ private:
+  std::filesystem::path path_, partial_;
+  std::ofstream out_;
+  bool finished_ = false;
+};
+
+}  // namespace tumble::simulate

@@ -1,0 +1,146 @@
+/// @file
+/// One simulation from the scene file to the last line.
+#pragma once
+
+#include <csignal>
+#include <tumble/ledger.hpp>
+#include <tumble/scene/read_scene.hpp>
+
+#include "bill.hpp"
+#include "options.hpp"
+#include "plot.hpp"
+#include "progress.hpp"
+#include "view.hpp"
+
+namespace tumble::simulate {
+
+inline volatile std::sig_atomic_t was_interrupted = 0;
+
+/// Lets Ctrl-C end the loop of steps instead of the program.
+inline void catch_interrupts() {
+  const auto note = [](int) { was_interrupted = 1; };
+  std::signal(SIGINT, note);
+  std::signal(SIGTERM, note);
+}
+
+/// Whatever was asked to be written.
+struct Outputs {
+  std::optional<CsvFile> csv;
+  std::optional<JsonLinesFile> json_lines;
+  std::optional<Plot> plot;
+  std::optional<View> view;
+
+  template <class Real>
+  Outputs(const Options& options, const Scene<Real>& scene, std::int64_t steps) {
+    if (!options.csv.empty()) csv.emplace(options.csv);
+    if (!options.json_lines.empty()) json_lines.emplace(options.json_lines);
+    if (!options.plot.empty()) plot.emplace(options.plot);
+    if (!options.view.empty()) view.emplace(options.view, scene, options.every, steps);
+  }
+
+  /// Records this moment. The page of a view has equal intervals only: it leaves out a last moment
+  /// that comes early.
+  template <class Real>
+  void record(Scene<Real>& scene, bool comes_early = false) {
+    const double time =
+        static_cast<double>(scene.world.ticks()) * time_step_of<double>(scene.world.step_length());
+    if (csv) csv->record(time, scene);
+    if (json_lines) json_lines->record(time, scene);
+    if (plot) plot->record(time, scene);
+    if (view && !comes_early) view->record(scene);
+  }
+
+  void finish(const std::string& title) {
+    const auto say = [](OutputFile& file) { std::printf("wrote %s\n", file.path().c_str()); };
+    if (csv) csv->file().finish(), say(csv->file());
+    if (json_lines) json_lines->file().finish(), say(json_lines->file());
+    if (plot) plot->finish(title), say(plot->file());
+    if (view) view->finish(), say(view->file());
+  }
+};
+
+/// Takes the steps. @return how it ended; `failure` says why, if a step failed
+template <class Real>
+ExitCode take_steps(Scene<Real>& scene, Ledger<Real>& ledger, const Options& options,
+                    std::int64_t steps, Outputs& outputs, std::string& failure) {
+  outputs.record(scene);
+  Progress progress(steps);
+  ExitCode code = all_simulated;
+  bool is_recorded = true;
+  for (std::int64_t step = 1; step <= steps; ++step) {
+    try {
+      if (options.ledger)
+        ledger.step(scene.world);
+      else
+        scene.world.step();
+    } catch (const SimulationError& error) {
+      failure = error.what();
+      code = step_failed;
+      break;
+    }
+    is_recorded = step % options.every == 0;
+    if (is_recorded) outputs.record(scene);
+    progress.show(step);
+    if (was_interrupted) {
+      code = interrupted;
+      break;
+    }
+  }
+  if (!is_recorded) outputs.record(scene, true);
+  progress.end();
+  const double seconds = progress.seconds();
+  std::printf("%lld steps in %.3g s: %.4g steps per second\n",
+              static_cast<long long>(scene.world.ticks()), seconds,
+              static_cast<double>(scene.world.ticks()) / seconds);
+  return code;
+}
+
+template <class Real>
+std::int64_t steps_until(const Scene<Real>& scene, const Options& options) {
+  const double h = time_step_of<double>(scene.world.step_length());
+  const double duration = options.until.value_or(scene.duration);
+  return std::max<std::int64_t>(1, std::llround(duration / h));
+}
+
+template <class Real>
+void print_scene(Scene<Real>& scene, const Options& options, std::int64_t steps) {
+  std::printf("%s\n%s\n\n", scene.title.c_str(), scene.description.c_str());
+  if (!options.said.empty()) std::printf("%s\n", options.said.c_str());
+  const double h = time_step_of<double>(scene.world.step_length());
+  const std::size_t bodies = scene.world.body_count();
+  std::printf("%s, %lld steps of %.6g s, in %s\n\n%s\n",
+              bodies == 1 ? "1 body" : (std::to_string(bodies) + " bodies").c_str(),
+              static_cast<long long>(steps), h, std::string(range_of<Real>().precision).c_str(),
+              table_of(scene.world.plan()).c_str());
+  std::fflush(stdout);
+}
+
+/// @throws SceneError, FileError.
+template <class Real>
+ExitCode run(const Options& options) {
+  Scene<Real> scene = read_scene_file<Real>(options.scene, options.changes);
+  const std::int64_t steps = steps_until(scene, options);
+  if (options.only_plan) {
+    print_scene(scene, options, steps);
+    return all_simulated;
+  }
+  catch_interrupts();
+  Outputs outputs(options, scene, steps);
+  print_scene(scene, options, steps);
+  const World<Real> start = scene.world;
+  Ledger<Real> ledger(scene.world);
+  std::string failure;
+  const ExitCode code = take_steps(scene, ledger, options, steps, outputs, failure);
+  if (code == step_failed) std::fprintf(stderr, "simulate: %s\n", failure.c_str());
+  if (code == interrupted)
+    std::printf("interrupted after %lld of %lld steps\n",
+                static_cast<long long>(scene.world.ticks()), static_cast<long long>(steps));
+  for (const std::string& sentence : scene.world.news()) std::printf("%s\n", sentence.c_str());
+  if (options.ledger) std::printf("\n%s", table_of(ledger, scene.world).c_str());
+  if (options.bill && code == all_simulated)
+    std::printf("\n%s", Bill<Real>(start, steps).table().c_str());
+  outputs.finish(scene.title);
+  return code;
+}
+
+}  // namespace tumble::simulate

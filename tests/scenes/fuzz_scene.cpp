@@ -1,0 +1,49 @@
+// Whatever the text of a scene file is: it becomes a world whose plan and reference run agree to
+// the bit, or it is refused with the name of the file. Nothing else is allowed to happen. libFuzzer
+// calls this with texts of its own making, and run_corpus.cpp with those in corpus/.
+#include <course/random_world.hpp>
+#include <tumble/scene/read_scene.hpp>
+
+using namespace tumble;
+
+namespace {
+
+/// Takes a step, or says why that can't be done.
+template <class Step>
+std::string complaint_of_step(const Step& step) {
+  try {
+    step();
+  } catch (const SimulationError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+void require(bool fact) {
+  if (!fact) std::abort();
+}
+
+template <class Real>
+void load_and_step(std::string_view text) {
+  try {
+    World<Real> planned = read_scene<Real>(text, "fuzz.json", {.most_copies = 5}).world;
+    World<Real> reference = planned;
+    for (int step = 0; step < 3; ++step) {
+      const std::string complaint = complaint_of_step([&] { planned.step(); });
+      require(complaint_of_step([&] { reference.step_by_reference(); }) == complaint);
+      require(course::same_motion(planned.bodies(), reference.bodies()));
+    }
+    table_of(planned.plan());
+  } catch (const SceneError& error) {
+    require(std::string_view(error.what()).starts_with("fuzz.json: "));
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  load_and_step<double>(text);
+  load_and_step<float>(text);
+  return 0;
+}

@@ -1,0 +1,18 @@
+// Prints every key that the loader knows: object, key, unit, and whether it is required.
+#include <cstdio>
+#include <string>
+#include <tumble/scene/keys.hpp>
+
+template <class Kinds>
+void print(const Kinds& kinds) {
+  for (const auto& kind : kinds)
+    for (const auto& key : kind.keys)
+      std::printf("%s\t%s\t%s\t%s\n", std::string(kind.name).c_str(), std::string(key.name).c_str(),
+                  std::string(key.unit).c_str(), key.required ? "required" : "");
+}
+
+int main() {
+  print(tumble::object_kinds);
+  print(tumble::solid_kinds);
+  print(tumble::effect_kinds);
+}

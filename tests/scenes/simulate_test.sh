@@ -1,0 +1,174 @@
+#!/usr/bin/env bash
+# simulate_test.sh SIMULATE SCRATCH: what the program simulate answers to every option, to mistakes and to Ctrl-C.
+set -u
+simulate=$1
+scratch=$2
+failures=0
+
+rm -rf "$scratch"
+mkdir -p "$scratch"
+cd "$scratch" || exit 1
+
+run() { # ARGUMENT...: its output, its errors and its exit code go to `output`, `errors` and `code`
+  output=$(PATH=${path:-$PATH} "$simulate" "$@" 2>errors.txt </dev/null)
+  code=$?
+  errors=$(cat errors.txt)
+  rm errors.txt
+}
+
+verify() { # SENTENCE CONDITION...
+  local sentence=$1
+  shift
+  if "$@"; then
+    echo "passed: $sentence"
+  else
+    failures=$((failures + 1))
+    printf 'error: %s\n  exit code %s\n  it said: %s\n  and: %s\n' "$sentence" "$code" "$output" "$errors"
+  fi
+}
+
+says() { [[ $output == *"$1"* ]]; }
+says_not() { [[ $output != *"$1"* ]]; }
+complains() { [[ $errors == *"$1"* ]]; }
+ends_with() { [ "$code" -eq "$1" ]; }
+lines() { [ "$(wc -l <"$1")" -eq "$2" ]; }
+leaves_nothing() { [ -z "$(ls -A)" ]; }
+same_numbers() { cmp -s "$1" "$2"; }
+
+# What it prints.
+run t_handle --plan
+verify "--plan ends well" ends_with 0
+verify "--plan prints the plan" says "tumbling: splitting"
+verify "--plan takes no step" says_not "steps per second"
+run t_handle --until 0.1
+verify "it simulates until the time that is asked for" says "24 steps of 0.00416667 s"
+verify "it tells the steps per second" says "steps per second"
+verify "it prints the books" says "unexplained"
+verify "without a terminal it tells calmly how far it is" says " 50 %: step 12 of 24"
+verify "and draws no bar" says_not "["
+run t_handle --until 0.1 --no-ledger
+verify "--no-ledger leaves the books out" says_not "unexplained"
+run t_handle --until 0.1 --bill
+verify "--bill measures each effect" says "ns per body and step"
+run t_handle --until 1 --dt 0.0166666666666
+verify "--dt says how it is rounded" says "0.0166666666666 s is taken as 16666667 ns"
+verify "--dt changes the steps" says "60 steps of 0.0166667 s"
+run t_handle --until 0.1 --method axis_by_axis
+verify "--method changes the rule" says "tumbling: axis by axis"
+run t_handle --until 0.1 --precision float
+verify "--precision float is said" says "in float"
+run --help
+verify "--help tells the options" says "--csv FILE"
+verify "--help ends well" ends_with 0
+verify "nothing of this leaves a file" leaves_nothing
+
+# Files.
+run everything --until 0.1 --csv all.csv --jsonl all.jsonl --view all.html
+verify "CSV has a line for each body and moment, and one of names" lines all.csv $((25 * 37 + 1))
+verify "JSON Lines have one for each body and moment" lines all.jsonl $((25 * 37))
+verify "a view is one page with the player in it" grep -q 'class="player-recording"' all.html
+verify "and asks for nothing from outside" bash -c '! grep -Eq "(src|href)=\"?(http|//)" all.html'
+if command -v gnuplot >/dev/null 2>&1; then
+  run tethered_box --until 0.5 --plot box.svg
+  verify "--plot draws" grep -q '</svg>' box.svg
+  verify "with the energies" grep -q 'kinetic' box.svg
+fi
+run t_handle --until 0.1 --csv every.csv --every 10
+verify "--every records each tenth step, the first and the last moment" lines every.csv 5
+verify "the last moment is there" grep -q '^0.1,handle,' every.csv
+run t_handle --until 0.1 --csv books.csv
+run t_handle --until 0.1 --csv no_books.csv --no-ledger
+verify "the books change no number" same_numbers books.csv no_books.csv
+cat >name.json <<'SCENE'
+{"title": "", "description": "", "duration": 0.05, "bodies": [{"name": "a \"b\", c", "mass": 1}]}
+SCENE
+run ./name.json --csv name.csv --jsonl name.jsonl
+verify "a name with commas and quotes is one cell" grep -qF '0,"a ""b"", c",0,0,0,1,0,0,0,0' name.csv
+verify "and one text of JSON" grep -qF '"body":"a \"b\", c"' name.jsonl
+rm -f -- *.csv *.jsonl *.html *.svg *.json
+
+# Mistakes: none leaves a file.
+run
+verify "without a scene it asks for one" complains "which scene?"
+run t_handel
+verify "an unknown scene gets the nearest" complains "did you mean t_handle?"
+verify "an unknown scene ends with 2" ends_with 2
+run t_handle --pln
+verify "an unknown option gets the nearest" complains "there is no option --pln; did you mean --plan?"
+verify "an unknown option ends with 2" ends_with 2
+while read -r option value complaint; do
+  run t_handle "--$option" "$value" --csv never.csv
+  verify "--$option $value is refused" complains "$complaint"
+  verify "with exit code 2" ends_with 2
+done <<'CASES'
+dt 0 --dt is 0 s; it must lie between 1e-6 and 3600 s
+dt -1 --dt is -1 s; it must lie between 1e-6 and 3600 s
+dt nan --dt is nan; it must be a number of seconds
+dt 3601 --dt is 3601 s; it must lie between 1e-6 and 3600 s
+dt 1e-7 --dt is 1e-7 s; it must lie between 1e-6 and 3600 s
+dt 1s --dt is 1s; it must be a number of seconds
+until 0 --until is 0 s; it must be greater than 0
+until inf --until is inf; it must be a number of seconds
+every 0 --every is 0; it must be a whole number of steps, 1 or more
+every 1.5 --every is 1.5; it must be a whole number of steps, 1 or more
+method spliting no method is called spliting; did you mean splitting?
+precision half --precision is half; it must be float or double
+CASES
+run t_handle --dt
+verify "an option without its value is refused" ends_with 2
+run t_handle coin
+verify "a second scene is refused" complains "one word too many: coin"
+mkdir folder
+for path in folder nowhere/file.csv /dev/null; do
+  run t_handle --until 0.1 --csv $path
+  verify "$path can't be written" complains "cannot write $path: "
+  verify "and ends with 3" ends_with 3
+done
+verify "/dev/null is still there" test -c /dev/null
+run t_handle --csv kept.csv --view nowhere/x.html
+verify "if one file can't be written, the others are not touched" test ! -e kept.csv
+rmdir folder
+run rain --view rain.html
+verify "a page that would be too large is refused" complains "poses"
+path=/nowhere run t_handle --plot t.svg
+verify "without gnuplot it says so" complains "gnuplot draws it and is not installed"
+verify "no mistake leaves a file" leaves_nothing
+printf '{"title": "", "description": "",\n "duration": }' >bad.json
+run bad.json
+verify "a scene that is no JSON gets line and column" complains "bad.json: parse error at line 2, column 14"
+verify "and ends with 2" ends_with 2
+rm bad.json
+
+# A step that can't be taken: what was computed before is kept.
+cat >crash.json <<'SCENE'
+{"title": "Crash", "description": "A point falls into the centre: 2 m at 4 m/s and four steps in a second.", "duration": 9,
+ "step": {"nanoseconds": 250000000}, "bodies": [{"name": "comet", "mass": 1, "position": [2, 0, 0], "velocity": [-4, 0, 0]}],
+ "effects": [{"kind": "point_gravity", "strength": 1e-200}]}
+SCENE
+run crash.json --csv crash.csv
+verify "a step that can't be taken ends with 1" ends_with 1
+verify "and names body and effect" complains "'comet' at 0.5 s (step 2): point gravity gives a force of"
+verify "and keeps what was computed" lines crash.csv 4
+verify "the books are printed" says "unexplained"
+rm crash.json crash.csv
+
+# Ctrl-C, sent once the simulation has told that it runs.
+set -m
+"$simulate" rain --until 1000 --csv rain.csv --every 1000000 >told.txt 2>&1 &
+program=$!
+for ((i = 0; i < 300; ++i)); do
+  ls rain.csv.partial-* >/dev/null 2>&1 && grep -q 'steps of' told.txt && break
+  sleep 0.1
+done
+kill -INT "$program"
+wait "$program"
+code=$?
+output=$(cat told.txt) errors=""
+verify "Ctrl-C ends with 130" ends_with 130
+verify "it says how far it came" says "interrupted after"
+verify "and prints the books" says "unexplained"
+verify "the file holds the first and the last moment, whole" lines rain.csv 200001
+verify "and nothing else is left" [ "$(echo ./*)" = "./rain.csv ./told.txt" ]
+rm rain.csv
+
+[ "$failures" -eq 0 ]
