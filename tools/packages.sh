@@ -2,7 +2,8 @@
 # What is installed, and how. Sourced by ../course, which sets no_install.
 
 # What each command needs: Debian's package, and after a colon the program that stands in for it where there is one.
-base_packages="g++:g++ make:make cmake:cmake libeigen3-dev doctest-dev nlohmann-json3-dev libcxxopts-dev"
+base_packages="g++:g++ make:make cmake:cmake libeigen3-dev doctest-dev"
+scene_packages="nlohmann-json3-dev libcxxopts-dev" # scene files and simulate, in chapter 11
 speed_packages="ninja-build:ninja ccache:ccache" # used when present, never required
 book_packages="doxygen:doxygen doxygen-awesome-css libjs-katex libjs-lunr nodejs:node gnuplot-nox:gnuplot graphviz:dot
   libbenchmark-dev"

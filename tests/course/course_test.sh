@@ -101,6 +101,7 @@ fresh debian 12
 course check 1
 verify "the administrator gets what is missing" called "install -y --no-install-recommends g++ make"
 verify "check needs nothing of the book" [ "${called/doxygen/}" = "$called" ]
+verify "and nothing of scene files" [ "${called/nlohmann/}" = "$called" ]
 verify "the lists are fetched before" called "apt-get update"
 verify "the work goes on after the installation" ends_with 0
 
