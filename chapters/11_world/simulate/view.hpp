@@ -51,8 +51,9 @@ class View {
       : file_(path),
         recording_(scene.title,
                    time_step_of<double>(scene.world.step_length()) * static_cast<double>(every)) {
+    const std::int64_t frames = steps / every + 1;
     const double poses =
-        static_cast<double>(scene.world.body_count()) * static_cast<double>(steps / every + 1);
+        static_cast<double>(scene.world.body_count()) * static_cast<double>(frames);
     if (poses > most_poses)
       throw FileError(path, "it would hold " + text_of(poses) + " poses, and a page with over " +
                                 text_of(most_poses) + " is slow; record fewer with --every");
