@@ -2,7 +2,7 @@
 /// Worlds that nobody would think of, and what happens to them.
 #pragma once
 
-#include <cstring>
+#include <cmath>
 #include <random>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
@@ -156,21 +156,29 @@ void meddle(World<Real>& world, Dice& dice, int number) {
   }
 }
 
+/// True when both numbers have the same bits; none of them is NaN here.
+template <class Real>
+bool same_number(Real x, Real y) {
+  return x == y && std::signbit(x) == std::signbit(y);
+}
+
+template <class Real>
+bool same_vector(const Vec3<Real>& x, const Vec3<Real>& y) {
+  return same_number(x.x(), y.x()) && same_number(x.y(), y.y()) && same_number(x.z(), y.z());
+}
+
 /// True when every number of the bodies' motion has the same bits.
 template <class Real>
 bool same_motion(const Bodies<Real>& a, const Bodies<Real>& b) {
-  const auto same = [](const auto& x, const auto& y) {
-    return std::memcmp(x.data(), y.data(), sizeof(Vec3<Real>)) == 0;
-  };
   if (a.centres.size() != b.centres.size() || a.tops.size() != b.tops.size()) return false;
   for (std::size_t i = 0; i < a.centres.size(); ++i)
-    if (!same(a.centres[i].position, b.centres[i].position) ||
-        !same(a.centres[i].velocity, b.centres[i].velocity))
+    if (!same_vector(a.centres[i].position, b.centres[i].position) ||
+        !same_vector(a.centres[i].velocity, b.centres[i].velocity))
       return false;
   for (std::size_t i = 0; i < a.tops.size(); ++i)
-    if (!same(a.tops[i].angular_momentum_body, b.tops[i].angular_momentum_body) ||
-        !same(a.tops[i].orientation.imaginary, b.tops[i].orientation.imaginary) ||
-        std::memcmp(&a.tops[i].orientation.real, &b.tops[i].orientation.real, sizeof(Real)) != 0)
+    if (!same_vector(a.tops[i].angular_momentum_body, b.tops[i].angular_momentum_body) ||
+        !same_vector(a.tops[i].orientation.imaginary, b.tops[i].orientation.imaginary) ||
+        !same_number(a.tops[i].orientation.real, b.tops[i].orientation.real))
       return false;
   return true;
 }
