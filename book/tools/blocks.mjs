@@ -72,8 +72,12 @@ export class Blocks {
   #program_link(chapter, program) {
     const {folder} = this.settings.floors.find(floor => floor.name === chapter);
     const path = join(folder, `${program}.cpp`);
-    if (!existsSync(join(this.settings.source, path))) throw new BookError(`there is no program ${path}`);
-    return source_link(path, 0, code(program));
+    if (existsSync(join(this.settings.source, path))) return source_link(path, 0, code(program));
+    // A big program has a folder of its own, and its runs are called PROGRAM_WORD.
+    const [big] = program.split('_');
+    const in_folder = join(folder, big, `${big}.cpp`);
+    if (!existsSync(join(this.settings.source, in_folder))) throw new BookError(`there is no program ${path}`);
+    return source_link(in_folder, 0, code(big));
   }
 
   #path(file) {
