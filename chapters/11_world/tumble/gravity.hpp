@@ -30,7 +30,7 @@ struct Gravity {
 template <class Real>
 struct GravityAsAcceleration {
   static constexpr std::string_view name = "gravity as acceleration";
-  static constexpr std::string_view reads;
+  static constexpr std::string_view reads{};
   Vec3<Real> gravity = {0, 0, Real(-9.81)};  ///< g, m/s², world axes
 
   void check() const { require_finite("gravity", gravity, "m/s^2"); }

@@ -11,7 +11,7 @@ namespace tumble {
 /// Empties the sum of forces.
 template <class Real>
 struct ClearForce {
-  static constexpr std::string_view name = "clear the forces", reads, writes = "force";
+  static constexpr std::string_view name = "clear the forces", reads{}, writes = "force";
   static constexpr Phase phase = Phase::force;
   std::string_view why_skipped(const Facts& facts) const {
     return facts.is_pushed ? "" : "no force acts on them";
@@ -22,7 +22,7 @@ struct ClearForce {
 /// Empties the sum of torques.
 template <class Real>
 struct ClearTorque {
-  static constexpr std::string_view name = "clear the torques", reads, writes = "torque";
+  static constexpr std::string_view name = "clear the torques", reads{}, writes = "torque";
   static constexpr Phase phase = Phase::force;
   std::string_view why_skipped(const Facts& facts) const {
     return facts.is_torqued ? "" : "no torque acts on them";
