@@ -95,7 +95,7 @@ SineCosine<Real> sine_cosine(Real angle) {
   const Real fine = coarse - turns * part[1];
   const Real lost = (coarse - fine) - turns * part[1];
   const Real rest = fine + ((lost - turns * part[2]) - turns * part[3]);
-  const bool answered = angle * angle <= Constants::limit * Constants::limit;
+  const auto answered = angle * angle <= Constants::limit * Constants::limit;
   const Real x = select(answered, rest, Constants::Limits::quiet_NaN());
 
   // Sum the series of sin x and cos x, |x| ≤ π/4, from the smallest term on.

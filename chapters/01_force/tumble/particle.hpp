@@ -23,7 +23,7 @@ using Particled = Particle<double>;
 
 /// True when no force can change the particle's velocity.
 template <class Real>
-bool is_static(const Particle<Real>& particle) {
+auto is_static(const Particle<Real>& particle) {
   return particle.inverse_mass == 0;
 }
 

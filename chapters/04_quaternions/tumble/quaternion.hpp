@@ -88,7 +88,7 @@ template <class Real>
 Quaternion<Real> renormalized(const Quaternion<Real>& q) {
   using std::abs, std::sqrt;
   const Real square = q.real * q.real + q.imaginary.squaredNorm();
-  const bool near_enough = abs(square - 1) <= 8 * std::numeric_limits<Real>::epsilon();
+  const auto near_enough = abs(square - 1) <= 8 * std::numeric_limits<Real>::epsilon();
   return select(near_enough, Real(1), 1 / sqrt(square)) * q;
 }
 //! [renormalized]

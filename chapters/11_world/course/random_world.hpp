@@ -36,8 +36,8 @@ class Dice {
 };
 
 /// A body of any kind: point, box, ball, rod, static; at rest or not.
-template <class Real>
-BodyHandle add_random_body(World<Real>& world, Dice& dice, const std::string& name) {
+template <class Real, class Keeping>
+BodyHandle add_random_body(World<Real, Keeping>& world, Dice& dice, const std::string& name) {
   const Vec3<Real> place = 3 * dice.vector<Real>();
   const Vec3<Real> velocity = dice.one_in(2) ? dice.vector<Real>() : Vec3<Real>(0, 0, 0);
   const Vec3<Real> spin =
@@ -68,8 +68,8 @@ BodyHandle add_random_body(World<Real>& world, Dice& dice, const std::string& na
 }
 
 /// Adds one effect of any kind to all or to some; sometimes one that does nothing.
-template <class Real>
-void add_random_effect(World<Real>& world, Dice& dice, const std::vector<BodyHandle>& bodies) {
+template <class Real, class Keeping>
+void add_random_effect(World<Real, Keeping>& world, Dice& dice, const std::vector<BodyHandle>& bodies) {
   const Real amount = dice.one_in(4) ? 0 : Real(0.5) + dice.real<Real>() / 4;
   const Vec3<Real> direction = dice.one_in(3) ? Vec3<Real>(0, 0, 0) : dice.vector<Real>();
   const std::vector<BodyHandle> some = {bodies[dice.below(bodies.size())]};
@@ -115,14 +115,14 @@ void add_random_effect(World<Real>& world, Dice& dice, const std::vector<BodyHan
   }
 }
 
-template <class Real>
-World<Real> random_world(Dice& dice) {
+template <class Real, class Keeping = OneByOne<Real>>
+World<Real, Keeping> random_world(Dice& dice, std::size_t most_bodies = 5) {
   constexpr TurningMethod methods[] = {TurningMethod::splitting, TurningMethod::axis_by_axis,
                                        TurningMethod::carrying_momentum, TurningMethod::steady,
                                        TurningMethod::implicit_newton};
-  World<Real> world(steps_per_second(60), methods[dice.below(5)]);
+  World<Real, Keeping> world(steps_per_second(60), methods[dice.below(5)]);
   std::vector<BodyHandle> bodies;
-  for (std::size_t n = 0, count = 1 + dice.below(5); n < count; ++n)
+  for (std::size_t n = 0, count = 1 + dice.below(most_bodies); n < count; ++n)
     bodies.push_back(add_random_body(world, dice, "body " + std::to_string(n)));
   for (std::size_t n = 0, count = dice.below(6); n < count; ++n)
     add_random_effect(world, dice, bodies);
@@ -130,8 +130,8 @@ World<Real> random_world(Dice& dice) {
 }
 
 /// Does something to a world while it runs. Two worlds with equal dice fare alike.
-template <class Real>
-void meddle(World<Real>& world, Dice& dice, int number) {
+template <class Real, class Keeping>
+void meddle(World<Real, Keeping>& world, Dice& dice, int number) {
   if (world.body_count() == 0) return;
   const BodyHandle body = world.handle_at(static_cast<BodyIndex>(dice.below(world.body_count())));
   const bool has_top = !is_point(world.bodies(), world.slots().index_of(body));

@@ -2,7 +2,6 @@
 /// What surrounds a body: damping, drag, the Magnus force and buoyancy as effects.
 #pragma once
 
-#include <algorithm>
 #include <numbers>
 #include <tumble/damping.hpp>
 #include <tumble/drag.hpp>
@@ -28,6 +27,10 @@ struct LinearDamping {
                              : "";
   }
   void act(Particle<Real>& centre, const Moment<Real>&) const { damp(centre, fraction); }
+  template <class Wide>
+  LinearDamping<Wide> widened() const {
+    return {rate, fraction};
+  }
 };
 //! [linear_damping]
 
@@ -47,6 +50,10 @@ struct AngularDamping {
                           : "";
   }
   void act(Top<Real>& top, const Moment<Real>&) const { damp(top, fraction); }
+  template <class Wide>
+  AngularDamping<Wide> widened() const {
+    return {rate, fraction};
+  }
 };
 
 /// Drag that grows with the square of the speed through the air, see quadratic_drag().
@@ -68,6 +75,10 @@ struct QuadraticDrag {
   }
   Vec3<Real> force(const Particle<Real>& centre, Real) const {
     return quadratic_drag(coefficient, centre.velocity, wind);
+  }
+  template <class Wide>
+  QuadraticDrag<Wide> widened() const {
+    return {coefficient, wind.template cast<Wide>()};
   }
 };
 
@@ -99,6 +110,10 @@ struct Magnus {
     const Vec3<Real> through_air = body.centre.velocity - wind;
     return strength * angular_velocity_world(body.top).cross(through_air);
   }
+  template <class Wide>
+  Magnus<Wide> widened() const {
+    return {strength, wind.template cast<Wide>()};
+  }
 };
 //! [magnus]
 
@@ -125,10 +140,14 @@ struct Buoyancy {
     return density == 0 || radius == 0 || gravity == 0 ? "it lifts nothing" : "";
   }
   Vec3<Real> force(const Particle<Real>& centre, Real) const {
-    const Real depth =
-        std::clamp<Real>(surface - centre.position.z() + radius, Real(0), 2 * radius);
+    const Real below = surface - centre.position.z() + radius;
+    const Real depth = select(below < 0, Real(0), select(below > 2 * radius, 2 * radius, below));
     const Real volume = std::numbers::pi_v<Real> * depth * depth * (radius - depth / 3);
     return {0, 0, density * volume * gravity};
+  }
+  template <class Wide>
+  Buoyancy<Wide> widened() const {
+    return {density, radius, surface, gravity};
   }
 };
 //! [buoyancy]

@@ -50,9 +50,9 @@ BodyState<Real> state_of(const Bodies<Real>& bodies, BodyIndex body) {
   return {bodies.centres[body], top == no_index ? none : bodies.tops[top]};
 }
 
-/// Appends a body; `top` is null for a point. @return its index
-template <class Real>
-BodyIndex append(Bodies<Real>& bodies, const Particle<Real>& centre, const Top<Real>* top) {
+/// Appends a body; `top` is null for a point. `bodies` is a Bodies, or like one. @return its index
+template <class AnyBodies, class Real>
+BodyIndex append(AnyBodies& bodies, const Particle<Real>& centre, const Top<Real>* top) {
   const auto body = static_cast<BodyIndex>(bodies.centres.size());
   bodies.centres.push_back(centre);
   bodies.top_of.push_back(top ? static_cast<BodyIndex>(bodies.tops.size()) : no_index);
@@ -63,22 +63,26 @@ BodyIndex append(Bodies<Real>& bodies, const Particle<Real>& centre, const Top<R
   return body;
 }
 
-/// Takes a body out. The last body gets its place, and the last top the place of its top.
-template <class Real>
-void take_out(Bodies<Real>& bodies, BodyIndex body) {
+/// Takes an element out of an array; the last one gets its place.
+template <class Element>
+void replace_by_last(std::vector<Element>& array, BodyIndex i) {
+  array[i] = std::move(array.back());
+  array.pop_back();
+}
+
+/// Takes a body out of a Bodies, or what is like one. The last body gets its place, and the last
+/// top the place of its top.
+template <class AnyBodies>
+void take_out(AnyBodies& bodies, BodyIndex body) {
   if (const BodyIndex top = bodies.top_of[body]; top != no_index) {
-    bodies.tops[top] = bodies.tops.back();
-    bodies.body_of[top] = bodies.body_of.back();
-    bodies.top_of[bodies.body_of[top]] = top;
-    bodies.tops.pop_back();
-    bodies.body_of.pop_back();
+    replace_by_last(bodies.tops, top);
+    replace_by_last(bodies.body_of, top);
+    if (top < bodies.tops.size()) bodies.top_of[bodies.body_of[top]] = top;
   }
-  const auto last = static_cast<BodyIndex>(bodies.centres.size() - 1);
-  bodies.centres[body] = bodies.centres[last];
-  bodies.top_of[body] = bodies.top_of[last];
-  if (body != last && bodies.top_of[body] != no_index) bodies.body_of[bodies.top_of[body]] = body;
-  bodies.centres.pop_back();
-  bodies.top_of.pop_back();
+  replace_by_last(bodies.centres, body);
+  replace_by_last(bodies.top_of, body);
+  if (body < bodies.centres.size() && bodies.top_of[body] != no_index)
+    bodies.body_of[bodies.top_of[body]] = body;
 }
 
 }  // namespace tumble

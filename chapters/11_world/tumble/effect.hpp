@@ -57,6 +57,12 @@ struct Moment {
   Real time_step = 0;  ///< s
 };
 
+/// When step number `tick` happens: at n h, with two roundings however many steps there were.
+template <class Real>
+Moment<Real> moment_of(std::int64_t tick, Real time_step) {
+  return {static_cast<Real>(tick) * time_step, time_step};
+}
+
 /// The forms that an effect's kernel can take. The form says what the effect can change, and the
 /// world believes it: whoever gives only a force never makes anything turn.
 //! [forms]

@@ -19,6 +19,10 @@ struct Gravity {
     return gravity == Vec3<Real>::Zero() ? "gravity is zero" : "";
   }
   Vec3<Real> force(const Particle<Real>& centre, Real) const { return mass_of(centre) * gravity; }
+  template <class Wide>
+  Gravity<Wide> widened() const {
+    return {gravity.template cast<Wide>()};
+  }
   Real potential_energy(const BodyState<Real>& body) const {
     return -mass_of(body.centre) * gravity.dot(body.centre.position);
   }
@@ -38,6 +42,10 @@ struct GravityAsAcceleration {
     return gravity == Vec3<Real>::Zero() ? "gravity is zero" : "";
   }
   Vec3<Real> acceleration(const Particle<Real>&, Real) const { return gravity; }
+  template <class Wide>
+  GravityAsAcceleration<Wide> widened() const {
+    return {gravity.template cast<Wide>()};
+  }
   Real potential_energy(const BodyState<Real>& body) const {
     return -mass_of(body.centre) * gravity.dot(body.centre.position);
   }
@@ -67,6 +75,10 @@ struct PointGravity {
     const Vec3<Real> r = body.position - centre;
     const Real distance = r.norm();
     return -(mass_of(body) * (strength / distance / distance)) * (r / distance);
+  }
+  template <class Wide>
+  PointGravity<Wide> widened() const {
+    return {strength, centre.template cast<Wide>()};
   }
   Real potential_energy(const BodyState<Real>& body) const {
     return -mass_of(body.centre) * (strength / (body.centre.position - centre).norm());

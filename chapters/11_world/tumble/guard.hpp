@@ -2,6 +2,7 @@
 /// What keeps a world whole: a step that would leave a number that is no number is taken back.
 #pragma once
 
+#include <optional>
 #include <stdexcept>
 #include <tumble/planner.hpp>
 #include <tumble/sine_cosine.hpp>
@@ -64,16 +65,36 @@ Real largest_turn(const Top<Real>& top, Same<Real> time_step) {
 /// sine_cosine() knows.
 //! [can_drift]
 template <class Real>
-bool can_drift(const Particle<Real>& centre, Same<Real> time_step) {
+auto can_drift(const Particle<Real>& centre, Same<Real> time_step) {
+  using std::abs;
   const Vec3<Real> there = centre.position + time_step * centre.velocity;
-  return is_finite(there);
+  const Real largest = std::numeric_limits<Real>::max();
+  return abs(there.x()) <= largest && abs(there.y()) <= largest && abs(there.z()) <= largest;
 }
 
 template <class Real>
-bool can_drift(const Top<Real>& top, Same<Real> time_step) {
+auto can_drift(const Top<Real>& top, Same<Real> time_step) {
   return largest_turn(top, time_step) <= 2 * SineCosineConstants<Real>::limit;
 }
 //! [can_drift]
+
+/// A body that could not drift, as the kick had left it.
+template <class Real>
+struct Stopped {
+  BodyIndex index;
+  RigidBody<Real> body;
+};
+
+/// The first body that can't drift. @return nothing if all can
+template <class Real>
+std::optional<BodyIndex> first_stopped(const Bodies<Real>& bodies, const Planned<Real>& planned,
+                                       Real time_step) {
+  for (const BodyIndex body : planned.movers)
+    if (!can_drift(bodies.centres[body], time_step)) return body;
+  for (const BodyIndex top : planned.turners)
+    if (!can_drift(bodies.tops[top], time_step)) return bodies.body_of[top];
+  return std::nullopt;
+}
 
 /// Who is to blame: the first effect, in the order of the scene, that gives the body a push with an
 /// element that is infinite or NaN. @return null if each alone is finite
@@ -102,14 +123,15 @@ const AnyEffect<Real>* culprit_for(BodyIndex body, const std::vector<Pass<Real>>
   return nullptr;
 }
 
-/// The error for a body that could not drift. `failed` is the body as the kick left it; `bodies`
-/// are restored.
+/// The error for a body that could not drift. `bodies` are as they were before the step.
 template <class Real>
-SimulationError failure(const std::string& name, BodyIndex body, const RigidBody<Real>& failed,
+SimulationError failure(const std::string& name, const Stopped<Real>& stopped,
                         const std::vector<Pass<Real>>& passes, const Bodies<Real>& bodies,
-                        const Moment<Real>& moment, std::int64_t tick) {
+                        std::int64_t tick, Real time_step) {
+  const RigidBody<Real>& failed = stopped.body;
+  const Moment<Real> moment = moment_of(tick, time_step);
   Push<Real> push;
-  const AnyEffect<Real>* culprit = culprit_for(body, passes, bodies, moment.time, push);
+  const AnyEffect<Real>* culprit = culprit_for(stopped.index, passes, bodies, moment.time, push);
   std::string what =
       "'" + name + "' at " + text_of(moment.time) + " s (step " + std::to_string(tick) + "): ";
   if (culprit) {

@@ -91,11 +91,13 @@ LedgerLine work_of(const Push<Real>& push, const BodyState<Real>& before,
 template <class Real>
 class Ledger {
  public:
-  explicit Ledger(const World<Real>& world) : start_(holdings_of(world.bodies())) {}
+  template <class Keeping>
+  explicit Ledger(const World<Real, Keeping>& world) : start_(holdings_of(world.bodies())) {}
 
   /// One step of the world, booked. If it fails, nothing is booked.
   //! [ledger_step]
-  void step(World<Real>& world) {
+  template <class Keeping>
+  void step(World<Real, Keeping>& world) {
     const Bodies<Real> before = world.bodies();
     const Real time = world.time();
     const std::vector<Pass<Real>> passes = world.passes();
@@ -128,7 +130,8 @@ class Ledger {
   const LedgerLine& start() const { return start_; }
 
   /// What they have now.
-  LedgerLine now(const World<Real>& world) const { return holdings_of(world.bodies()); }
+  template <class Keeping>
+  LedgerLine now(const World<Real, Keeping>& world) const { return holdings_of(world.bodies()); }
 
   /// What each effect put in so far.
   std::vector<LedgerLine> lines() const {
@@ -138,7 +141,8 @@ class Ledger {
   }
 
   /// What is neither start nor any line: rounding, if the books are right.
-  LedgerLine rest(const World<Real>& world) const {
+  template <class Keeping>
+  LedgerLine rest(const World<Real, Keeping>& world) const {
     LedgerLine rest = now(world);
     rest -= start_;
     for (const Line& line : lines_) rest -= line.sum;
@@ -146,11 +150,12 @@ class Ledger {
   }
 
   /// The energy (J) stored in the effects that know theirs: gravity and springs.
-  static double stored(World<Real>& world) {
+  template <class Keeping>
+  static double stored(World<Real, Keeping>& world) {
+    const Bodies<Real>& bodies = world.bodies();
     double sum = 0;
     for (const Pass<Real>& pass : world.passes()) {
       if (!pass.effect->stores_energy()) continue;
-      const Bodies<Real>& bodies = world.bodies();
       const std::vector<BodyIndex>& members = pass.group.members;
       if (pass.effect->joins_two())
         for (std::size_t i = 0; i < members.size(); i += 2)
@@ -211,8 +216,8 @@ class Ledger {
 
 /// The books as a table of text: energy in J, momentum in kg m/s, and angular momentum about the
 /// origin in kg m²/s.
-template <class Real>
-std::string table_of(const Ledger<Real>& ledger, const World<Real>& world) {
+template <class Real, class Keeping>
+std::string table_of(const Ledger<Real>& ledger, const World<Real, Keeping>& world) {
   std::vector<std::pair<std::string, LedgerLine>> rows = {{"at the start", ledger.start()}};
   for (const LedgerLine& line : ledger.lines()) rows.emplace_back("+ " + line.name, line);
   rows.emplace_back("now", ledger.now(world));

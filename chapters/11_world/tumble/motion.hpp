@@ -17,6 +17,10 @@ struct ClearForce {
     return facts.is_pushed ? "" : "no force acts on them";
   }
   void act(Particle<Real>& centre, const Moment<Real>&) const { clear_force(centre); }
+  template <class Wide>
+  ClearForce<Wide> widened() const {
+    return {};
+  }
 };
 
 /// Empties the sum of torques.
@@ -28,6 +32,10 @@ struct ClearTorque {
     return facts.is_torqued ? "" : "no torque acts on them";
   }
   void act(Top<Real>& top, const Moment<Real>&) const { clear_torque(top); }
+  template <class Wide>
+  ClearTorque<Wide> widened() const {
+    return {};
+  }
 };
 
 /// v ← v + h F/m.
@@ -43,6 +51,10 @@ struct KickCentre {
   void act(Particle<Real>& centre, const Moment<Real>& moment) const {
     kick(centre, moment.time_step);
   }
+  template <class Wide>
+  KickCentre<Wide> widened() const {
+    return {};
+  }
 };
 
 /// L ← L + h τ.
@@ -56,6 +68,10 @@ struct KickTop {
                              : "";
   }
   void act(Top<Real>& top, const Moment<Real>& moment) const { kick(top, moment.time_step); }
+  template <class Wide>
+  KickTop<Wide> widened() const {
+    return {};
+  }
 };
 
 /// x ← x + h v.
@@ -70,6 +86,10 @@ struct DriftCentre {
   }
   void act(Particle<Real>& centre, const Moment<Real>& moment) const {
     drift(centre, moment.time_step);
+  }
+  template <class Wide>
+  DriftCentre<Wide> widened() const {
+    return {};
   }
 };
 
@@ -87,21 +107,30 @@ struct TurnSteadily {
   void act(Top<Real>& top, const Moment<Real>& moment) const {
     turn_steadily(top, moment.time_step);
   }
+  template <class Wide>
+  TurnSteadily<Wide> widened() const {
+    return {};
+  }
 };
 
 /// Turns by `rule`, one of chapter 8's, the tops whose L × ω can be other than zero.
-template <class Real, void (*rule)(Top<Real>&, Same<Real>)>
+template <class Real, class Rule>
 struct Tumble {
   static constexpr std::string_view reads = "angular momentum";
   static constexpr std::string_view writes = "orientation, angular momentum";
   static constexpr Phase phase = Phase::drift;
   std::string name;
+  Rule rule;
   std::string_view why_skipped(const Facts& facts) const {
     return !facts.turns           ? "no spin and nothing that can give torque"
            : !facts.is_gyroscopic ? "equal moments or a locked axis: they turn steadily"
                                   : "";
   }
   void act(Top<Real>& top, const Moment<Real>& moment) const { rule(top, moment.time_step); }
+  template <class Wide>
+  Tumble<Wide, Rule> widened() const {
+    return {name, rule};
+  }
 };
 //! [motion]
 

@@ -90,9 +90,31 @@ void add_push(Bodies<Real>& bodies, BodyIndex body, const Push<Real>& push) {
   if (!is_point(bodies, body)) bodies.tops[bodies.top_of[body]].torque += push.torque;
 }
 
+/// Listens to the passes of a step, and has nothing to say.
+struct Silence {
+  template <class Effect>
+  void operator()(const Effect&) const {}
+};
+
+/// Runs an effect's kernel on one centre, or on one top.
+template <class Effect, class Real>
+void visit(const Effect& effect, Particle<Real>& centre, const Moment<Real>& moment) {
+  if constexpr (ForceOnCentre<Effect, Real>)
+    centre.force += effect.force(centre, moment.time);
+  else if constexpr (AccelerationOfCentre<Effect, Real>)
+    accelerate<Real>(centre, effect.acceleration(centre, moment.time), moment.time_step);
+  else
+    effect.act(centre, moment);
+}
+
+template <class Effect, class Real>
+void visit(const Effect& effect, Top<Real>& top, const Moment<Real>& moment) {
+  effect.act(top, moment);
+}
+
 /// AnyEffect for one type of effect.
 template <class Real, class Effect>
-class EffectOf final : public AnyEffect<Real> {
+class EffectOf : public AnyEffect<Real> {
   static constexpr bool force_on_centre = ForceOnCentre<Effect, Real>;
   static constexpr bool force_on_body = ForceOnBody<Effect, Real>;
   static constexpr bool push_on_body = PushOnBody<Effect, Real>;
@@ -107,6 +129,7 @@ class EffectOf final : public AnyEffect<Real> {
 
  public:
   explicit EffectOf(const Effect& effect) : effect_(effect) {}
+  const Effect& effect() const { return effect_; }
 
   std::string name() const override { return std::string(effect_.name); }
   Phase phase() const override {
@@ -178,19 +201,11 @@ class EffectOf final : public AnyEffect<Real> {
   }
 
   void act(Bodies<Real>& bodies, const Group& group, const Moment<Real>& moment) const override {
-    if constexpr (force_on_centre) {
-      for_each_of(group, bodies.centres, [&](Particle<Real>& centre) {
-        centre.force += effect_.force(centre, moment.time);
-      });
-    } else if constexpr (accelerates) {
-      for_each_of(group, bodies.centres, [&](Particle<Real>& centre) {
-        accelerate<Real>(centre, effect_.acceleration(centre, moment.time), moment.time_step);
-      });
-    } else if constexpr (on_centre) {
+    if constexpr (force_on_centre || accelerates || on_centre) {
       for_each_of(group, bodies.centres,
-                  [&](Particle<Real>& centre) { effect_.act(centre, moment); });
+                  [&](Particle<Real>& centre) { visit(effect_, centre, moment); });
     } else if constexpr (on_top) {
-      for_each_of(group, bodies.tops, [&](Top<Real>& top) { effect_.act(top, moment); });
+      for_each_of(group, bodies.tops, [&](Top<Real>& top) { visit(effect_, top, moment); });
     } else if constexpr (push_between) {
       for (std::size_t i = 0; i < group.members.size(); i += 2) {
         const BodyIndex first = group.members[i], second = group.members[i + 1];

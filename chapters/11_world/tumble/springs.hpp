@@ -23,12 +23,11 @@ template <class Real>
 Vec3<Real> spring_force(const Spring<Real>& spring, const Vec3<Real>& extent,
                         const Vec3<Same<Real>>& rate) {
   const Real length = extent.norm();
-  if (!(length > 0)) return length * extent;
-  const Vec3<Real> n = extent / length;
+  const Vec3<Real> n = extent / select(length == 0, Real(1), length);
   const Real stretch = length - spring.rest_length;
   const Real tension = spring.stiffness * stretch + spring.damping * rate.dot(n);
-  if (spring.only_pulls && (stretch < 0 || tension < 0)) return Vec3<Real>::Zero();
-  return -tension * n;
+  const Real pull = spring.only_pulls ? select(stretch < 0 || tension < 0, Real(0), tension) : tension;
+  return -pull * n;
 }
 
 /// ½ k (l − l₀)², J.
@@ -86,6 +85,13 @@ struct SpringToPoint {
     const Vec3<Real> extent = body.centre.position - anchor + arm;
     const Vec3<Real> force = spring_force<Real>(spring, extent, velocity_of_arm<Real>(body, arm));
     return {.force = force, .torque = arm.cross(force)};
+  }
+  template <class Wide>
+  SpringToPoint<Wide> widened() const {
+    return {{spring.stiffness, spring.damping, spring.rest_length, spring.only_pulls},
+            anchor.template cast<Wide>(),
+            attachment.template cast<Wide>(),
+            name};
   }
   Real potential_energy(const BodyState<Real>& body) const {
     return spring_energy<Real>(spring, body.centre.position - anchor + arm_of(body, attachment));

@@ -28,37 +28,37 @@ inline constexpr std::array<std::string_view, 7> turning_method_names = {
     "splitting",      "axis by axis", "carrying momentum", "implicit Newton", "restoring momentum",
     "explicit Euler", "steady"};
 
-/// The effect that turns by a method.
-template <class Real>
+/// The effect that turns by a method, in the form that `Keeping` runs.
+template <class Real, class Keeping>
 std::shared_ptr<const AnyEffect<Real>> tumbling_effect(TurningMethod method) {
   const std::string name =
       "tumbling: " + std::string(turning_method_names[static_cast<std::size_t>(method)]);
-  const auto by = [&]<void (*rule)(Top<Real>&, Same<Real>)>() {
-    return std::make_shared<const EffectOf<Real, Tumble<Real, rule>>>(Tumble<Real, rule>{name});
+  const auto by = [&]<class Rule>(Rule rule) {
+    return Keeping::erased(Tumble<Real, Rule>{name, rule});
   };
   switch (method) {
     case TurningMethod::axis_by_axis:
-      return by.template operator()<&turn_axis_by_axis<Real>>();
+      return by([](auto& top, auto time_step) { turn_axis_by_axis(top, time_step); });
     case TurningMethod::carrying_momentum:
-      return by.template operator()<&turn_carrying_momentum<Real>>();
+      return by([](auto& top, auto time_step) { turn_carrying_momentum(top, time_step); });
     case TurningMethod::implicit_newton:
-      return by.template operator()<&turn_implicitly<Real>>();
+      return by([](auto& top, auto time_step) { turn_implicitly(top, time_step); });
     case TurningMethod::restoring_momentum:
-      return by.template operator()<&turn_restoring_momentum<Real>>();
+      return by([](auto& top, auto time_step) { turn_restoring_momentum(top, time_step); });
     case TurningMethod::explicit_euler:
-      return by.template operator()<&turn_explicitly<Real>>();
+      return by([](auto& top, auto time_step) { turn_explicitly(top, time_step); });
     case TurningMethod::steady:
-      return by.template operator()<&turn_steadily<Real>>();
+      return by([](auto& top, auto time_step) { turn_steadily(top, time_step); });
     case TurningMethod::splitting:
       break;
   }
-  return by.template operator()<&turn_by_splitting<Real>>();
+  return by([](auto& top, auto time_step) { turn_by_splitting(top, time_step); });
 }
 
 /// The scene's effects, in the order in which they came, and the motion that every world has, in
 /// the order of a step.
 //! [in_order]
-template <class Real>
+template <class Real, class Keeping>
 std::vector<Entry<Real>> in_order(const std::vector<Entry<Real>>& scene, TurningMethod method) {
   std::vector<Entry<Real>> entries;
   const auto add_scene = [&](Phase phase) {
@@ -66,7 +66,7 @@ std::vector<Entry<Real>> in_order(const std::vector<Entry<Real>>& scene, Turning
       if (entry.effect->phase() == phase) entries.push_back(entry);
   };
   const auto add = [&]<class Effect>(const Effect& effect) {
-    entries.push_back({{}, std::make_shared<const EffectOf<Real, Effect>>(effect)});
+    entries.push_back({{}, Keeping::erased(effect)});
   };
   add(ClearForce<Real>{});
   add(ClearTorque<Real>{});
@@ -78,7 +78,7 @@ std::vector<Entry<Real>> in_order(const std::vector<Entry<Real>>& scene, Turning
   add_scene(Phase::damping);
   add(DriftCentre<Real>{});
   add(TurnSteadily<Real>{});
-  entries.push_back({{}, tumbling_effect<Real>(method)});
+  entries.push_back({{}, tumbling_effect<Real, Keeping>(method)});
   add_scene(Phase::drift);
   return entries;
 }

@@ -36,6 +36,10 @@ struct Thruster {
     return {.force = burning * rotate(body.top.orientation, force_body),
             .torque = burning * rotate(body.top.orientation, torque_body)};
   }
+  template <class Wide>
+  Thruster<Wide> widened() const {
+    return {force_body.template cast<Wide>(), point.template cast<Wide>(), from, until, name};
+  }
 };
 //! [thruster]
 

@@ -2,8 +2,8 @@
 /// A world: bodies, the effects that a scene calls for, and a step that runs what the plan says.
 #pragma once
 
-#include <tumble/guard.hpp>
 #include <tumble/make_rigid_body.hpp>
+#include <tumble/one_by_one.hpp>
 #include <tumble/spring_limits.hpp>
 #include <tumble/step_clock.hpp>
 #include <tumble/step_order.hpp>
@@ -13,7 +13,9 @@ namespace tumble {
 
 /// Bodies and effects with a fixed time step. Everything that could change the plan goes through
 /// the world, so the plan is always right. A copy of a world is another world in the same state.
-template <class Real>
+///
+/// `Keeping` says how the bodies are kept and visited, and changes no bit of how they move.
+template <class Real, class Keeping = OneByOne<Real>>
 class World {
  public:
   explicit World(const StepLength& step = {}, TurningMethod method = TurningMethod::splitting)
@@ -52,15 +54,15 @@ class World {
     });
     call_for("'" + names_[index] + "' was removed");
     handles_.erase(names_[index]);
-    take_out(bodies_, index);
+    kept_.take_out(index);
     slots_.release(body);
-    for_last_to(names_, index);
-    for_last_to(histories_, index);
+    replace_by_last(names_, index);
+    replace_by_last(histories_, index);
   }
 
   bool contains(BodyHandle body) const { return slots_.contains(body); }
-  std::size_t body_count() const { return bodies_.centres.size(); }
-  std::size_t top_count() const { return bodies_.tops.size(); }
+  std::size_t body_count() const { return kept_.body_count(); }
+  std::size_t top_count() const { return kept_.top_count(); }
 
   /// @throws std::invalid_argument if no body is called so.
   BodyHandle find(const std::string& name) const {
@@ -72,11 +74,11 @@ class World {
   BodyHandle handle_at(BodyIndex index) const { return slots_.handle_of(index); }
 
   /// The body as it is now; a point has a top that is locked about every axis.
-  RigidBody<Real> body(BodyHandle body) const {
-    const BodyState<Real> state = state_of(bodies_, slots_.index_of(body));
-    return {.centre = state.centre, .top = state.top};
-  }
-  const Bodies<Real>& bodies() const { return bodies_; }
+  RigidBody<Real> body(BodyHandle body) const { return kept_.body(slots_.index_of(body)); }
+  /// All of them: a reference to them, or, from a Keeping that has them in another form, a copy.
+  decltype(auto) bodies() const { return kept_.bodies(); }
+  /// How the bodies are kept.
+  Keeping& keeping() { return kept_; }
 
   // --- Changes while it runs --------------------------------------------------------------------
 
@@ -86,8 +88,8 @@ class World {
     const BodyIndex index = slots_.index_of(body);
     check_centre(names_[index], by.centre);
     check_top(names_[index], by.top);
-    top_of(index) = by.top;
-    bodies_.centres[index] = by.centre;
+    require_top(index);
+    kept_.set_body(index, by);
     note_motion(index);
     call_for("'" + names_[index] + "' was replaced");
   }
@@ -95,27 +97,30 @@ class World {
   void set_position(BodyHandle body, const Vec3<Same<Real>>& position) {
     const BodyIndex index = slots_.index_of(body);
     require_finite(names_[index] + ": position", position, "m");
-    bodies_.centres[index].position = position;
+    change(index, [&](RigidBody<Real>& changed) { changed.centre.position = position; });
   }
 
   void set_velocity(BodyHandle body, const Vec3<Same<Real>>& velocity) {
     const BodyIndex index = slots_.index_of(body);
     require_finite(names_[index] + ": velocity", velocity, "m/s");
-    bodies_.centres[index].velocity = velocity;
+    change(index, [&](RigidBody<Real>& changed) { changed.centre.velocity = velocity; });
     note_motion(index);
   }
 
   void set_orientation(BodyHandle body, const Quaternion<Real>& orientation) {
     const BodyIndex index = slots_.index_of(body);
-    top_of(index).orientation = checked_orientation(orientation, names_[index] + ": orientation");
+    require_top(index);
+    const Quaternion<Real> q = checked_orientation(orientation, names_[index] + ": orientation");
+    change(index, [&](RigidBody<Real>& changed) { changed.top.orientation = q; });
   }
 
   /// Sets the angular velocity, rad/s, world axes.
   void set_angular_velocity(BodyHandle body, const Vec3<Same<Real>>& angular_velocity) {
     const BodyIndex index = slots_.index_of(body);
-    Top<Real> top = top_of(index);
-    set_checked_angular_velocity(names_[index], top, angular_velocity);
-    top_of(index) = top;
+    require_top(index);
+    change(index, [&](RigidBody<Real>& changed) {
+      set_checked_angular_velocity(names_[index], changed.top, angular_velocity);
+    });
     note_motion(index);
   }
 
@@ -123,13 +128,12 @@ class World {
   void apply_impulse_at(BodyHandle body, const Vec3<Same<Real>>& impulse,
                         const Vec3<Same<Real>>& point) {
     const BodyIndex index = slots_.index_of(body);
-    RigidBody<Real> changed = this->body(body);
-    tumble::apply_impulse_at(changed, impulse, point);
-    require_finite(names_[index] + ": velocity after the blow", changed.centre.velocity, "m/s");
-    require_finite(names_[index] + ": angular momentum after the blow",
-                   changed.top.angular_momentum_body, "kg m^2/s");
-    bodies_.centres[index].velocity = changed.centre.velocity;
-    if (!is_point(bodies_, index)) top_of(index) = changed.top;
+    change(index, [&](RigidBody<Real>& changed) {
+      tumble::apply_impulse_at(changed, impulse, point);
+      require_finite(names_[index] + ": velocity after the blow", changed.centre.velocity, "m/s");
+      require_finite(names_[index] + ": angular momentum after the blow",
+                     changed.top.angular_momentum_body, "kg m^2/s");
+    });
     note_motion(index);
   }
 
@@ -173,7 +177,7 @@ class World {
   Real time_step() const { return time_step_; }
   std::int64_t ticks() const { return ticks_; }
   /// n h, s: with two roundings however many steps there were.
-  Real time() const { return static_cast<Real>(ticks_) * time_step_; }
+  Real time() const { return moment_of(ticks_, time_step_).time; }
 
   // --- The plan ---------------------------------------------------------------------------------
 
@@ -206,67 +210,43 @@ class World {
 
   /// One step. @throws SimulationError if a number would become infinite or NaN; the world is then
   /// as it was before the step.
-  void step() {
-    step([](const AnyEffect<Real>&) {});
-  }
+  void step() { step(Silence{}); }
 
   /// The same; `after_pass` is called with the effect of each pass that has run.
-  //! [step]
   template <class AfterPass>
   requires std::invocable < AfterPass, const AnyEffect<Real>
   & > void step(const AfterPass& after_pass) {
-    const std::vector<Pass<Real>>& passes = this->passes();
-    const Moment<Real> moment{time(), time_step_};
-    std::size_t i = 0;
-    const auto run_until = [&](Phase phase) {
-      for (; i < passes.size() && passes[i].effect->phase() < phase; ++i) {
-        passes[i].effect->act(bodies_, passes[i].group, moment);
-        after_pass(*passes[i].effect);
-      }
-    };
-    run_until(Phase::kick);
-    remember(bodies_, before_);
-    run_until(Phase::drift);
-    guard(moment);
-    for (; i < passes.size(); ++i) {
-      passes[i].effect->act(bodies_, passes[i].group, moment);
-      after_pass(*passes[i].effect);
-    }
+    plan();
+    if (const auto stopped = kept_.step(planned_, ticks_, time_step_, after_pass)) stop(*stopped);
     ++ticks_;
   }
-  //! [step]
 
   /// The same step without a plan: every effect visits every body that it is meant for, one by one,
   /// and asks its predicate each time. Slow, and simple enough to be believed.
   //! [step_by_reference]
   void step_by_reference() {
-    const Moment<Real> moment{time(), time_step_};
-    const std::vector<Entry<Real>> entries = in_order(effects_, method_);
-    const std::vector<Facts> facts = facts_of_all(bodies_, histories_, entries, slots_);
-    bool kicked = false, guarded = false;
+    Bodies<Real> bodies = kept_.bodies();
+    const Moment<Real> moment = moment_of(ticks_, time_step_);
+    const std::vector<Entry<Real>> entries = in_order<Real, Keeping>(effects_, method_);
+    const std::vector<Facts> facts = facts_of_all(bodies, histories_, entries, slots_);
+    bool guarded = false;
     for (const Entry<Real>& entry : entries) {
-      if (!kicked && entry.effect->phase() >= Phase::kick) {
-        remember(bodies_, before_);
-        kicked = true;
-      }
       if (!guarded && entry.effect->phase() == Phase::drift) {
         plan();  // its passes name the culprit
-        guard(moment);
+        if (const auto body = first_stopped(bodies, planned_, time_step_)) {
+          const BodyState<Real> state = state_of(bodies, *body);
+          stop({*body, {.centre = state.centre, .top = state.top}});
+        }
         guarded = true;
       }
-      visit_one_by_one(entry, facts, moment);
+      visit_one_by_one(entry, facts, bodies, moment);
     }
+    kept_.set_bodies(std::move(bodies));
     ++ticks_;
   }
   //! [step_by_reference]
 
  private:
-  template <class Element>
-  static void for_last_to(std::vector<Element>& array, BodyIndex index) {
-    array[index] = std::move(array.back());
-    array.pop_back();
-  }
-
   static void check_centre(const std::string& name, const Particle<Real>& centre) {
     require_finite(name + ": position", centre.position, "m");
     require_finite(name + ": velocity", centre.velocity, "m/s");
@@ -288,7 +268,7 @@ class World {
     if (handles_.contains(name))
       throw std::invalid_argument("two bodies are called '" + name + "'; names must differ");
     check_centre(name, centre);
-    const BodyIndex index = append(bodies_, centre, top);
+    const BodyIndex index = kept_.append(centre, top);
     histories_.push_back({});
     names_.push_back(name);
     const BodyHandle handle = slots_.take(index);
@@ -298,16 +278,24 @@ class World {
     return handle;
   }
 
-  Top<Real>& top_of(BodyIndex index) {
-    if (is_point(bodies_, index))
+  void require_top(BodyIndex index) const {
+    if (kept_.is_point(index))
       throw std::invalid_argument("'" + names_[index] + "' is a point: it has no orientation");
-    return bodies_.tops[bodies_.top_of[index]];
+  }
+
+  /// Lets `change_body` change a body. If it throws, nothing has changed.
+  template <class Change>
+  void change(BodyIndex index, const Change& change_body) {
+    RigidBody<Real> body = kept_.body(index);
+    change_body(body);
+    kept_.set_body(index, body);
   }
 
   /// Notes a first velocity or spin: it changes what the scene calls for.
   void note_motion(BodyIndex index) {
     History& history = histories_[index];
-    const BodyState<Real> state = state_of(bodies_, index);
+    if (history.has_moved && history.has_turned) return;
+    const RigidBody<Real> state = kept_.body(index);
     if (!history.has_moved && state.centre.velocity != Vec3<Real>::Zero()) {
       history.has_moved = true;
       call_for("'" + names_[index] + "' got its first velocity");
@@ -322,7 +310,7 @@ class World {
   EffectHandle append_effect(Effect effect, bool everyone, const std::vector<BodyHandle>& bodies) {
     if constexpr (requires { effect.check(); }) effect.check();
     if constexpr (requires { effect.prepare(time_step_); }) effect.prepare(time_step_);
-    auto erased = std::make_shared<const EffectOf<Real, Effect>>(effect);
+    auto erased = Keeping::erased(effect);
     const std::string name = erased->name();
     const std::size_t stride = erased->joins_two() ? 2 : 1;
     if (!everyone && (bodies.empty() || bodies.size() % stride != 0))
@@ -332,7 +320,7 @@ class World {
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const BodyIndex index = slots_.index_of(bodies[i]);
       const bool needs = i % stride == 0 ? erased->needs_top() : erased->needs_second_top();
-      if (needs && is_point(bodies_, index))
+      if (needs && kept_.is_point(index))
         throw std::invalid_argument("'" + name + "' needs an orientation, and '" + names_[index] +
                                     "' is a point");
       if (stride == 2 && i % 2 == 1 && bodies[i] == bodies[i - 1])
@@ -350,12 +338,16 @@ class World {
 
   void make_plan() {
     Plan old = std::move(planned_.plan);
-    planned_ = tumble::make_plan(bodies_, histories_, in_order(effects_, method_), slots_);
-    warn_of_springs();
+    Bodies<Real> bodies = kept_.bodies();
+    planned_ = tumble::make_plan(bodies, histories_, in_order<Real, Keeping>(effects_, method_), slots_);
+    warn_of_springs(bodies);
     for (BodyIndex body = 0; body < body_count(); ++body) {  // sums that nobody clears any more
-      if (!planned_.facts[body].is_pushed) clear_force(bodies_.centres[body]);
-      if (!planned_.facts[body].is_torqued && !is_point(bodies_, body)) clear_torque(top_of(body));
+      if (!planned_.facts[body].is_pushed) clear_force(bodies.centres[body]);
+      if (!planned_.facts[body].is_torqued && !is_point(bodies, body))
+        clear_torque(bodies.tops[bodies.top_of[body]]);
     }
+    kept_.set_bodies(std::move(bodies));
+    kept_.plan_changed(planned_);
     std::string why;
     for (std::size_t i = 0; i < std::min<std::size_t>(causes_.size(), 3); ++i)
       why.append(i ? ", " : "").append(causes_[i]);
@@ -368,8 +360,8 @@ class World {
     stale_ = false;
   }
 
-  void warn_of_springs() {
-    const SpringLimit<Real> limit = spring_limit(bodies_, effects_, slots_);
+  void warn_of_springs(const Bodies<Real>& bodies) {
+    const SpringLimit<Real> limit = spring_limit(bodies, effects_, slots_);
     if (time_step_ <= limit.time_step) return;
     const Entry<Real>& entry = effects_[limit.entry];
     planned_.plan.warnings.push_back(
@@ -380,33 +372,23 @@ class World {
   }
 
   void visit_one_by_one(const Entry<Real>& entry, const std::vector<Facts>& facts,
-                        const Moment<Real>& moment) {
+                        Bodies<Real>& bodies, const Moment<Real>& moment) {
     const AnyEffect<Real>& effect = *entry.effect;
-    const std::vector<BodyIndex> targets = targets_of(entry, slots_, bodies_.centres.size());
+    const std::vector<BodyIndex> targets = targets_of(entry, slots_, bodies.centres.size());
     if (effect.joins_two()) {
       for (std::size_t i = 0; i < targets.size(); i += 2)
         if (effect.why_skipped(facts[targets[i]], facts[targets[i + 1]]).empty())
-          effect.act(bodies_, {false, {targets[i], targets[i + 1]}}, moment);
+          effect.act(bodies, {false, {targets[i], targets[i + 1]}}, moment);
     } else {
       for (const BodyIndex body : targets)
         if (effect.why_skipped(facts[body]).empty())
-          effect.act(bodies_, {false, {effect.visits_tops() ? bodies_.top_of[body] : body}},
-                     moment);
+          effect.act(bodies, {false, {effect.visits_tops() ? bodies.top_of[body] : body}}, moment);
     }
   }
 
-  /// Takes the step back if a body could not drift.
-  void guard(const Moment<Real>& moment) {
-    for (const BodyIndex body : planned_.movers)
-      if (!can_drift(bodies_.centres[body], moment.time_step)) stop(body, moment);
-    for (const BodyIndex top : planned_.turners)
-      if (!can_drift(bodies_.tops[top], moment.time_step)) stop(bodies_.body_of[top], moment);
-  }
-
-  [[noreturn]] void stop(BodyIndex body, const Moment<Real>& moment) {
-    const RigidBody<Real> failed = this->body(handle_at(body));
-    restore(bodies_, before_);
-    throw failure(names_[body], body, failed, planned_.passes, bodies_, moment, ticks_);
+  [[noreturn]] void stop(const Stopped<Real>& stopped) {
+    throw failure<Real>(names_[stopped.index], stopped, planned_.passes, kept_.bodies(), ticks_,
+                        time_step_);
   }
 
   StepLength step_;
@@ -414,8 +396,8 @@ class World {
   TurningMethod method_;
   std::int64_t ticks_ = 0;
 
-  Bodies<Real> bodies_;
-  std::vector<History> histories_;  // like names_, in the order of bodies_.centres
+  Keeping kept_;
+  std::vector<History> histories_;  // like names_, in the order of the bodies
   std::vector<std::string> names_;
   std::unordered_map<std::string, BodyHandle> handles_;
   Slots slots_;
@@ -427,7 +409,6 @@ class World {
   std::vector<std::string> causes_;
   std::vector<std::string> news_;
   Planned<Real> planned_;
-  Momenta<Real> before_;
 };
 
 using Worldf = World<float>;

@@ -1,0 +1,82 @@
+/// @file
+/// The simplest way to keep the bodies of a world and to run its passes: one after another.
+#pragma once
+
+#include <optional>
+#include <tumble/guard.hpp>
+
+namespace tumble {
+
+/// Bodies in plain arrays, and passes that visit them one by one.
+///
+/// A World leaves to this class where its bodies are and how a pass gets to them. Chapter 12 has
+/// another, for many bodies.
+template <class Real>
+class OneByOne {
+ public:
+  std::size_t body_count() const { return bodies_.centres.size(); }
+  std::size_t top_count() const { return bodies_.tops.size(); }
+  bool is_point(BodyIndex body) const { return tumble::is_point(bodies_, body); }
+  const Bodies<Real>& bodies() const { return bodies_; }
+  void set_bodies(Bodies<Real> bodies) { bodies_ = std::move(bodies); }
+
+  /// The body; a point has a top that is locked about every axis.
+  RigidBody<Real> body(BodyIndex body) const {
+    const BodyState<Real> state = state_of(bodies_, body);
+    return {.centre = state.centre, .top = state.top};
+  }
+  /// Of a point only the centre is kept.
+  void set_body(BodyIndex body, const RigidBody<Real>& state) {
+    bodies_.centres[body] = state.centre;
+    if (!is_point(body)) bodies_.tops[bodies_.top_of[body]] = state.top;
+  }
+
+  /// Appends a body; `top` is null for a point. @return its index
+  BodyIndex append(const Particle<Real>& centre, const Top<Real>* top) {
+    return tumble::append(bodies_, centre, top);
+  }
+  /// Takes a body out; the last one gets its place.
+  void take_out(BodyIndex body) { tumble::take_out(bodies_, body); }
+
+  /// The effect in the form that step() runs.
+  template <class Effect>
+  static std::shared_ptr<const AnyEffect<Real>> erased(const Effect& effect) {
+    return std::make_shared<const EffectOf<Real, Effect>>(effect);
+  }
+
+  /// Called when there is another plan.
+  void plan_changed(const Planned<Real>&) {}
+
+  /// Step number `tick`; `after_pass` is called with the effect of each pass that has run.
+  /// @return why it could not be taken, if so; the bodies are then as they were before it
+  //! [step]
+  template <class AfterPass>
+  std::optional<Stopped<Real>> step(const Planned<Real>& planned, std::int64_t tick, Real time_step,
+                                    const AfterPass& after_pass) {
+    const Moment<Real> moment = moment_of(tick, time_step);
+    auto pass = planned.passes.begin();
+    const auto run_until = [&](auto is_reached) {
+      for (; pass != planned.passes.end() && !is_reached(pass->effect->phase()); ++pass) {
+        pass->effect->act(bodies_, pass->group, moment);
+        after_pass(*pass->effect);
+      }
+    };
+    run_until([](Phase phase) { return phase >= Phase::kick; });
+    remember(bodies_, before_);
+    run_until([](Phase phase) { return phase >= Phase::drift; });
+    if (const std::optional<BodyIndex> body = first_stopped(bodies_, planned, time_step)) {
+      const Stopped<Real> stopped{*body, this->body(*body)};
+      restore(bodies_, before_);
+      return stopped;
+    }
+    run_until([](Phase) { return false; });
+    return std::nullopt;
+  }
+  //! [step]
+
+ private:
+  Bodies<Real> bodies_;
+  Momenta<Real> before_;
+};
+
+}  // namespace tumble

@@ -1,0 +1,95 @@
+/// @file
+/// A pack: the same number of several bodies side by side, which the processor adds, multiplies and
+/// compares with one instruction.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <tumble/damping.hpp>
+#include <tumble/sine_cosine.hpp>
+
+namespace tumble {
+
+/// `width` answers yes or no, one for each body of a pack.
+//! [mask]
+template <class Real, int width>
+struct PackMask {
+  using Bits = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
+  typedef Bits Lanes __attribute__((vector_size(width * sizeof(Bits))));
+  Lanes lanes;  ///< −1, which is all bits, for yes; 0 for no
+
+  bool operator[](int lane) const { return lanes[lane] != 0; }
+  friend PackMask operator&&(PackMask a, PackMask b) { return {a.lanes & b.lanes}; }
+  friend PackMask operator||(PackMask a, PackMask b) { return {a.lanes | b.lanes}; }
+  friend PackMask operator!(PackMask a) { return {~a.lanes}; }
+};
+//! [mask]
+
+/// `width` numbers, one for each of as many bodies. It stands where the chapters say `Real`: what
+/// they wrote for one body then works on `width` of them at once.
+//! [pack]
+template <class Real, int width>
+struct Pack {
+  typedef Real Lanes __attribute__((vector_size(width * sizeof(Real))));  // the compilers' own type
+  Lanes lanes;
+
+  Pack() = default;
+  Pack(Lanes values) : lanes(values) {}
+  template <class Number>
+  requires std::is_arithmetic_v<Number> Pack(Number number)  // the same for every body
+      : lanes(static_cast<Real>(number) - Lanes{}) {}
+
+  Real operator[](int lane) const { return lanes[lane]; }
+
+  friend Pack operator+(Pack a, Pack b) { return a.lanes + b.lanes; }
+  friend Pack operator-(Pack a, Pack b) { return a.lanes - b.lanes; }
+  friend Pack operator*(Pack a, Pack b) { return a.lanes * b.lanes; }
+  friend Pack operator/(Pack a, Pack b) { return a.lanes / b.lanes; }
+  friend Pack operator-(Pack a) { return -a.lanes; }
+  Pack& operator+=(Pack b) { return *this = *this + b; }
+  Pack& operator-=(Pack b) { return *this = *this - b; }
+  Pack& operator*=(Pack b) { return *this = *this * b; }
+  Pack& operator/=(Pack b) { return *this = *this / b; }
+
+  using Mask = PackMask<Real, width>;
+  friend Mask operator==(Pack a, Pack b) { return {a.lanes == b.lanes}; }
+  friend Mask operator!=(Pack a, Pack b) { return {a.lanes != b.lanes}; }
+  friend Mask operator<(Pack a, Pack b) { return {a.lanes < b.lanes}; }
+  friend Mask operator<=(Pack a, Pack b) { return {a.lanes <= b.lanes}; }
+  friend Mask operator>(Pack a, Pack b) { return {a.lanes > b.lanes}; }
+  friend Mask operator>=(Pack a, Pack b) { return {a.lanes >= b.lanes}; }
+
+  /// Body by body: the one number or the other.
+  friend Pack select(Mask condition, Pack if_true, Pack if_false) {
+    return condition.lanes ? if_true.lanes : if_false.lanes;
+  }
+  friend Pack abs(Pack a) { return select(a < 0, -a, a + 0); }
+  friend Pack sqrt(Pack a) {
+    for (int lane = 0; lane < width; ++lane) a.lanes[lane] = std::sqrt(a.lanes[lane]);
+    return a;
+  }
+};
+//! [pack]
+
+/// What sine_cosine() needs to know of a pack is what it knows of one of its numbers.
+template <class Real, int width>
+struct SineCosineConstants<Pack<Real, width>> : SineCosineConstants<Real> {};
+
+template <class Real, int width>
+constexpr Real slowest_speed<Pack<Real, width>> = slowest_speed<Real>;
+
+}  // namespace tumble
+
+/// The rounding of a pack is that of its numbers.
+template <class Real, int width>
+struct std::numeric_limits<tumble::Pack<Real, width>> : std::numeric_limits<Real> {};
+
+template <class Real, int width>
+constexpr Real std::numbers::pi_v<tumble::Pack<Real, width>> = std::numbers::pi_v<Real>;
+
+/// Lets Eigen's vectors hold packs.
+template <class Real, int width>
+struct Eigen::NumTraits<tumble::Pack<Real, width>>
+    : Eigen::GenericNumTraits<tumble::Pack<Real, width>> {
+  enum { IsInteger = 0, IsComplex = 0, IsSigned = 1, RequireInitialization = 0 };
+};

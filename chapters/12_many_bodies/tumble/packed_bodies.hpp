@@ -1,0 +1,135 @@
+/// @file
+/// The bodies of a world in packs: the particles of `width` bodies side by side, and their tops.
+#pragma once
+
+#include <bit>
+#include <tumble/bodies.hpp>
+#include <tumble/pack.hpp>
+
+namespace tumble {
+
+/// How many numbers the processor works on at once: 8 floats or 4 doubles with AVX, 4 or 2 without.
+//! [width]
+#ifdef __AVX__
+constexpr std::size_t vector_bytes = 32;
+#else
+constexpr std::size_t vector_bytes = 16;
+#endif
+template <class Real>
+constexpr int natural_width = static_cast<int>(vector_bytes / sizeof(Real));
+//! [width]
+
+//! [lanes]
+/// Copies the numbers of one body out of its lane of a pack of bodies, or into it.
+template <class Real, int width>
+Vec3<Real> lane_of(const Vec3<Pack<Real, width>>& packed, int lane) {
+  return {packed.x()[lane], packed.y()[lane], packed.z()[lane]};
+}
+template <class Real, int width>
+void set_lane(Vec3<Pack<Real, width>>& packed, int lane, const Vec3<Real>& vector) {
+  for (int axis = 0; axis < 3; ++axis) packed[axis].lanes[lane] = vector[axis];
+}
+
+template <class Real, int width>
+Particle<Real> lane_of(const Particle<Pack<Real, width>>& packed, int lane) {
+  return {.position = lane_of(packed.position, lane),
+          .velocity = lane_of(packed.velocity, lane),
+          .force = lane_of(packed.force, lane),
+          .inverse_mass = packed.inverse_mass[lane]};
+}
+template <class Real, int width>
+void set_lane(Particle<Pack<Real, width>>& packed, int lane, const Particle<Real>& particle) {
+  set_lane(packed.position, lane, particle.position);
+  set_lane(packed.velocity, lane, particle.velocity);
+  set_lane(packed.force, lane, particle.force);
+  packed.inverse_mass.lanes[lane] = particle.inverse_mass;
+}
+//! [lanes]
+
+template <class Real, int width>
+Top<Real> lane_of(const Top<Pack<Real, width>>& packed, int lane) {
+  return {.orientation = {packed.orientation.real[lane],
+                          lane_of(packed.orientation.imaginary, lane)},
+          .angular_momentum_body = lane_of(packed.angular_momentum_body, lane),
+          .torque = lane_of(packed.torque, lane),
+          .inverse_moments = lane_of(packed.inverse_moments, lane)};
+}
+template <class Real, int width>
+void set_lane(Top<Pack<Real, width>>& packed, int lane, const Top<Real>& top) {
+  packed.orientation.real.lanes[lane] = top.orientation.real;
+  set_lane(packed.orientation.imaginary, lane, top.orientation.imaginary);
+  set_lane(packed.angular_momentum_body, lane, top.angular_momentum_body);
+  set_lane(packed.torque, lane, top.torque);
+  set_lane(packed.inverse_moments, lane, top.inverse_moments);
+}
+
+/// An array of particles or tops, `width` to a pack. The lanes that are left over in the last pack
+/// hold bodies that nothing can move.
+//! [packed_array]
+template <template <class> class Element, class Real, int width>
+class PackedArray {
+ public:
+  using Packed = Element<Pack<Real, width>>;
+
+  std::size_t size() const { return size_; }
+  Element<Real> operator[](BodyIndex i) const { return lane_of(packs_[i / width], lane(i)); }
+  void set(BodyIndex i, const Element<Real>& element) {
+    set_lane(packs_[i / width], lane(i), element);
+  }
+  void push_back(const Element<Real>& element) {
+    if (size_ % width == 0) packs_.push_back(Packed{});
+    set(static_cast<BodyIndex>(size_++), element);
+  }
+  /// Takes an element out; the last one gets its place.
+  friend void replace_by_last(PackedArray& array, BodyIndex i) {
+    const auto last = static_cast<BodyIndex>(--array.size_);
+    array.set(i, array[last]);
+    array.set(last, Element<Real>{});
+    if (array.size_ % width == 0) array.packs_.pop_back();
+  }
+
+  std::vector<Packed>& packs() { return packs_; }
+  const std::vector<Packed>& packs() const { return packs_; }
+
+ private:
+  static int lane(BodyIndex i) { return static_cast<int>(i % width); }
+
+  std::vector<Packed> packs_;
+  std::size_t size_ = 0;
+};
+//! [packed_array]
+
+/// All bodies of a world, see Bodies.
+template <class Real, int width>
+struct PackedBodies {
+  PackedArray<Particle, Real, width> centres;
+  PackedArray<Top, Real, width> tops;
+  std::vector<BodyIndex> top_of, body_of;
+};
+
+template <class Real, int width>
+PackedBodies<Real, width> packed(const Bodies<Real>& bodies) {
+  PackedBodies<Real, width> result;
+  for (const Particle<Real>& centre : bodies.centres) result.centres.push_back(centre);
+  for (const Top<Real>& top : bodies.tops) result.tops.push_back(top);
+  result.top_of = bodies.top_of;
+  result.body_of = bodies.body_of;
+  return result;
+}
+
+template <class Real, int width>
+Bodies<Real> unpacked(const PackedBodies<Real, width>& bodies) {
+  Bodies<Real> result;
+  for (BodyIndex i = 0; i < bodies.centres.size(); ++i) result.centres.push_back(bodies.centres[i]);
+  for (BodyIndex i = 0; i < bodies.tops.size(); ++i) result.tops.push_back(bodies.tops[i]);
+  result.top_of = bodies.top_of;
+  result.body_of = bodies.body_of;
+  return result;
+}
+
+template <class Real, int width>
+bool is_point(const PackedBodies<Real, width>& bodies, BodyIndex body) {
+  return bodies.top_of[body] == no_index;
+}
+
+}  // namespace tumble

@@ -1,0 +1,98 @@
+/// @file
+/// Threads that wait for work which comes thousands of times a second.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace tumble {
+
+/// Some threads, the caller's among them, that do the same piece of work on different bodies. To
+/// start a thread costs more than a small world's step, so they are started once. A copy is another
+/// team of the same size.
+//! [team]
+class ThreadTeam {
+ public:
+  using Work = std::function<void(int)>;
+
+  /// @throws std::invalid_argument if the size is not from 1 to 1024.
+  explicit ThreadTeam(int size = 1) : size_(size) {
+    if (size < 1 || size > 1024)
+      throw std::invalid_argument(std::to_string(size) +
+                                  " threads were asked for; a world can use from 1 to 1024");
+    if (size > 1) others_ = std::make_unique<Others>(size - 1);
+  }
+  ThreadTeam(const ThreadTeam& other) : ThreadTeam(other.size_) {}
+  ThreadTeam(ThreadTeam&&) = default;
+  ThreadTeam& operator=(ThreadTeam other) {
+    size_ = other.size_;
+    others_ = std::move(other.others_);
+    return *this;
+  }
+
+  int size() const { return size_; }
+
+  /// Calls `work` with 0, 1, … size − 1, each on a thread of its own, and waits for all of them.
+  void run(const Work& work) {
+    if (others_) others_->begin(work);
+    work(0);
+    if (others_) others_->wait_until_done();
+  }
+  //! [team]
+
+ private:
+  /// All but the caller's thread.
+  class Others {
+   public:
+    explicit Others(int count) {
+      for (int member = 1; member <= count; ++member)
+        threads_.emplace_back([this, member] { serve(member); });
+    }
+    ~Others() { call(nullptr); }
+
+    void begin(const Work& work) { call(&work); }
+    void wait_until_done() {
+      for (unsigned busy = busy_.load(); busy > 0; busy = busy_.load()) wait_while(busy_, busy);
+    }
+
+   private:
+    void call(const Work* work) {
+      work_ = work;
+      busy_.store(static_cast<unsigned>(threads_.size()));
+      calls_.fetch_add(1);
+      calls_.notify_all();
+    }
+
+    void serve(int member) {
+      for (unsigned seen = 0;; ++seen) {
+        while (calls_.load() == seen) wait_while(calls_, seen);
+        if (!work_) return;
+        (*work_)(member);
+        busy_.fetch_sub(1);
+        busy_.notify_all();
+      }
+    }
+
+    /// Work comes back within microseconds: to fall asleep at once would take longer than to look
+    /// again.
+    static void wait_while(const std::atomic<unsigned>& number, unsigned old) {
+      for (int look = 0; look < 4096; ++look)
+        if (number.load(std::memory_order_relaxed) != old) return;
+      number.wait(old);
+    }
+
+    const Work* work_ = nullptr;
+    std::atomic<unsigned> calls_ = 0, busy_ = 0;
+    std::vector<std::jthread> threads_;  // the first to go: they use the others
+  };
+
+  int size_;
+  std::unique_ptr<Others> others_;
+};
+
+}  // namespace tumble
