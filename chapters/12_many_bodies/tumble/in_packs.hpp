@@ -71,7 +71,24 @@ class InPacks {
 
  private:
   using Packs = PackedBodies<Real, width>;
+  /// A block's particles and tops together fit the smallest cache: some 20 kB.
   static constexpr std::uint32_t packs_in_block = 32;
+  /// With fewer bodies than this for each thread, to wake one would take longer than to do its work.
+  static constexpr std::size_t smallest_share = 512;
+
+  /// Which part of the packs is one thread's: whole blocks, as many for each as for the others.
+  struct Share {
+    int member, members;
+    std::array<std::uint32_t, 2> of(std::size_t packs) const {
+      const std::size_t blocks = (packs + packs_in_block - 1) / packs_in_block;
+      const auto begin_of = [&](int m) {
+        const std::size_t block = blocks * static_cast<std::size_t>(m) /
+                                  static_cast<std::size_t>(members);
+        return static_cast<std::uint32_t>(std::min(block * packs_in_block, packs));
+      };
+      return {begin_of(member), begin_of(member + 1)};
+    }
+  };
 
   /// Where the last steps began: a step is a function of its beginning, so what led here can be
   /// computed again. It costs one copy in so many steps, and not one in each.
@@ -106,34 +123,35 @@ class InPacks {
   }
   //! [past]
 
-  /// Each stage on all threads; each thread takes the blocks of its own part one by one through the
-  /// stage. @return whether a body could not drift
+  /// The stages one after another. Each thread takes the blocks of its own share one by one through
+  /// a whole stage. @return whether a body could not drift
   //! [run_in_blocks]
   bool run_in_blocks(const Planned<Real>& planned, const Moment<Real>& moment) {
     std::atomic<bool> stopped = false;
+    const auto run_share = [&](const auto& passes, const auto& packs, const auto& drifters,
+                               Share share) {
+      if (passes.empty()) return;
+      for (auto [begin, last] = share.of(packs.size()); begin < last; begin += packs_in_block) {
+        const std::uint32_t end = std::min(begin + packs_in_block, last);
+        auto pass = passes.begin();
+        for (; pass != passes.end() && phase_of(planned, *pass) < Phase::drift; ++pass)
+          act(planned, *pass, begin, end, moment);
+        if (pass != passes.end() && any_stopped(packs, drifters, begin, end, moment.time_step))
+          stopped = true;
+        for (; pass != passes.end(); ++pass) act(planned, *pass, begin, end, moment);
+      }
+    };
     for (const Stage<Real, width>& stage : schedule_.stages) {
       for (const PackedPass<Real, width>& pass : stage.on_both)
         act(planned, pass, 0, no_index, moment);
-      const auto run_blocks = [&](const auto& passes, const auto& packs, const auto& group,
-                                  int member) {
-        if (passes.empty()) return;
-        const auto [first, last] = part_of(packs.size(), member);
-        for (std::uint32_t begin = first; begin < last; begin += packs_in_block) {
-          const std::uint32_t end = std::min(begin + packs_in_block, last);
-          auto pass = passes.begin();
-          for (; pass != passes.end() && phase_of(planned, *pass) < Phase::drift; ++pass)
-            act(planned, *pass, begin, end, moment);
-          if (pass != passes.end() &&
-              any_stopped(packs, group, begin, end, Pack<Real, width>(moment.time_step)))
-            stopped = true;
-          for (; pass != passes.end(); ++pass) act(planned, *pass, begin, end, moment);
-        }
+      const auto run_stage = [&](Share share) {
+        run_share(stage.on_centres, bodies_.centres.packs(), schedule_.movers, share);
+        run_share(stage.on_tops, bodies_.tops.packs(), schedule_.turners, share);
       };
-      if (stage.on_centres.empty() && stage.on_tops.empty()) continue;
-      team_.run([&](int member) {
-        run_blocks(stage.on_centres, bodies_.centres.packs(), schedule_.movers, member);
-        run_blocks(stage.on_tops, bodies_.tops.packs(), schedule_.turners, member);
-      });
+      if (body_count() < smallest_share * static_cast<std::size_t>(team_.size()))
+        run_stage({0, 1});
+      else
+        team_.run([&](int member) { run_stage({member, team_.size()}); });
     }
     return stopped;
   }
@@ -149,9 +167,8 @@ class InPacks {
     bool is_guarded = false;
     for (const PackedPass<Real, width>* pass : passes) {
       if (!is_guarded && phase_of(planned, *pass) == Phase::drift) {
-        const Pack<Real, width> h = moment.time_step;
-        if (any_stopped(bodies_.centres.packs(), schedule_.movers, 0, no_index, h) ||
-            any_stopped(bodies_.tops.packs(), schedule_.turners, 0, no_index, h))
+        if (any_stopped(bodies_.centres.packs(), schedule_.movers, 0, no_index, moment.time_step) ||
+            any_stopped(bodies_.tops.packs(), schedule_.turners, 0, no_index, moment.time_step))
           return true;
         is_guarded = true;
       }
@@ -169,17 +186,6 @@ class InPacks {
            std::uint32_t end, const Moment<Real>& moment) {
     pass.effect->act_on_packs(bodies_, planned.passes[pass.pass].group, pass.group, begin, end,
                               moment);
-  }
-
-  /// The packs of one thread: whole blocks, as many for each as for the others.
-  std::array<std::uint32_t, 2> part_of(std::size_t packs, int member) const {
-    const std::size_t blocks = (packs + packs_in_block - 1) / packs_in_block;
-    const auto begin_of = [&](int m) {
-      const std::size_t block = blocks * static_cast<std::size_t>(m) /
-                                static_cast<std::size_t>(team_.size());
-      return static_cast<std::uint32_t>(std::min(block * packs_in_block, packs));
-    };
-    return {begin_of(member), begin_of(member + 1)};
   }
 
   Packs bodies_;

@@ -66,7 +66,7 @@ Schedule<Real, width> schedule_of(const Planned<Real>& planned, std::size_t body
 /// True if one of the group's members in the packs from `begin` to before `end` can't drift.
 template <class Real, int width, class Packed>
 bool any_stopped(const std::vector<Packed>& array, const PackGroup<Real, width>& group,
-                 std::uint32_t begin, std::uint32_t end, const Pack<Real, width>& time_step) {
+                 std::uint32_t begin, std::uint32_t end, Same<Real> time_step) {
   typename PackMask<Real, width>::Lanes stopped{};
   for_each_whole_pack(group, begin, end, [&](std::uint32_t pack) {
     stopped |= (!can_drift(array[pack], time_step)).lanes;
