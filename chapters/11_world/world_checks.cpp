@@ -222,6 +222,10 @@ TEST_CASE_TEMPLATE("Bad input is refused when it comes, by name, value, unit and
                      world.add(SpringBetween<Real>{}, {ball, ball});
                    }),
                    "'spring between bodies' joins 'ball' to itself"),
+           Refused(complaint_of_any([&] {
+                     world.add(Gravity<Real>{}, {ball, ball});
+                   }),
+                   "'gravity' was given 'ball' twice"),
            Refused(complaint_of_any([&] { world.add(SpringBetween<Real>{}, {ball}); }),
                    "'spring between bodies' was given 1 bodies; it needs pairs of them"),
            Refused(complaint_of_any([&] { world.add(Gravity<Real>{}, {}); }),

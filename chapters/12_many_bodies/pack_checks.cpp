@@ -1,14 +1,136 @@
 #include <course/checks.hpp>
-#include <tumble/pack.hpp>
+#include <random>
+#include <tumble/packed_bodies.hpp>
+#include <tumble/tumbling.hpp>
 
 using namespace tumble;
 using namespace tumble::course;
 
-TEST_CASE_TEMPLATE("A pack of numbers adds, multiplies and compares lane by lane", Real,
-                   EVERY_PRECISION) {
-  Pack<Real, 4> a = 2, b = 3;
-  a.lanes[1] = 5;
-  CHECK((a * b)[1] == 15);
-  CHECK((a > b)[1]);
-  CHECK(!(a > b)[0]);
+namespace {
+
+template <class Real>
+constexpr int width = natural_width<Real>;
+template <class Real>
+using Packed = Pack<Real, width<Real>>;
+
+/// True when both numbers have the same bits, or both are NaN.
+template <class Real>
+bool same_number(Real x, Real y) {
+  return x == y ? std::signbit(x) == std::signbit(y) : std::isnan(x) && std::isnan(y);
 }
+
+/// Numbers of all sizes, and those that are none.
+template <class Real>
+std::vector<Real> all_kinds_of_numbers() {
+  using Limits = std::numeric_limits<Real>;
+  std::vector<Real> numbers = {0,
+                               -Real(0),
+                               1,
+                               -1,
+                               Limits::infinity(),
+                               -Limits::infinity(),
+                               Limits::quiet_NaN(),
+                               Limits::denorm_min(),
+                               Limits::max(),
+                               Limits::lowest()};
+  std::mt19937 generator(12);
+  std::uniform_real_distribution<Real> exponent(-30, 30), mantissa(-2, 2);
+  while (numbers.size() < 512)
+    numbers.push_back(mantissa(generator) * std::exp2(std::round(exponent(generator))));
+  return numbers;
+}
+
+/// A pack of numbers from number `first` on, as if the list were a ring.
+template <class Real>
+Packed<Real> pack_of(const std::vector<Real>& numbers, std::size_t first) {
+  Packed<Real> pack;
+  for (int lane = 0; lane < width<Real>; ++lane)
+    pack.lanes[lane] = numbers[(first + static_cast<std::size_t>(lane)) % numbers.size()];
+  return pack;
+}
+
+/// Whether `function` gives each lane what it gives the numbers one by one.
+template <class Real, class Function>
+bool is_same_lane_by_lane(const Function& function) {
+  const std::vector<Real> numbers = all_kinds_of_numbers<Real>();
+  for (std::size_t shift = 0; shift < 8; ++shift)
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      const Packed<Real> a = pack_of(numbers, i), b = pack_of(numbers, 3 * i + shift);
+      const Packed<Real> result = function(a, b);
+      for (int lane = 0; lane < width<Real>; ++lane)
+        if (!same_number<Real>(result[lane], function(a[lane], b[lane]))) return false;
+    }
+  return true;
+}
+
+}  // namespace
+
+//! [lanes]
+TEST_CASE_TEMPLATE("A pack computes in each lane what a number alone would, to the bit", Real,
+                   EVERY_PRECISION) {
+  using std::abs, std::sqrt;
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return a + b; }));
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return a - b; }));
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return a * b; }));
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return a / b; }));
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto) { return -a; }));
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto) { return abs(a); }));
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto) { return sqrt(a); }));
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return select(a < b, a, b); }));
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return select(a <= b, a, b); }));
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return select(a == b, a, b); }));
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return select(a != b, a, b); }));
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return select(a > 0 && b > 0, a, b); }));
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return select(a >= 0 || b < 0, a, b); }));
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return select(!(a > b), a, b); }));
+}
+//! [lanes]
+
+TEST_CASE_TEMPLATE("Sine and cosine of a pack are those of its numbers, to the bit", Real,
+                   EVERY_PRECISION) {
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto) { return sine_cosine(a).sine; }));
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto) { return sine_cosine(a).cosine; }));
+}
+
+//! [rules]
+TEST_CASE_TEMPLATE("Every rule of chapter 8 turns a pack as it turns its tops, to the bit", Real,
+                   EVERY_PRECISION) {
+  std::mt19937 generator(8);
+  std::uniform_real_distribution<Real> some(-1, 1);
+  const auto vector = [&] {
+    const Real x = some(generator), y = some(generator);
+    return Vec3<Real>(x, y, some(generator));
+  };
+  const auto compare = [&](const auto& rule) {
+    Top<Packed<Real>> pack;
+    std::array<Top<Real>, width<Real>> tops;
+    for (int lane = 0; lane < width<Real>; ++lane) {
+      Top<Real>& top = tops[static_cast<std::size_t>(lane)];
+      top.orientation = quaternion_of_rotation_vector<Real>(3 * vector());
+      top.angular_momentum_body = 9 * vector();
+      top.torque = vector();
+      top.inverse_moments = Vec3<Real>(2, 2, 2) + vector();
+      set_lane(pack, lane, top);
+    }
+    for (int step = 0; step < 20; ++step) {
+      rule(pack, Packed<Real>(Real(0.1)));
+      for (Top<Real>& top : tops) rule(top, Real(0.1));
+    }
+    for (int lane = 0; lane < width<Real>; ++lane) {
+      const Top<Real>& top = tops[static_cast<std::size_t>(lane)];
+      const Top<Real> same = lane_of(pack, lane);
+      CHECK(same_bits(same.angular_momentum_body, top.angular_momentum_body));
+      CHECK(same_bits(same.orientation.imaginary, top.orientation.imaginary));
+      CHECK(same_number(same.orientation.real, top.orientation.real));
+    }
+  };
+  compare([](auto& top, auto h) { turn_steadily(top, h); });
+  compare([](auto& top, auto h) { turn_explicitly(top, h / 16); });
+  compare([](auto& top, auto h) { turn_restoring_momentum(top, h); });
+  compare([](auto& top, auto h) { turn_implicitly(top, h); });
+  compare([](auto& top, auto h) { turn_carrying_momentum(top, h); });
+  compare([](auto& top, auto h) { turn_axis_by_axis(top, h); });
+  compare([](auto& top, auto h) { turn_by_splitting(top, h); });
+  compare([](auto& top, auto h) { kick(top, h), turn_by_splitting(top, h); });
+}
+//! [rules]

@@ -1,7 +1,8 @@
-// Whatever the text of a scene file is: it becomes a world whose plan and reference run agree to
-// the bit, or it is refused with the name of the file. Nothing else is allowed to happen. libFuzzer
-// calls this with texts of its own making, and run_corpus.cpp with those in corpus/.
+// Whatever the text of a scene file is: it becomes a world whose plan, reference run and packs
+// agree to the bit, or it is refused with the name of the file. Nothing else is allowed to happen.
+// libFuzzer calls this with texts of its own making, and run_corpus.cpp with those in corpus/.
 #include <course/random_world.hpp>
+#include <tumble/in_packs.hpp>
 #include <tumble/scene/read_scene.hpp>
 
 using namespace tumble;
@@ -28,10 +29,13 @@ void load_and_step(std::string_view text) {
   try {
     World<Real> planned = read_scene<Real>(text, "fuzz.json", {.most_copies = 5}).world;
     World<Real> reference = planned;
+    auto packed = read_scene<Real, InPacks<Real>>(text, "fuzz.json", {.most_copies = 5}).world;
     for (int step = 0; step < 3; ++step) {
       const std::string complaint = complaint_of_step([&] { planned.step(); });
       require(complaint_of_step([&] { reference.step_by_reference(); }) == complaint);
+      require(complaint_of_step([&] { packed.step(); }) == complaint);
       require(course::same_motion(planned.bodies(), reference.bodies()));
+      require(course::same_motion(planned.bodies(), packed.bodies()));
     }
     table_of(planned.plan());
   } catch (const SceneError& error) {

@@ -79,6 +79,9 @@ verify "the last moment is there" grep -q '^0.1,handle,' every.csv
 run t_handle --until 0.1 --csv books.csv
 run t_handle --until 0.1 --csv no_books.csv --no-ledger
 verify "the books change no number" same_numbers books.csv no_books.csv
+run rain --until 0.1 --csv one.csv --threads 1 --no-ledger --every 6
+run rain --until 0.1 --csv two.csv --threads 2 --no-ledger --every 6
+verify "the number of threads changes no number" same_numbers one.csv two.csv
 cat >name.json <<'SCENE'
 {"title": "", "description": "", "duration": 0.05, "bodies": [{"name": "a \"b\", c", "mass": 1}]}
 SCENE
@@ -111,6 +114,8 @@ until 0 --until is 0 s; it must be greater than 0
 until inf --until is inf; it must be a number of seconds
 every 0 --every is 0; it must be a whole number of steps, 1 or more
 every 1.5 --every is 1.5; it must be a whole number of steps, 1 or more
+threads 0 --threads is 0; it must be from 1 to 1024
+threads two --threads is two; it must be from 1 to 1024
 method spliting no method is called spliting; did you mean splitting?
 precision half --precision is half; it must be float or double
 CASES

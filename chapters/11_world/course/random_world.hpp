@@ -69,7 +69,8 @@ BodyHandle add_random_body(World<Real, Keeping>& world, Dice& dice, const std::s
 
 /// Adds one effect of any kind to all or to some; sometimes one that does nothing.
 template <class Real, class Keeping>
-void add_random_effect(World<Real, Keeping>& world, Dice& dice, const std::vector<BodyHandle>& bodies) {
+void add_random_effect(World<Real, Keeping>& world, Dice& dice,
+                       const std::vector<BodyHandle>& bodies) {
   const Real amount = dice.one_in(4) ? 0 : Real(0.5) + dice.real<Real>() / 4;
   const Vec3<Real> direction = dice.one_in(3) ? Vec3<Real>(0, 0, 0) : dice.vector<Real>();
   const std::vector<BodyHandle> some = {bodies[dice.below(bodies.size())]};

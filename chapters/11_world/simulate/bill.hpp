@@ -14,17 +14,17 @@ namespace tumble::simulate {
 /// before and after each, and beside them whole steps on a copy of the world. So all lines come
 /// from one run. Each round takes a few milliseconds and begins where the world is now; what is
 /// told is the median of the rounds, less what looking at the clock takes.
-template <class Real>
+template <class Real, class Keeping>
 class Bill {
   using Clock = std::chrono::steady_clock;
 
  public:
   /// `most_steps` is how many steps are known to succeed.
-  Bill(World<Real> world, std::int64_t most_steps)
-      : world_(std::move(world)), passes_(world_.passes()) {
+  Bill(World<Real, Keeping> world, std::int64_t most_steps)
+      : world_(std::move(world)), passes_(world_.passes().size()) {
     for (const PlanRow& row : world_.plan().rows)
       if (row.visited > 0) rows_.push_back(row);
-    samples_.resize(passes_.size() + 1);
+    samples_.resize(passes_ + 1);
     steps_in_round_ = 1;
     while (2 * steps_in_round_ <= std::min<std::int64_t>(most_steps, 1 << 16) && round() < 2e6)
       steps_in_round_ *= 2;
@@ -36,10 +36,10 @@ class Bill {
 
   std::string table() {
     std::vector<double> times;
-    for (std::size_t i = 0; i < passes_.size(); ++i) times.push_back(median(samples_[i]));
+    for (std::size_t i = 0; i < passes_; ++i) times.push_back(median(samples_[i]));
     const double sum = std::accumulate(times.begin(), times.end(), 0.0);
     std::string text = line("effect", "bodies", "ns per body and step", "part of the passes");
-    for (std::size_t i = 0; i < passes_.size(); ++i)
+    for (std::size_t i = 0; i < passes_; ++i)
       text += line(rows_[i].effect, std::to_string(rows_[i].visited),
                    number(times[i] / static_cast<double>(rows_[i].visited)),
                    number(100 * times[i] / sum) + " %");
@@ -72,16 +72,14 @@ class Bill {
 
   /// One round of the passes, one of whole steps. @return how long the latter took, ns
   double round() {
-    std::vector<double> times(passes_.size() + 1, 0.0);
+    std::vector<double> times(passes_ + 1, 0.0);
     double looking = 0;
-    Bodies<Real> bodies = world_.bodies();
-    World<Real> world = world_;
+    World<Real, Keeping> world = world_, measured = world_;
     for (std::int64_t step = 0; step < steps_in_round_; ++step) {
-      const Moment<Real> moment{static_cast<Real>(world_.ticks() + step) * world_.time_step(),
-                                world_.time_step()};
-      for (std::size_t i = 0; i < passes_.size(); ++i) {
+      const Moment<Real> moment = moment_of(world_.ticks() + step, world_.time_step());
+      for (std::size_t i = 0; i < passes_; ++i) {
         const Clock::time_point before = Clock::now();
-        passes_[i].effect->act(bodies, passes_[i].group, moment);
+        measured.keeping().run_pass(measured.planned(), i, moment);
         times[i] += nanoseconds(Clock::now() - before);
       }
       const Clock::time_point before = Clock::now();
@@ -91,14 +89,14 @@ class Bill {
     for (std::int64_t step = 0; step < steps_in_round_; ++step) world.step();
     times.back() = nanoseconds(Clock::now() - before);
     for (std::size_t i = 0; i < times.size(); ++i) {
-      const double lost = i < passes_.size() ? looking : 0;
+      const double lost = i < passes_ ? looking : 0;
       samples_[i].push_back(std::max(0.0, times[i] - lost) / static_cast<double>(steps_in_round_));
     }
     return times.back();
   }
 
-  World<Real> world_;
-  std::vector<Pass<Real>> passes_;
+  World<Real, Keeping> world_;
+  std::size_t passes_;
   std::vector<PlanRow> rows_;
   std::vector<std::vector<double>> samples_;  // ns for each step, of the passes and of the whole
   std::int64_t steps_in_round_ = 1;

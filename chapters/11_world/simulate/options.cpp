@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cxxopts.hpp>
+#include <limits>
+#include <thread>
 #include <tumble/scene/scene_error.hpp>
 #include <tumble/step_clock.hpp>
 
@@ -18,6 +20,7 @@ SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or t
   --until SECONDS     simulate so long, in place of the scene's duration
   --method METHOD     turn by another rule of chapter 8
   --precision KIND    double (the default) or float
+  --threads N         let N threads share the work, 1 to 1024; by default one for each processor. No bit depends on it
 
   --csv FILE          write the trajectory: time, body, position and velocity of the centre of mass, orientation of the
                       model, angular velocity; world axes
@@ -34,8 +37,8 @@ Ctrl-C ends the simulation; files then hold what was computed. Ends with 0 when 
 taken, 2 if the command line or the scene is wrong, 3 if a file could not be written, 130 after Ctrl-C.
 )";
 
-const std::vector<std::string> options_with_value = {"dt",    "until", "method", "precision", "csv",
-                                                     "jsonl", "plot",  "view",   "every"};
+const std::vector<std::string> options_with_value = {
+    "dt", "until", "method", "precision", "csv", "jsonl", "plot", "view", "every", "threads"};
 const std::vector<std::string> switches = {"plan", "no-ledger", "bill", "help"};
 
 double seconds(const std::string& option, const std::string& text) {
@@ -43,6 +46,15 @@ double seconds(const std::string& option, const std::string& text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
     throw UsageError("--" + option + " is " + text + "; it must be a number of seconds");
+  return value;
+}
+
+std::int64_t whole_number(const std::string& option, const std::string& text,
+                          const std::string& rule, std::int64_t least, std::int64_t most) {
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || value < least || value > most)
+    throw UsageError("--" + option + " is " + text + "; it must be " + rule);
   return value;
 }
 
@@ -117,13 +129,13 @@ Options read(const cxxopts::ParseResult& given) {
     if (!options.is_float && text("precision") != "double")
       throw UsageError("--precision is " + text("precision") + "; it must be float or double");
   }
-  if (given.count("every")) {
-    const std::string every = text("every");
-    const auto [end, error] =
-        std::from_chars(every.data(), every.data() + every.size(), options.every);
-    if (error != std::errc() || end != every.data() + every.size() || options.every < 1)
-      throw UsageError("--every is " + every + "; it must be a whole number of steps, 1 or more");
-  }
+  if (given.count("every"))
+    options.every = whole_number("every", text("every"), "a whole number of steps, 1 or more", 1,
+                                 std::numeric_limits<std::int64_t>::max());
+  const auto processors = static_cast<std::int64_t>(std::thread::hardware_concurrency());
+  options.threads = static_cast<int>(
+      given.count("threads") ? whole_number("threads", text("threads"), "from 1 to 1024", 1, 1024)
+                             : std::clamp<std::int64_t>(processors, 1, 1024));
   const auto path = [&](const std::string& name) {
     if (given.count(name) > 0 && text(name).empty())
       throw UsageError("--" + name + " needs the name of a file");

@@ -34,6 +34,7 @@ struct Options {
   std::string said;             ///< how --dt was rounded; empty if it was not given
   std::optional<double> until;  ///< s
   std::int64_t every = 1;       ///< steps between two records
+  int threads = 1;
   std::filesystem::path csv, json_lines, plot, view;  ///< empty if not asked for
 };
 

@@ -50,17 +50,16 @@ class Plot {
                       "gnuplot draws it and is not installed (Debian's package is gnuplot-nox)");
   }
 
-  template <class Real>
-  void record(double time, Scene<Real>& scene) {
+  template <class Real, class Keeping>
+  void record(double time, Scene<Real, Keeping>& scene) {
     const std::size_t count = scene.world.body_count();
     const double kinetic = holdings_of(scene.world.bodies()).energy;
     energies_.push_back({time, kinetic, Ledger<Real>::stored(scene.world)});
     for (std::size_t k = 0; k < std::min(count, most_paths); ++k) {
       const auto body = static_cast<BodyIndex>(count <= most_paths ? k : k * count / most_paths);
-      if (energies_.size() == 1)
-        paths_.push_back({scene.world.name_of(scene.world.handle_at(body)), {}});
-      paths_[k].points.push_back(
-          scene.world.bodies().centres[body].position.template cast<double>());
+      const BodyHandle handle = scene.world.handle_at(body);
+      if (energies_.size() == 1) paths_.push_back({scene.world.name_of(handle), {}});
+      paths_[k].points.push_back(scene.world.body(handle).centre.position.template cast<double>());
     }
   }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <csignal>
+#include <tumble/in_packs.hpp>
 #include <tumble/ledger.hpp>
 #include <tumble/scene/read_scene.hpp>
 
@@ -30,8 +31,8 @@ struct Outputs {
   std::optional<Plot> plot;
   std::optional<View> view;
 
-  template <class Real>
-  Outputs(const Options& options, const Scene<Real>& scene, std::int64_t steps) {
+  template <class Real, class Keeping>
+  Outputs(const Options& options, const Scene<Real, Keeping>& scene, std::int64_t steps) {
     if (!options.csv.empty()) csv.emplace(options.csv);
     if (!options.json_lines.empty()) json_lines.emplace(options.json_lines);
     if (!options.plot.empty()) plot.emplace(options.plot);
@@ -40,8 +41,8 @@ struct Outputs {
 
   /// Records this moment. The page of a view has equal intervals only: it leaves out a last moment
   /// that comes early.
-  template <class Real>
-  void record(Scene<Real>& scene, bool comes_early = false) {
+  template <class Real, class Keeping>
+  void record(Scene<Real, Keeping>& scene, bool comes_early = false) {
     const double time =
         static_cast<double>(scene.world.ticks()) * time_step_of<double>(scene.world.step_length());
     if (csv) csv->record(time, scene);
@@ -60,8 +61,8 @@ struct Outputs {
 };
 
 /// Takes the steps. @return how it ended; `failure` says why, if a step failed
-template <class Real>
-ExitCode take_steps(Scene<Real>& scene, Ledger<Real>& ledger, const Options& options,
+template <class Real, class Keeping>
+ExitCode take_steps(Scene<Real, Keeping>& scene, Ledger<Real>& ledger, const Options& options,
                     std::int64_t steps, Outputs& outputs, std::string& failure) {
   outputs.record(scene);
   Progress progress(steps);
@@ -95,15 +96,15 @@ ExitCode take_steps(Scene<Real>& scene, Ledger<Real>& ledger, const Options& opt
   return code;
 }
 
-template <class Real>
-std::int64_t steps_until(const Scene<Real>& scene, const Options& options) {
+template <class Real, class Keeping>
+std::int64_t steps_until(const Scene<Real, Keeping>& scene, const Options& options) {
   const double h = time_step_of<double>(scene.world.step_length());
   const double duration = options.until.value_or(scene.duration);
   return std::max<std::int64_t>(1, std::llround(duration / h));
 }
 
-template <class Real>
-void print_scene(Scene<Real>& scene, const Options& options, std::int64_t steps) {
+template <class Real, class Keeping>
+void print_scene(Scene<Real, Keeping>& scene, const Options& options, std::int64_t steps) {
   std::printf("%s\n%s\n\n", scene.title.c_str(), scene.description.c_str());
   if (!options.said.empty()) std::printf("%s\n", options.said.c_str());
   const double h = time_step_of<double>(scene.world.step_length());
@@ -118,7 +119,8 @@ void print_scene(Scene<Real>& scene, const Options& options, std::int64_t steps)
 /// @throws SceneError, FileError.
 template <class Real>
 ExitCode run(const Options& options) {
-  Scene<Real> scene = read_scene_file<Real>(options.scene, options.changes);
+  using Keeping = InPacks<Real>;
+  Scene<Real, Keeping> scene = read_scene_file<Real, Keeping>(options.scene, options.changes);
   const std::int64_t steps = steps_until(scene, options);
   if (options.only_plan) {
     print_scene(scene, options, steps);
@@ -127,7 +129,8 @@ ExitCode run(const Options& options) {
   catch_interrupts();
   Outputs outputs(options, scene, steps);
   print_scene(scene, options, steps);
-  const World<Real> start = scene.world;
+  const World<Real, Keeping> start = scene.world;
+  scene.world.keeping().use_threads(options.threads);
   Ledger<Real> ledger(scene.world);
   std::string failure;
   const ExitCode code = take_steps(scene, ledger, options, steps, outputs, failure);
@@ -138,7 +141,7 @@ ExitCode run(const Options& options) {
   for (const std::string& sentence : scene.world.news()) std::printf("%s\n", sentence.c_str());
   if (options.ledger) std::printf("\n%s", table_of(ledger, scene.world).c_str());
   if (options.bill && code == all_simulated)
-    std::printf("\n%s", Bill<Real>(start, steps).table().c_str());
+    std::printf("\n%s", Bill<Real, Keeping>(start, steps).table().c_str());
   outputs.finish(scene.title);
   return code;
 }

@@ -16,7 +16,7 @@ struct BodyRecord {
 };
 
 template <class Real>
-BodyRecord record_of(const BodyState<Real>& body, const Posed& model_in_body) {
+BodyRecord record_of(const RigidBody<Real>& body, const Posed& model_in_body) {
   const Quaternion<double> q{static_cast<double>(body.top.orientation.real),
                              body.top.orientation.imaginary.template cast<double>()};
   return {body.centre.position.template cast<double>(),
@@ -25,13 +25,12 @@ BodyRecord record_of(const BodyState<Real>& body, const Posed& model_in_body) {
 }
 
 /// Calls `visit` with each body's name and record.
-template <class Real, class Visit>
-void for_each_body(const Scene<Real>& scene, const Visit& visit) {
+template <class Real, class Keeping, class Visit>
+void for_each_body(const Scene<Real, Keeping>& scene, const Visit& visit) {
   for (const BodyModel& model : scene.models)
     for (std::size_t i = model.first; i < model.first + model.count; ++i) {
-      const auto index = static_cast<BodyIndex>(i);
-      visit(scene.world.name_of(scene.world.handle_at(index)),
-            record_of(state_of(scene.world.bodies(), index), model.model_in_body));
+      const BodyHandle handle = scene.world.handle_at(static_cast<BodyIndex>(i));
+      visit(scene.world.name_of(handle), record_of(scene.world.body(handle), model.model_in_body));
     }
 }
 
@@ -59,8 +58,8 @@ class CsvFile {
         "angular velocity x (rad/s),angular velocity y (rad/s),angular velocity z (rad/s)\n");
   }
 
-  template <class Real>
-  void record(double time, const Scene<Real>& scene) {
+  template <class Real, class Keeping>
+  void record(double time, const Scene<Real, Keeping>& scene) {
     std::string text;
     for_each_body(scene, [&](const std::string& name, const BodyRecord& body) {
       text.append(text_of(time)).append(",").append(cell(name));
@@ -79,8 +78,8 @@ class JsonLinesFile {
  public:
   explicit JsonLinesFile(const std::filesystem::path& path) : file_(path) {}
 
-  template <class Real>
-  void record(double time, const Scene<Real>& scene) {
+  template <class Real, class Keeping>
+  void record(double time, const Scene<Real, Keeping>& scene) {
     std::string text;
     for_each_body(scene, [&](const std::string& name, const BodyRecord& body) {
       const std::array<double, 13> numbers = numbers_of(body);

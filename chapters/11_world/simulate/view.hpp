@@ -45,8 +45,8 @@ class View {
 
  public:
   /// @throws FileError if the page would hold too much, or can't be written.
-  template <class Real>
-  View(const std::filesystem::path& path, const Scene<Real>& scene, std::int64_t every,
+  template <class Real, class Keeping>
+  View(const std::filesystem::path& path, const Scene<Real, Keeping>& scene, std::int64_t every,
        std::int64_t steps)
       : file_(path),
         recording_(scene.title,
@@ -67,8 +67,8 @@ class View {
     for (const auto& [from, to] : scene.springs) recording_.add_link(end(from), end(to));
   }
 
-  template <class Real>
-  void record(const Scene<Real>& scene) {
+  template <class Real, class Keeping>
+  void record(const Scene<Real, Keeping>& scene) {
     std::vector<Posed> poses;
     for_each_body(scene, [&](const std::string&, const BodyRecord& body) {
       poses.push_back({body.position, body.orientation});

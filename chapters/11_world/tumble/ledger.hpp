@@ -131,7 +131,9 @@ class Ledger {
 
   /// What they have now.
   template <class Keeping>
-  LedgerLine now(const World<Real, Keeping>& world) const { return holdings_of(world.bodies()); }
+  LedgerLine now(const World<Real, Keeping>& world) const {
+    return holdings_of(world.bodies());
+  }
 
   /// What each effect put in so far.
   std::vector<LedgerLine> lines() const {

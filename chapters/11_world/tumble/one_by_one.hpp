@@ -74,6 +74,11 @@ class OneByOne {
   }
   //! [step]
 
+  /// One pass of the plan alone, to measure what it costs.
+  void run_pass(const Planned<Real>& planned, std::size_t pass, const Moment<Real>& moment) {
+    planned.passes[pass].effect->act(bodies_, planned.passes[pass].group, moment);
+  }
+
  private:
   Bodies<Real> bodies_;
   Momenta<Real> before_;

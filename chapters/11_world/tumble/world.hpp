@@ -8,6 +8,7 @@
 #include <tumble/step_clock.hpp>
 #include <tumble/step_order.hpp>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace tumble {
 
@@ -206,6 +207,12 @@ class World {
   }
   const Slots& slots() const { return slots_; }
 
+  /// The plan with all that carries it out.
+  const Planned<Real>& planned() {
+    plan();
+    return planned_;
+  }
+
   // --- The step ---------------------------------------------------------------------------------
 
   /// One step. @throws SimulationError if a number would become infinite or NaN; the world is then
@@ -313,6 +320,7 @@ class World {
     auto erased = Keeping::erased(effect);
     const std::string name = erased->name();
     const std::size_t stride = erased->joins_two() ? 2 : 1;
+    std::unordered_set<BodyIndex> meant_for;
     if (!everyone && (bodies.empty() || bodies.size() % stride != 0))
       throw std::invalid_argument("'" + name + "' was given " + std::to_string(bodies.size()) +
                                   " bodies; it needs " +
@@ -325,6 +333,8 @@ class World {
                                     "' is a point");
       if (stride == 2 && i % 2 == 1 && bodies[i] == bodies[i - 1])
         throw std::invalid_argument("'" + name + "' joins '" + names_[index] + "' to itself");
+      if (stride == 1 && !meant_for.insert(index).second)
+        throw std::invalid_argument("'" + name + "' was given '" + names_[index] + "' twice");
     }
     effects_.push_back({{++last_effect_}, std::move(erased), everyone, bodies});
     call_for("'" + name + "' came");
@@ -339,7 +349,8 @@ class World {
   void make_plan() {
     Plan old = std::move(planned_.plan);
     Bodies<Real> bodies = kept_.bodies();
-    planned_ = tumble::make_plan(bodies, histories_, in_order<Real, Keeping>(effects_, method_), slots_);
+    planned_ =
+        tumble::make_plan(bodies, histories_, in_order<Real, Keeping>(effects_, method_), slots_);
     warn_of_springs(bodies);
     for (BodyIndex body = 0; body < body_count(); ++body) {  // sums that nobody clears any more
       if (!planned_.facts[body].is_pushed) clear_force(bodies.centres[body]);

@@ -9,8 +9,8 @@
 
 namespace tumble {
 
-/// Says how a World keeps its bodies, in place of OneByOne: `width` side by side, stepped by as many
-/// threads as one likes. Every bit of the motion stays the same.
+/// Says how a World keeps its bodies, in place of OneByOne: `width` side by side, stepped by as
+/// many threads as one likes. Every bit of the motion stays the same.
 template <class Real, int width = natural_width<Real>>
 class InPacks {
  public:
@@ -69,11 +69,20 @@ class InPacks {
     return stopped ? take_back(planned, tick, time_step) : std::nullopt;
   }
 
+  /// One pass of the plan alone, to measure what it costs.
+  void run_pass(const Planned<Real>& planned, std::size_t pass, const Moment<Real>& moment) {
+    for (const Stage<Real, width>& stage : schedule_.stages)
+      for (const auto* row : {&stage.on_centres, &stage.on_tops, &stage.on_both})
+        for (const PackedPass<Real, width>& candidate : *row)
+          if (candidate.pass == pass) act(planned, candidate, 0, no_index, moment);
+  }
+
  private:
   using Packs = PackedBodies<Real, width>;
   /// A block's particles and tops together fit the smallest cache: some 20 kB.
   static constexpr std::uint32_t packs_in_block = 32;
-  /// With fewer bodies than this for each thread, to wake one would take longer than to do its work.
+  /// With fewer bodies than this for each thread, to wake one would take longer than to do its
+  /// work.
   static constexpr std::size_t smallest_share = 512;
 
   /// Which part of the packs is one thread's: whole blocks, as many for each as for the others.
@@ -82,8 +91,8 @@ class InPacks {
     std::array<std::uint32_t, 2> of(std::size_t packs) const {
       const std::size_t blocks = (packs + packs_in_block - 1) / packs_in_block;
       const auto begin_of = [&](int m) {
-        const std::size_t block = blocks * static_cast<std::size_t>(m) /
-                                  static_cast<std::size_t>(members);
+        const std::size_t block =
+            blocks * static_cast<std::size_t>(m) / static_cast<std::size_t>(members);
         return static_cast<std::uint32_t>(std::min(block * packs_in_block, packs));
       };
       return {begin_of(member), begin_of(member + 1)};
@@ -160,20 +169,16 @@ class InPacks {
   template <class AfterPass>
   bool run_pass_by_pass(const Planned<Real>& planned, const Moment<Real>& moment,
                         const AfterPass& after_pass) {
-    std::vector<const PackedPass<Real, width>*> passes(planned.passes.size());
-    for (const Stage<Real, width>& stage : schedule_.stages)
-      for (const auto* row : {&stage.on_centres, &stage.on_tops, &stage.on_both})
-        for (const PackedPass<Real, width>& pass : *row) passes[pass.pass] = &pass;
     bool is_guarded = false;
-    for (const PackedPass<Real, width>* pass : passes) {
-      if (!is_guarded && phase_of(planned, *pass) == Phase::drift) {
+    for (std::size_t i = 0; i < planned.passes.size(); ++i) {
+      if (!is_guarded && planned.passes[i].effect->phase() == Phase::drift) {
         if (any_stopped(bodies_.centres.packs(), schedule_.movers, 0, no_index, moment.time_step) ||
             any_stopped(bodies_.tops.packs(), schedule_.turners, 0, no_index, moment.time_step))
           return true;
         is_guarded = true;
       }
-      act(planned, *pass, 0, no_index, moment);
-      after_pass(*planned.passes[pass->pass].effect);
+      run_pass(planned, i, moment);
+      after_pass(*planned.passes[i].effect);
     }
     return false;
   }

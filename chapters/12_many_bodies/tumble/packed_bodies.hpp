@@ -48,11 +48,11 @@ void set_lane(Particle<Pack<Real, width>>& packed, int lane, const Particle<Real
 
 template <class Real, int width>
 Top<Real> lane_of(const Top<Pack<Real, width>>& packed, int lane) {
-  return {.orientation = {packed.orientation.real[lane],
-                          lane_of(packed.orientation.imaginary, lane)},
-          .angular_momentum_body = lane_of(packed.angular_momentum_body, lane),
-          .torque = lane_of(packed.torque, lane),
-          .inverse_moments = lane_of(packed.inverse_moments, lane)};
+  return {
+      .orientation = {packed.orientation.real[lane], lane_of(packed.orientation.imaginary, lane)},
+      .angular_momentum_body = lane_of(packed.angular_momentum_body, lane),
+      .torque = lane_of(packed.torque, lane),
+      .inverse_moments = lane_of(packed.inverse_moments, lane)};
 }
 template <class Real, int width>
 void set_lane(Top<Pack<Real, width>>& packed, int lane, const Top<Real>& top) {

@@ -120,9 +120,8 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
                    std::uint32_t end, const Moment<Real>& moment) const {
     if constexpr (is_widened) {
       const Moment<Packed> wide{moment.time, moment.time_step};
-      for_each_whole_pack(group, begin, end, [&](std::uint32_t pack) {
-        visit(kernel_, array.packs()[pack], wide);
-      });
+      for_each_whole_pack(group, begin, end,
+                          [&](std::uint32_t pack) { visit(kernel_, array.packs()[pack], wide); });
       for_each_part(group, begin, end, [&](std::uint32_t pack, const auto& members) {
         auto changed = array.packs()[pack];
         visit(kernel_, changed, wide);

@@ -25,8 +25,8 @@ struct Targets {
 };
 
 /// Finds the bodies that a text names: one body, or all copies of one element.
-template <class Real>
-Targets find_targets(const Value& name, const Scene<Real>& scene) {
+template <class Real, class Keeping>
+Targets find_targets(const Value& name, const Scene<Real, Keeping>& scene) {
   const std::string word = name.text();
   std::vector<std::string_view> known;
   for (std::size_t m = 0; m < scene.models.size(); ++m) {
@@ -47,8 +47,8 @@ Targets find_targets(const Value& name, const Scene<Real>& scene) {
 }
 
 /// What "bodies" names.
-template <class Real>
-std::vector<Targets> read_targets(const Value& list, const Scene<Real>& scene) {
+template <class Real, class Keeping>
+std::vector<Targets> read_targets(const Value& list, const Scene<Real, Keeping>& scene) {
   list.list("names of bodies");
   std::vector<Targets> all;
   std::set<std::uint32_t> seen;
@@ -62,8 +62,8 @@ std::vector<Targets> read_targets(const Value& list, const Scene<Real>& scene) {
 }
 
 /// An effect that means the same to every body: for those that "bodies" names, or for all.
-template <class Real, class Effect>
-void add_for_all(const Object& object, Scene<Real>& scene, const Effect& effect) {
+template <class Real, class Keeping, class Effect>
+void add_for_all(const Object& object, Scene<Real, Keeping>& scene, const Effect& effect) {
   const std::string name = object.has("name") ? object["name"].text() : std::string(Effect::name);
   const Named<Effect> named{effect, name};
   if (!object.has("bodies")) {
@@ -78,8 +78,9 @@ void add_for_all(const Object& object, Scene<Real>& scene, const Effect& effect)
 
 /// An effect that is fixed to a place of the body, which the file gives in the model's axes. Each
 /// model has its own body axes, so each gets its own effect.
-template <class Real, class MakeEffect>
-void add_for_each_model(const Object& object, Scene<Real>& scene, const MakeEffect& effect_for) {
+template <class Real, class Keeping, class MakeEffect>
+void add_for_each_model(const Object& object, Scene<Real, Keeping>& scene,
+                        const MakeEffect& effect_for) {
   for (const Targets& targets : read_targets(object["bodies"], scene)) {
     auto effect = effect_for(scene.models[targets.model].model_in_body);
     if (object.has("name")) effect.name = object["name"].text();
@@ -110,8 +111,8 @@ inline DrawnEnd drawn_end(const Object& object, std::string_view key, const Pose
   return {object.vector(key, inverse(model_in_body).position), body};
 }
 
-template <class Real>
-void read_spring_between(const Object& object, Scene<Real>& scene) {
+template <class Real, class Keeping>
+void read_spring_between(const Object& object, Scene<Real, Keeping>& scene) {
   const auto one_body = [&](std::string_view key) {
     Targets targets = find_targets(object[key], scene);
     if (targets.bodies.size() != 1)
@@ -132,8 +133,8 @@ void read_spring_between(const Object& object, Scene<Real>& scene) {
   });
 }
 
-template <class Real>
-void read_spring_to_point(const Object& object, Scene<Real>& scene) {
+template <class Real, class Keeping>
+void read_spring_to_point(const Object& object, Scene<Real, Keeping>& scene) {
   const Spring<Real> spring = read_spring<Real>(object);
   const Vec3d anchor = object.vector("anchor");
   add_for_each_model(object, scene, [&](const Posed& model_in_body) {
@@ -149,8 +150,8 @@ void read_spring_to_point(const Object& object, Scene<Real>& scene) {
            DrawnEnd{anchor}});
 }
 
-template <class Real>
-void read_thruster(const Object& object, Scene<Real>& scene) {
+template <class Real, class Keeping>
+void read_thruster(const Object& object, Scene<Real, Keeping>& scene) {
   const double from = object.not_negative("from", 0);
   const double forever = std::numeric_limits<double>::infinity();
   const double until = object.has("until") ? object["until"].number() : forever;
@@ -167,8 +168,8 @@ void read_thruster(const Object& object, Scene<Real>& scene) {
 }
 
 /// Reads one element of "effects" and adds it to the world.
-template <class Real>
-void read_effect(const Value& value, Scene<Real>& scene) {
+template <class Real, class Keeping>
+void read_effect(const Value& value, Scene<Real, Keeping>& scene) {
   const Object object = object_of_kind(value, "effect", "kind", effect_kinds);
   const std::string_view kind = object.kind();
   if (object.has("name")) {

@@ -19,13 +19,14 @@ inline StepLength read_step(const Object& object) {
 /// call it.
 /// @throws SceneError with the file, the pointer and what is wrong there. Nothing is left behind.
 //! [read_scene]
-template <class Real>
-Scene<Real> read_scene(std::string_view text, const std::string& file,
-                       const SceneChanges& changes = {}) {
+template <class Real, class Keeping = OneByOne<Real>>
+Scene<Real, Keeping> read_scene(std::string_view text, const std::string& file,
+                                const SceneChanges& changes = {}) {
   const nlohmann::json json = parse_json(text, file);
   const Reading reading{file, range_of<Real>()};
   const Object object = object_called(Value(reading, "", json), "scene");
-  Scene<Real> scene{.title = object["title"].text(), .description = object["description"].text()};
+  Scene<Real, Keeping> scene{.title = object["title"].text(),
+                             .description = object["description"].text()};
   scene.duration = object["duration"].positive();
   if (scene.duration > longest_duration)
     object["duration"].reject("at most " + text_of(longest_duration) + " s are simulated");
@@ -36,7 +37,8 @@ Scene<Real> read_scene(std::string_view text, const std::string& file,
   if (object.has("turning_method"))
     method = static_cast<TurningMethod>(
         object["turning_method"].one_of("method", turning_method_words()));
-  scene.world = World<Real>(changes.step.value_or(step), changes.turning_method.value_or(method));
+  scene.world =
+      World<Real, Keeping>(changes.step.value_or(step), changes.turning_method.value_or(method));
 
   const Value bodies = object["bodies"];
   bodies.list("bodies");
@@ -57,13 +59,14 @@ Scene<Real> read_scene(std::string_view text, const std::string& file,
 
 /// The scene in a file.
 /// @throws SceneError as read_scene() does, and if the file can't be read.
-template <class Real>
-Scene<Real> read_scene_file(const std::filesystem::path& path, const SceneChanges& changes = {}) {
+template <class Real, class Keeping = OneByOne<Real>>
+Scene<Real, Keeping> read_scene_file(const std::filesystem::path& path,
+                                     const SceneChanges& changes = {}) {
   std::ifstream in(path, std::ios::binary);
   if (!in || std::filesystem::is_directory(path))
     throw SceneError(path.string(), "", "there is no such file, or it can't be read");
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return read_scene<Real>(text, path.filename().string(), changes);
+  return read_scene<Real, Keeping>(text, path.filename().string(), changes);
 }
 
 }  // namespace tumble

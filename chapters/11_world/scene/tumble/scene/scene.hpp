@@ -30,11 +30,11 @@ struct DrawnEnd {
 
 /// A world to simulate, and what the file says beside it.
 //! [scene]
-template <class Real>
+template <class Real, class Keeping = OneByOne<Real>>
 struct Scene {
   std::string title, description;
   double duration = 0;  ///< s
-  World<Real> world = World<Real>();
+  World<Real, Keeping> world = World<Real, Keeping>();
   std::vector<BodyModel> models = {};  ///< in the order of the file
   std::vector<std::array<DrawnEnd, 2>> springs = {};
 };
