@@ -6,7 +6,8 @@
 The changed header goes into a scratch folder that comes first in the include path, so the sources stay untouched. The
 compiler and its flags are those of the build folder, whose compile_commands.json, precompiled header and object with
 doctest's main must exist. A check file is compiled with the mutation only if it includes the header, directly or not, and
-the first one that turns red ends the matter. So does one that computes for over a minute.
+the first one that turns red ends the matter. So does one that computes for over a minute. At first the checks run in float
+alone; only what survives that is tried in every precision, which takes twice as long.
 
 Prints a line for each mutation as it is settled, then what is wrong; the exit code is 0 if nothing is. Wrong is a mutation
 that survives and is not listed as equivalent, one that is listed so and does not survive, and one that does not compile."""
@@ -101,11 +102,11 @@ def run(*command, directory=None):
     return subprocess.run(["sh", "-c", limit, *command], cwd=directory, text=True, errors="replace", capture_output=True)
 
 
-def turns_red(name, directory, words, main, scratch):
+def turns_red(name, directory, words, main, scratch, *flags):
     """How the check file ends with the header in `scratch`: "" if green, otherwise what went wrong, and whether a check
     saw it."""
     checks, program = scratch / "checks.o", scratch / "checks"
-    compiled = run(words[0], f"-I{scratch}", *words[1:], "-o", checks, directory=directory)
+    compiled = run(words[0], f"-I{scratch}", *flags, *words[1:], "-o", checks, directory=directory)
     if compiled.returncode:
         return "\n".join(["does not compile", *re.findall(r".*error: .*", compiled.stderr)[:2]]), False
     subprocess.run([words[0], checks, main, "-o", program], check=True)
@@ -126,12 +127,13 @@ def settle(mutation, build):
         header = scratch / mutation.header
         header.parent.mkdir(parents=True)
         header.write_text(mutated_header(mutation, build))
-        for name in names:
-            end, is_killed = turns_red(name, *build.checks(mutation.chapter)[name], build.main, scratch)
-            if is_killed:
-                return f"killed by {end}", "is listed as equivalent, but a check sees it" if mutation.proof else ""
-            if end:
-                return end, "must compile"
+        for flags in ["-DTUMBLE_ONE_PRECISION=float"], []:
+            for name in names:
+                end, is_killed = turns_red(name, *build.checks(mutation.chapter)[name], build.main, scratch, *flags)
+                if is_killed:
+                    return f"killed by {end}", "is listed as equivalent, but a check sees it" if mutation.proof else ""
+                if end:
+                    return end, "must compile"
     if mutation.proof:
         return f"survived; {mutation.proof}", ""
     return f"survived {', '.join(names)}", "survived: add a check, or the proof that it is equivalent"
