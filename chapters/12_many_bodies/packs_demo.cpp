@@ -1,0 +1,92 @@
+// The same function on one top and on a pack of them; then a whole world, kept in three ways.
+#include <course/random_world.hpp>
+#include <course/record.hpp>
+#include <tumble/in_packs.hpp>
+
+using namespace tumble;
+
+namespace {
+
+constexpr int width = natural_width<float>;
+using Packed = Pack<float, width>;
+
+/// A top with moments near 1, 1/2 and 1/3, no two alike.
+Top<float> top_number(int n) {
+  Top<float> top;
+  top.inverse_moments = {3, 2, 1 + 0.01f * float(n)};
+  top.angular_momentum_body = {0.1f * float(n), 1, 0.2f};
+  return top;
+}
+
+//! [turn]
+template <class Real>
+void turn_for_a_second(Top<Real>& top) {
+  for (int step = 0; step < 60; ++step) turn_by_splitting(top, 1.0f / 60);
+}
+//! [turn]
+
+/// `count` tumbling boxes under gravity, with damping.
+template <class AnyWorld>
+AnyWorld falling_boxes(int count) {
+  course::Dice dice(12);
+  AnyWorld world(steps_per_second(60));
+  const auto box = mass_properties(Box<float>{{0.1f, 0.2f, 0.3f}}, 2);
+  for (int n = 0; n < count; ++n)
+    world.add("box " + std::to_string(n),
+              make_rigid_body<float>("box", box, {{0, 0, 100}}, dice.vector<float>(),
+                                     5 * dice.vector<float>())
+                  .body);
+  world.add(Gravity<float>{});
+  world.add(AngularDamping<float>{.rate = 0.1f});
+  return world;
+}
+
+template <class AnyWorld>
+Bodies<float> after_a_minute(AnyWorld world) {
+  for (int step = 0; step < 3600; ++step) world.step();
+  return world.bodies();
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+  course::Notebook notebook(argument_count, arguments);
+
+  Top<Packed> pack;
+  for (int lane = 0; lane < width; ++lane) set_lane(pack, lane, top_number(lane));
+  turn_for_a_second(pack);
+  std::printf("Angular momentum along the body's x after a second, kg m^2/s\n");
+  std::printf("  lane   in a pack    alone\n");
+  for (int lane = 0; lane < width; ++lane) {
+    Top<float> alone = top_number(lane);
+    turn_for_a_second(alone);
+    const float packed_x = pack.angular_momentum_body.x()[lane];
+    std::printf("  %4d  %10.7f  %10.7f\n", lane, double(packed_x),
+                double(alone.angular_momentum_body.x()));
+    course::expect(packed_x == alone.angular_momentum_body.x(), "a lane has the bits of one body");
+  }
+
+  //! [three_worlds]
+  const Bodies<float> one_by_one = after_a_minute(falling_boxes<World<float>>(1000));
+  const Bodies<float> in_packs = after_a_minute(falling_boxes<ManyBodies<float>>(1000));
+  auto world = falling_boxes<ManyBodies<float>>(1000);
+  world.keeping().use_threads(2);
+  const Bodies<float> on_two_threads = after_a_minute(world);
+  //! [three_worlds]
+  const bool same =
+      course::same_motion(one_by_one, in_packs) && course::same_motion(one_by_one, on_two_threads);
+  std::printf(
+      "\nA thousand boxes after a minute, one by one, in packs, and on two threads:\n"
+      "%s bit of their motion differs.\n",
+      same ? "no" : "some");
+  course::expect(same, "the three worlds agree to the bit");
+
+  notebook.value("width", std::to_string(width));
+  notebook.value("width_double", std::to_string(natural_width<double>));
+  notebook.value("bytes_point", std::to_string(sizeof(Particle<Packed>) / width));
+  notebook.value("bytes_body",
+                 std::to_string((sizeof(Particle<Packed>) + sizeof(Top<Packed>)) / width));
+  notebook.value("bytes_point_double",
+                 std::to_string(sizeof(Particle<Pack<double, natural_width<double>>>) /
+                                natural_width<double>));
+}
