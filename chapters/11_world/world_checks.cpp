@@ -170,7 +170,7 @@ TEST_CASE_TEMPLATE("Bad input is refused when it comes, by name, value, unit and
     return complaint_of_any([&] { world.add(SpringToPoint<Real>{.spring = terms}, {ball}); });
   };
   using Refused = std::pair<std::string, std::string>;  // what is said, and how it must begin
-  for (const auto& [said, rule] : {
+  for (const Refused& refused : {
            Refused(complaint_of_any([&] { world.add("ball", make_particle<Real>(1)); }),
                    "two bodies are called 'ball'; names must differ"),
            Refused(complaint_of_any([&] { world.add("", make_particle<Real>(1)); }),
@@ -236,9 +236,9 @@ TEST_CASE_TEMPLATE("Bad input is refused when it comes, by name, value, unit and
            Refused(complaint_of_any([&] { world.remove(EffectHandle{77}); }),
                    "stale handle: effect 77 has been removed or never was in this world"),
        }) {
-    CAPTURE(said);
-    CAPTURE(rule);
-    CHECK(said.find(rule) == 0);
+    CAPTURE(refused.first);
+    CAPTURE(refused.second);
+    CHECK(refused.first.find(refused.second) == 0);
   }
   CHECK(same_motion(before, world.bodies()));
   CHECK(world.effects().empty());
