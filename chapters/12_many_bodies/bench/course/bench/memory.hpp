@@ -14,20 +14,20 @@ enum class Stream {
   triad  ///< a ← b + s c, the loop of the STREAM benchmark; a is fetched too before it is written
 };
 
-/// The bytes that one element costs, without what the machine fetches in vain.
-inline constexpr double bytes_of_element = 3 * sizeof(float);
-
 /// Arrays of about `bytes` in all.
 template <Stream stream>
 class Memory {
  public:
   Memory(std::size_t bytes, int threads)
       : threads_(threads),
-        a_(bytes / sizeof(float) / (stream == Stream::update ? 2 : 3) + 1, 1.f),
+        a_(elements(bytes), 1.f),
         b_(a_.size(), 1.f),
         c_(stream == Stream::triad ? a_.size() : 0, 1.f) {}
 
-  std::size_t elements() const { return a_.size(); }
+  /// What one pass reads and writes, bytes, without what the machine fetches in vain.
+  static constexpr double moved(std::size_t bytes) {
+    return 3 * sizeof(float) * static_cast<double>(elements(bytes));
+  }
 
   void run(int steps) {
     in_shares(a_.size(), threads_, [&](std::size_t first, std::size_t end) {
@@ -36,6 +36,10 @@ class Memory {
   }
 
  private:
+  static constexpr std::size_t elements(std::size_t bytes) {
+    return bytes / sizeof(float) / (stream == Stream::update ? 2 : 3) + 1;
+  }
+
   void pass(std::size_t first, std::size_t end) {
     const float s = 1e-9f;
     float* const a = a_.data();

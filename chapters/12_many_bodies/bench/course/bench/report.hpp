@@ -1,0 +1,209 @@
+/// @file
+/// The measurements as tables: for the terminal, and for the book.
+#pragma once
+
+#include <course/bench/ratios.hpp>
+#include <iostream>
+
+namespace tumble::course::bench {
+
+/// Prints a table and writes it to a file; each row as long as the list of columns.
+inline void show(const Notebook& notebook, std::string_view name, std::string_view title,
+                 const std::vector<std::string>& columns,
+                 const std::vector<std::vector<std::string>>& rows) {
+  std::ofstream file(notebook.file_in_folder(std::string(name) + ".tsv"));
+  std::cout << '\n' << title << "\n\n";
+  const auto line = [&](const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::string cell = cells[i].empty() ? "-" : cells[i];
+      // A sign of several bytes is one wide.
+      const auto length = std::count_if(cell.begin(), cell.end(),
+                                        [](char c) { return (c & '\xc0') != '\x80'; });
+      const std::size_t width = std::max<std::size_t>(8, columns[i].size());
+      const std::string space(width - std::min(width, static_cast<std::size_t>(length)), ' ');
+      std::cout << (i ? "  " : "") << (i ? space + cell : cell + space);
+      file << (i ? "\t" : "") << cells[i];
+    }
+    std::cout << '\n';
+    file << '\n';
+  };
+  line(columns);
+  for (const auto& row : rows) line(row);
+}
+
+/// Writes down everything that one run has measured.
+class Report {
+ public:
+  Report(const Measurements& measurements, const Extent& extent, Notebook& notebook)
+      : ratios_(measurements), extent_(extent), notebook_(notebook) {
+    times();
+    against("default_rule", "Our world with its own rule, float: how often as long the others take",
+            our_world, splitting_loop);
+    against("cheapest_rule",
+            "Our world with its cheapest stable rule, float: how often as long the others take",
+            our_cheapest, cayley_loop);
+    memory();
+    effects();
+    caches();
+    values();
+  }
+
+ private:
+  using Rows = std::vector<std::vector<std::string>>;
+
+  template <class Row>
+  Rows for_each_count(const Row& row) const {
+    Rows rows;
+    for (const std::size_t count : extent_.counts) {
+      rows.push_back({std::to_string(count)});
+      for (const Maybe value : row(count)) rows.back().push_back(shown(value));
+    }
+    return rows;
+  }
+
+  void times() const {
+    const auto row = [&](std::size_t n) -> std::vector<Maybe> {
+      return {ratios_.time(our_world, n),
+              ratios_.time(our_cheapest, n),
+              ratios_.time(splitting_loop, n),
+              ratios_.time(cayley_loop, n),
+              ratios_.time(explicit_loop, n),
+              ratios_.time(colliding_loop, n),
+              ratios_.time(bullet_functions, n),
+              ratios_.time(bullet_world, n),
+              ratios_.time(ode_world, n)};
+    };
+    show(notebook_, "times", "ns per body and step with everything on; ODE in double, the others in float",
+         {"bodies", "world", "cheapest", "loop", "no sine", "explicit", "2^k apart",
+          "Bullet's functions", "Bullet's world", "ODE"},
+         for_each_count(row));
+    const auto doubles = [&](std::size_t n) -> std::vector<Maybe> {
+      const auto time = [&](const std::string& contender) {
+        return ratios_.time(contender, n, 1, "double");
+      };
+      return {time(our_world),   time(our_cheapest),  time(splitting_loop),
+              time(cayley_loop), time(explicit_loop), ratio(time(our_world), time(splitting_loop))};
+    };
+    show(notebook_, "times_double", "The same in double",
+         {"bodies", "world", "cheapest", "loop", "no sine", "explicit", "world/loop"},
+         for_each_count(doubles));
+  }
+
+  void against(std::string_view name, std::string_view title, const std::string& ours,
+               const std::string& loop) const {
+    const auto row = [&](std::size_t n) -> std::vector<Maybe> {
+      const auto against_us = [&](const std::string& other) {
+        return ratio(ratios_.time(other, n), ratios_.time(ours, n));
+      };
+      return {ratio(ratios_.time(ours, n), ratios_.time(loop, n)),
+              against_us(bullet_functions),
+              against_us(without_gyroscopic(bullet_functions)),
+              against_us(bullet_world),
+              against_us(ode_world),
+              against_us(without_gyroscopic(ode_world)),
+              ratio(ratios_.time(ours, n), ratios_.time(ours, n, 2)),
+              ratio(ratios_.time(loop, n), ratios_.time(loop, n, 2))};
+    };
+    show(notebook_, name, title,
+         {"bodies", "us/loop", "Bullet's functions/us", "gyroscopic off/us", "Bullet's world/us", "ODE/us",
+          "gyroscopic off/us", "us: 1 thread/2", "loop: 1 thread/2"},
+         for_each_count(row));
+  }
+
+  void memory() const {
+    using Ours = OurWorld<float>;
+    const auto row = [&](std::size_t n) -> std::vector<Maybe> {
+      const auto percent = [&](double bytes, const std::string& who, Scene scene) -> Maybe {
+        const Maybe share = ratios_.share_of_bandwidth(bytes, ratios_.time(who, scene, n), n);
+        return share ? Maybe(100 * *share) : share;
+      };
+      constexpr Scene all = Scene::everything, points = Scene::points_under_gravity;
+      return {static_cast<double>(bytes_of_bodies(n)) / 1024,
+              ratios_.bandwidth(n),
+              ratios_.bandwidth(n, 2),
+              percent(Ours::bytes_of_step(all), our_world, all),
+              percent(Ours::bytes_of_step(all), our_cheapest, all),
+              percent(bytes_of_step<float>(all), splitting_loop, all),
+              percent(bytes_of_step<float>(all), cayley_loop, all),
+              percent(bytes_of_step<float>(all), explicit_loop, all),
+              percent(Ours::bytes_of_step(points), our_world, points)};
+    };
+    show(notebook_, "bandwidth",
+         "What the memory can do, and the part of it that is used, %; the last column: points under gravity",
+         {"bodies", "KiB", "GB/s", "2 threads", "world", "cheapest", "loop", "no sine", "explicit",
+          "points"},
+         for_each_count(row));
+  }
+
+  void effects() const {
+    Rows rows;
+    for (std::size_t i = 0; i < scene_names.size(); ++i) {
+      const auto time = [&](const std::string& who, const std::string& precision) {
+        return ratios_.time(who, static_cast<Scene>(i), extent_.count_of_effects, precision);
+      };
+      rows.push_back({std::string(scene_names[i])});
+      for (const std::string& precision : {std::string("float"), std::string("double")}) {
+        const Maybe ours = time(our_world, precision), loop = time(splitting_loop, precision);
+        rows.back().insert(rows.back().end(), {shown(ours), shown(loop), shown(ratio(ours, loop))});
+      }
+    }
+    show(notebook_, "effects",
+         "ns per body and step of scenes with one effect more or another, " +
+             std::to_string(extent_.count_of_effects) + " bodies",
+         {"scene               ", "float: world", "loop", "world/loop", "double: world", "loop", "world/loop"},
+         rows);
+  }
+
+  /// Where the levels of the memory end, as a number of bodies.
+  void caches() const {
+    Table table = notebook_.table("caches", {"level", "KiB", "bodies"});
+    for (const auto& cache : benchmark::CPUInfo::Get().caches)
+      if (cache.type != "Instruction")
+        table.row(cache.level, cache.size / 1024.,
+                  static_cast<double>(cache.size) / static_cast<double>(bytes_of_bodies(1)));
+  }
+
+  /// For the prose: in the cache, and out of it as far as it was measured.
+  void values() {
+    const std::size_t in = extent_.count_of_effects, out = extent_.counts.back();
+    const auto note = [&](const std::string& name, Maybe value) {
+      notebook_.value(name, said(value));
+    };
+    const auto at = [&](const std::string& who, std::size_t n) { return ratios_.time(who, n); };
+    notebook_.value("bodies_in_cache", std::to_string(in));
+    notebook_.value("bodies_out_of_cache", std::to_string(out));
+    for (const auto& [rule, ours, loop] :
+         {std::tuple{"default", our_world, splitting_loop}, {"cheapest", our_cheapest, cayley_loop}}) {
+      const std::string name = std::string(rule) + "_";
+      note(name + "ns", at(ours, in));
+      note(name + "loop_ns", at(loop, in));
+      note(name + "over_loop", ratio(at(ours, in), at(loop, in)));
+      note(name + "over_loop_out_of_cache", ratio(at(ours, out), at(loop, out)));
+      note(name + "bullet_functions", ratio(at(bullet_functions, in), at(ours, in)));
+      note(name + "bullet_world", ratio(at(bullet_world, in), at(ours, in)));
+      note(name + "ode", ratio(at(ode_world, in), at(ours, in)));
+      note(name + "two_threads", ratio(at(ours, in), ratios_.time(ours, in, 2)));
+      const Maybe share = ratios_.share_of_bandwidth(
+          OurWorld<float>::bytes_of_step(Scene::everything), at(ours, out), out);
+      note(name + "percent_of_bandwidth", share ? Maybe(100 * *share) : share);
+    }
+    note("explicit_loop_ns", at(explicit_loop, in));
+    note("explicit_loop_out_of_cache_ns", at(explicit_loop, out));
+    Maybe trap;
+    for (const std::size_t n : extent_.counts)
+      if (const Maybe times = ratio(at(colliding_loop, n), at(explicit_loop, n)); times > trap) trap = times;
+    note("power_of_two_trap", trap);
+    note("bandwidth", ratios_.bandwidth(out));
+    note("bandwidth_two_threads", ratios_.bandwidth(out, 2));
+    constexpr Scene points = Scene::points_under_gravity;
+    note("points_over_bandwidth",
+         ratio(1, ratios_.share_of_bandwidth(OurWorld<float>::bytes_of_step(points),
+                                             ratios_.time(our_world, points, out), out)));
+  }
+
+  Ratios ratios_;
+  Extent extent_;
+  Notebook& notebook_;
+};
+
+}  // namespace tumble::course::bench
