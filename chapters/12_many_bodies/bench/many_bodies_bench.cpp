@@ -3,14 +3,13 @@
 using namespace tumble::course;
 using namespace tumble::course::bench;
 
-/// many_bodies_bench [FOLDER] [--full] [Google Benchmark's options]: measures, prints the tables and
-/// writes them to the folder.
+/// many_bodies_bench [FOLDER] [--full] [Google Benchmark's options]: measures, prints the tables
+/// and writes them to the folder.
 int main(int argument_count, char** arguments) {
   std::vector<char*> passed_on = {arguments[0]}, own = {arguments[0]};
   // All kinds take turns, so that a busy moment of the machine does not hit one of them alone.
-  std::string defaults[] = {"--benchmark_repetitions=5",
-                            "--benchmark_enable_random_interleaving=true"};
-  for (std::string& option : defaults) passed_on.push_back(option.data());
+  std::string take_turns = "--benchmark_enable_random_interleaving=true";
+  passed_on.push_back(take_turns.data());
   bool full = false;
   for (int i = 1; i < argument_count; ++i) {
     const std::string_view argument = arguments[i];

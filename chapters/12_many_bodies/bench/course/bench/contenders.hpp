@@ -17,20 +17,31 @@ namespace tumble::course::bench {
 
 /// How much is measured.
 struct Extent {
-  std::vector<std::size_t> counts;   ///< how many bodies
-  std::size_t most_of_peers;         ///< those of Bullet and ODE take most of a kilobyte each
-  std::size_t count_of_effects = 4096;  ///< how many where each effect is measured alone
-  double time;                       ///< of one measurement, ns
+  std::vector<std::size_t> counts;      ///< how many bodies, in float
+  std::size_t most_in_double;           ///< and in double at most
+  std::size_t most_of_peers;            ///< bodies of Bullet and ODE take most of a kilobyte each
+  int repetitions;                      ///< of each measurement; two of them beyond `many` bodies
+  double time;                          ///< of one measurement, ns
+  std::size_t count_of_effects = 4096;  ///< where each effect is measured alone
+  std::size_t many = 1 << 18;           ///< from there on it takes long to make them
 };
 
 /// A few sizes, about one for each level of the memory; for every book.
 inline Extent quick_extent() {
-  return {.counts = {256, 4096, 65'536, 1 << 20}, .most_of_peers = 65'536, .time = 8e6};
+  return {.counts = {256, 4096, 65'536, 1 << 20},
+          .most_in_double = 65'536,
+          .most_of_peers = 65'536,
+          .repetitions = 5,
+          .time = 5e6};
 }
 
 /// From one body to four million.
 inline Extent full_extent() {
-  Extent full{.counts = {}, .most_of_peers = 1 << 18, .time = 5e7};
+  Extent full{.counts = {},
+              .most_in_double = 1 << 22,
+              .most_of_peers = 1 << 18,
+              .repetitions = 7,
+              .time = 4e7};
   for (std::size_t count = 1; count <= 1 << 22; count *= 4) full.counts.push_back(count);
   return full;
 }
@@ -77,15 +88,19 @@ class Contest {
   }
 
  private:
-  /// Steps that take about the time of a measurement, if one takes `time` ns for each body.
-  std::int64_t steps(std::size_t count, double time) const {
-    return std::clamp<std::int64_t>(
-        static_cast<std::int64_t>(extent_.time / time / static_cast<double>(count)), 2, 100'000);
+  /// Bodies that take `time` ns or so for a step of each.
+  template <class Bodies, class... Arguments>
+  void add(const Case& subject, double time, const Arguments&... arguments) {
+    const double steps = extent_.time / time / static_cast<double>(subject.count);
+    measurements_.add(subject, subject.count < extent_.many ? extent_.repetitions : 2,
+                      static_cast<std::int64_t>(std::clamp(steps, 2., 1e5)),
+                      [=] { return std::make_unique<Bodies>(arguments...); });
   }
 
   template <class Real>
   void in_precision() {
     for (const std::size_t count : extent_.counts) {
+      if (std::is_same_v<Real, double> && count > extent_.most_in_double) break;
       plain<Real, Scene::everything, Rule::splitting>(splitting_loop, count);
       plain<Real, Scene::everything, Rule::splitting>(splitting_loop, count, 2);
       plain<Real, Scene::everything, Rule::cayley>(cayley_loop, count);
@@ -114,41 +129,33 @@ class Contest {
   void plain(const std::string& name, std::size_t count, int threads = 1,
              Spacing spacing = Spacing::padded) {
     const Setting setting{.scene = scene, .count = count, .threads = threads};
-    measurements_.add({name, scene, precision_of<Real>, count, threads}, steps(count, 5), [=] {
-      return std::make_unique<PlainBodies<Real, scene, rule>>(setting, spacing);
-    });
+    add<PlainBodies<Real, scene, rule>>({name, scene, precision_of<Real>, count, threads}, 5,
+                                        setting, spacing);
   }
 
   template <class Real>
   void ours(Scene scene, std::size_t count, int threads) {
     if (count > OurWorld<Real>::most_bodies) return;
     const Setting setting{.scene = scene, .count = count, .threads = threads};
-    measurements_.add({our_world, scene, precision_of<Real>, count, threads}, steps(count, 100),
-                      [=] { return std::make_unique<OurWorld<Real>>(setting); });
-    if (!has_tops(scene)) return;
-    measurements_.add({our_cheapest, scene, precision_of<Real>, count, threads}, steps(count, 100),
-                      [=] {
-                        return std::make_unique<OurWorld<Real>>(setting,
-                                                                OurWorld<Real>::cheapest_stable);
-                      });
+    add<OurWorld<Real>>({our_world, scene, precision_of<Real>, count, threads}, 100, setting);
+    if (has_tops(scene))
+      add<OurWorld<Real>>({our_cheapest, scene, precision_of<Real>, count, threads}, 100, setting,
+                          OurWorld<Real>::cheapest_stable);
   }
 
   template <Stream stream>
   void memory(const std::string& name, std::size_t count, int threads) {
-    const Case subject{name, Scene::everything, "float", count, threads};
-    measurements_.add(subject, steps(count, 5), [=] {
-      return std::make_unique<Memory<stream>>(bytes_of_bodies(count), threads);
-    });
+    add<Memory<stream>>({name, Scene::everything, "float", count, threads}, 5,
+                        bytes_of_bodies(count), threads);
   }
 
   template <class Bodies>
   void peer(const std::string& name, const std::string& precision, std::size_t count) {
     for (const bool gyroscopic : {true, false}) {
-      const Case subject{gyroscopic ? name : without_gyroscopic(name), Scene::everything, precision,
-                         count, 1};
       const Setting setting{.count = count, .gyroscopic = gyroscopic};
-      measurements_.add(subject, steps(count, 300),
-                        [=] { return std::make_unique<Bodies>(setting); });
+      add<Bodies>(
+          {gyroscopic ? name : without_gyroscopic(name), Scene::everything, precision, count}, 300,
+          setting);
     }
   }
 

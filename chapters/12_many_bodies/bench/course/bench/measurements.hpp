@@ -36,21 +36,24 @@ class Measurements : public benchmark::ConsoleReporter {
  public:
   Measurements() : ConsoleReporter(OO_Tabular) {}
 
-  /// Measures `steps` steps of what `make` makes, after one step that does not count.
+  /// Measures `repetitions` times `steps` steps of what `make` makes, after one step that does not
+  /// count. One thread is charged the time that it computed, two the time that went by.
   template <class Make>
-  void add(const Case& subject, std::int64_t steps, const Make& make) {
+  void add(const Case& subject, int repetitions, std::int64_t steps, const Make& make) {
     const std::string name = subject.name();
     cases_[name] = subject;
-    benchmark::RegisterBenchmark(name.c_str(),
-                                 [=](benchmark::State& state) {
-                                   const auto bodies = make();
-                                   bodies->run(1);
-                                   for (auto _ : state) bodies->run(static_cast<int>(steps));
-                                   state.SetItemsProcessed(
-                                       steps * static_cast<std::int64_t>(subject.count));
-                                 })
-        ->Iterations(1)
-        ->UseRealTime();
+    auto* const measured =
+        benchmark::RegisterBenchmark(
+            name.c_str(),
+            [=](benchmark::State& state) {
+              const auto bodies = make();
+              bodies->run(1);
+              for (auto _ : state) bodies->run(static_cast<int>(steps));
+              state.SetItemsProcessed(steps * static_cast<std::int64_t>(subject.count));
+            })
+            ->Iterations(1)
+            ->Repetitions(repetitions);
+    if (subject.threads > 1) measured->UseRealTime();
   }
 
   void ReportRuns(const std::vector<Run>& runs) override {

@@ -30,7 +30,7 @@ class Ratios {
  public:
   explicit Ratios(const Measurements& measurements) : measurements_(measurements) {}
 
-  /// ns per body and step with everything on.
+  /// ns per body and step with everything on. ODE as Debian compiles it knows double alone.
   Maybe time(const std::string& contender, std::size_t count, int threads = 1,
              const std::string& precision = "float") const {
     return measurements_.time({contender, Scene::everything, precision, count, threads});

@@ -17,8 +17,8 @@ inline void show(const Notebook& notebook, std::string_view name, std::string_vi
     for (std::size_t i = 0; i < cells.size(); ++i) {
       const std::string cell = cells[i].empty() ? "-" : cells[i];
       // A sign of several bytes is one wide.
-      const auto length = std::count_if(cell.begin(), cell.end(),
-                                        [](char c) { return (c & '\xc0') != '\x80'; });
+      const auto length =
+          std::count_if(cell.begin(), cell.end(), [](char c) { return (c & '\xc0') != '\x80'; });
       const std::size_t width = std::max<std::size_t>(8, columns[i].size());
       const std::string space(width - std::min(width, static_cast<std::size_t>(length)), ' ');
       std::cout << (i ? "  " : "") << (i ? space + cell : cell + space);
@@ -71,9 +71,10 @@ class Report {
               ratios_.time(colliding_loop, n),
               ratios_.time(bullet_functions, n),
               ratios_.time(bullet_world, n),
-              ratios_.time(ode_world, n)};
+              ratios_.time(ode_world, n, 1, "double")};
     };
-    show(notebook_, "times", "ns per body and step with everything on; ODE in double, the others in float",
+    show(notebook_, "times",
+         "ns per body and step with everything on; ODE in double, the others in float",
          {"bodies", "world", "cheapest", "loop", "no sine", "explicit", "2^k apart",
           "Bullet's functions", "Bullet's world", "ODE"},
          for_each_count(row));
@@ -92,21 +93,22 @@ class Report {
   void against(std::string_view name, std::string_view title, const std::string& ours,
                const std::string& loop) const {
     const auto row = [&](std::size_t n) -> std::vector<Maybe> {
-      const auto against_us = [&](const std::string& other) {
-        return ratio(ratios_.time(other, n), ratios_.time(ours, n));
+      const auto against_us = [&](const std::string& other,
+                                  const std::string& precision = "float") {
+        return ratio(ratios_.time(other, n, 1, precision), ratios_.time(ours, n));
       };
       return {ratio(ratios_.time(ours, n), ratios_.time(loop, n)),
               against_us(bullet_functions),
               against_us(without_gyroscopic(bullet_functions)),
               against_us(bullet_world),
-              against_us(ode_world),
-              against_us(without_gyroscopic(ode_world)),
+              against_us(ode_world, "double"),
+              against_us(without_gyroscopic(ode_world), "double"),
               ratio(ratios_.time(ours, n), ratios_.time(ours, n, 2)),
               ratio(ratios_.time(loop, n), ratios_.time(loop, n, 2))};
     };
     show(notebook_, name, title,
-         {"bodies", "us/loop", "Bullet's functions/us", "gyroscopic off/us", "Bullet's world/us", "ODE/us",
-          "gyroscopic off/us", "us: 1 thread/2", "loop: 1 thread/2"},
+         {"bodies", "us/loop", "Bullet's functions/us", "gyroscopic off/us", "Bullet's world/us",
+          "ODE/us", "gyroscopic off/us", "us: 1 thread/2", "loop: 1 thread/2"},
          for_each_count(row));
   }
 
@@ -129,7 +131,8 @@ class Report {
               percent(Ours::bytes_of_step(points), our_world, points)};
     };
     show(notebook_, "bandwidth",
-         "What the memory can do, and the part of it that is used, %; the last column: points under gravity",
+         "What the memory can do, and the part of it that is used, %; the last column: points "
+         "under gravity",
          {"bodies", "KiB", "GB/s", "2 threads", "world", "cheapest", "loop", "no sine", "explicit",
           "points"},
          for_each_count(row));
@@ -150,7 +153,8 @@ class Report {
     show(notebook_, "effects",
          "ns per body and step of scenes with one effect more or another, " +
              std::to_string(extent_.count_of_effects) + " bodies",
-         {"scene               ", "float: world", "loop", "world/loop", "double: world", "loop", "world/loop"},
+         {"scene               ", "float: world", "loop", "world/loop", "double: world", "loop",
+          "world/loop"},
          rows);
   }
 
@@ -172,8 +176,8 @@ class Report {
     const auto at = [&](const std::string& who, std::size_t n) { return ratios_.time(who, n); };
     notebook_.value("bodies_in_cache", std::to_string(in));
     notebook_.value("bodies_out_of_cache", std::to_string(out));
-    for (const auto& [rule, ours, loop] :
-         {std::tuple{"default", our_world, splitting_loop}, {"cheapest", our_cheapest, cayley_loop}}) {
+    for (const auto& [rule, ours, loop] : {std::tuple{"default", our_world, splitting_loop},
+                                           {"cheapest", our_cheapest, cayley_loop}}) {
       const std::string name = std::string(rule) + "_";
       note(name + "ns", at(ours, in));
       note(name + "loop_ns", at(loop, in));
@@ -181,7 +185,7 @@ class Report {
       note(name + "over_loop_out_of_cache", ratio(at(ours, out), at(loop, out)));
       note(name + "bullet_functions", ratio(at(bullet_functions, in), at(ours, in)));
       note(name + "bullet_world", ratio(at(bullet_world, in), at(ours, in)));
-      note(name + "ode", ratio(at(ode_world, in), at(ours, in)));
+      note(name + "ode", ratio(ratios_.time(ode_world, in, 1, "double"), at(ours, in)));
       note(name + "two_threads", ratio(at(ours, in), ratios_.time(ours, in, 2)));
       const Maybe share = ratios_.share_of_bandwidth(
           OurWorld<float>::bytes_of_step(Scene::everything), at(ours, out), out);
@@ -191,7 +195,8 @@ class Report {
     note("explicit_loop_out_of_cache_ns", at(explicit_loop, out));
     Maybe trap;
     for (const std::size_t n : extent_.counts)
-      if (const Maybe times = ratio(at(colliding_loop, n), at(explicit_loop, n)); times > trap) trap = times;
+      if (const Maybe times = ratio(at(colliding_loop, n), at(explicit_loop, n)); times > trap)
+        trap = times;
     note("power_of_two_trap", trap);
     note("bandwidth", ratios_.bandwidth(out));
     note("bandwidth_two_threads", ratios_.bandwidth(out, 2));
