@@ -23,7 +23,7 @@ struct Extent {
   int repetitions;                      ///< of each measurement; two of them beyond `many` bodies
   double time;                          ///< of one measurement, ns
   std::size_t count_of_effects = 4096;  ///< where each effect is measured alone
-  std::size_t many = 1 << 18;           ///< from there on it takes long to make them
+  std::size_t many = 1 << 16;           ///< from there on it takes long to make them
 };
 
 /// A few sizes, about one for each level of the memory; for every book.

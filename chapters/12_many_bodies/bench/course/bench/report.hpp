@@ -3,32 +3,37 @@
 #pragma once
 
 #include <course/bench/ratios.hpp>
+#include <iomanip>
 #include <iostream>
 
 namespace tumble::course::bench {
 
-/// Prints a table and writes it to a file; each row as long as the list of columns.
+/// What a column is called: by a word in the terminal, in full in the book.
+struct Heading {
+  std::string brief, full;
+};
+
+/// Prints a table and writes it to a file; each row is as long as the list of columns.
 inline void show(const Notebook& notebook, std::string_view name, std::string_view title,
-                 const std::vector<std::string>& columns,
+                 const std::vector<Heading>& columns,
                  const std::vector<std::vector<std::string>>& rows) {
   std::ofstream file(notebook.file_in_folder(std::string(name) + ".tsv"));
   std::cout << '\n' << title << "\n\n";
-  const auto line = [&](const std::vector<std::string>& cells) {
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-      const std::string cell = cells[i].empty() ? "-" : cells[i];
-      // A sign of several bytes is one wide.
-      const auto length =
-          std::count_if(cell.begin(), cell.end(), [](char c) { return (c & '\xc0') != '\x80'; });
-      const std::size_t width = std::max<std::size_t>(8, columns[i].size());
-      const std::string space(width - std::min(width, static_cast<std::size_t>(length)), ' ');
-      std::cout << (i ? "  " : "") << (i ? space + cell : cell + space);
-      file << (i ? "\t" : "") << cells[i];
-    }
-    std::cout << '\n';
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    file << (i ? "\t" : "") << columns[i].full;
+    std::cout << std::setw(i ? 10 : 22) << (i ? std::right : std::left) << columns[i].brief;
+  }
+  for (const auto& row : rows) {
     file << '\n';
-  };
-  line(columns);
-  for (const auto& row : rows) line(row);
+    std::cout << '\n';
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      file << (i ? "\t" : "") << row[i];
+      std::cout << std::setw(i ? 10 : 22) << (i ? std::right : std::left)
+                << (row[i].empty() ? "-" : row[i]);
+    }
+  }
+  file << '\n';
+  std::cout << '\n';
 }
 
 /// Writes down everything that one run has measured.
@@ -75,8 +80,16 @@ class Report {
     };
     show(notebook_, "times",
          "ns per body and step with everything on; ODE in double, the others in float",
-         {"bodies", "world", "cheapest", "loop", "no sine", "explicit", "2^k apart",
-          "Bullet's functions", "Bullet's world", "ODE"},
+         {{"bodies", "bodies"},
+          {"world", "our world"},
+          {"cheapest", "our world, cheapest stable rule"},
+          {"loop", "plain loop, splitting"},
+          {"no sine", "plain loop, no sine"},
+          {"explicit", "plain loop, explicit"},
+          {"2^k apart", "the same, columns a power of two apart"},
+          {"Bullet", "Bullet's functions"},
+          {"its world", "Bullet's world"},
+          {"ODE", "ODE"}},
          for_each_count(row));
     const auto doubles = [&](std::size_t n) -> std::vector<Maybe> {
       const auto time = [&](const std::string& contender) {
@@ -86,7 +99,13 @@ class Report {
               time(cayley_loop), time(explicit_loop), ratio(time(our_world), time(splitting_loop))};
     };
     show(notebook_, "times_double", "The same in double",
-         {"bodies", "world", "cheapest", "loop", "no sine", "explicit", "world/loop"},
+         {{"bodies", "bodies"},
+          {"world", "our world"},
+          {"cheapest", "our world, cheapest stable rule"},
+          {"loop", "plain loop, splitting"},
+          {"no sine", "plain loop, no sine"},
+          {"explicit", "plain loop, explicit"},
+          {"world/loop", "our world ÷ plain loop"}},
          for_each_count(doubles));
   }
 
@@ -107,8 +126,15 @@ class Report {
               ratio(ratios_.time(loop, n), ratios_.time(loop, n, 2))};
     };
     show(notebook_, name, title,
-         {"bodies", "us/loop", "Bullet's functions/us", "gyroscopic off/us", "Bullet's world/us",
-          "ODE/us", "gyroscopic off/us", "us: 1 thread/2", "loop: 1 thread/2"},
+         {{"bodies", "bodies"},
+          {"us/loop", "we ÷ plain loop"},
+          {"Bullet/us", "Bullet's functions ÷ we"},
+          {"off", "gyroscopic term off"},
+          {"world/us", "Bullet's world ÷ we"},
+          {"ODE/us", "ODE ÷ we"},
+          {"off", "gyroscopic term off"},
+          {"we, 1/2", "we, one thread ÷ two"},
+          {"loop, 1/2", "plain loop, one thread ÷ two"}},
          for_each_count(row));
   }
 
@@ -133,8 +159,16 @@ class Report {
     show(notebook_, "bandwidth",
          "What the memory can do, and the part of it that is used, %; the last column: points "
          "under gravity",
-         {"bodies", "KiB", "GB/s", "2 threads", "world", "cheapest", "loop", "no sine", "explicit",
-          "points"},
+         {{"bodies", "bodies"},
+          {"KiB", "arrays (KiB)"},
+          {"GB/s", "memory (GB/s)"},
+          {"2 threads", "on two threads (GB/s)"},
+          {"world", "our world (%)"},
+          {"cheapest", "cheapest stable rule (%)"},
+          {"loop", "plain loop, splitting (%)"},
+          {"no sine", "plain loop, no sine (%)"},
+          {"explicit", "plain loop, explicit (%)"},
+          {"points", "our world, points under gravity (%)"}},
          for_each_count(row));
   }
 
@@ -153,8 +187,13 @@ class Report {
     show(notebook_, "effects",
          "ns per body and step of scenes with one effect more or another, " +
              std::to_string(extent_.count_of_effects) + " bodies",
-         {"scene               ", "float: world", "loop", "world/loop", "double: world", "loop",
-          "world/loop"},
+         {{"scene", "scene"},
+          {"float", "our world, float (ns)"},
+          {"loop", "plain loop, float (ns)"},
+          {"ratio", "ratio, float"},
+          {"double", "our world, double (ns)"},
+          {"loop", "plain loop, double (ns)"},
+          {"ratio", "ratio, double"}},
          rows);
   }
 
