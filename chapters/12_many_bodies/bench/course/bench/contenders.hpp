@@ -20,10 +20,9 @@ struct Extent {
   std::vector<std::size_t> counts;      ///< how many bodies, in float
   std::size_t most_in_double;           ///< and in double at most
   std::size_t most_of_peers;            ///< bodies of Bullet and ODE take most of a kilobyte each
-  int repetitions;                      ///< of each measurement; two of them beyond `many` bodies
+  int repetitions;                      ///< of each measurement
   double time;                          ///< of one measurement, ns
   std::size_t count_of_effects = 4096;  ///< where each effect is measured alone
-  std::size_t many = 1 << 16;           ///< from there on it takes long to make them
 };
 
 /// A few sizes, about one for each level of the memory; for every book.
@@ -88,11 +87,13 @@ class Contest {
   }
 
  private:
-  /// Bodies that take `time` ns or so for a step of each.
+  /// Bodies of which a step takes `time` ns or so each. Those that take long to make are made twice
+  /// where there are many.
   template <class Bodies, class... Arguments>
   void add(const Case& subject, double time, const Arguments&... arguments) {
     const double steps = extent_.time / time / static_cast<double>(subject.count);
-    measurements_.add(subject, subject.count < extent_.many ? extent_.repetitions : 2,
+    const bool slow = time > 50 && subject.count > 16'384;
+    measurements_.add(subject, slow ? 2 : extent_.repetitions,
                       static_cast<std::int64_t>(std::clamp(steps, 2., 1e5)),
                       [=] { return std::make_unique<Bodies>(arguments...); });
   }

@@ -105,7 +105,7 @@ class Report {
           {"loop", "plain loop, splitting"},
           {"no sine", "plain loop, no sine"},
           {"explicit", "plain loop, explicit"},
-          {"world/loop", "our world ÷ plain loop"}},
+          {"ratio", "our world ÷ plain loop"}},
          for_each_count(doubles));
   }
 
