@@ -9,8 +9,9 @@ book_packages="doxygen:doxygen doxygen-awesome-css libjs-katex libjs-lunr nodejs
   libbenchmark-dev"
 test_packages="node-parse5 python3-jsonschema" # the tests read the book's pages and judge scene files with them
 browser_packages="chromium:chromium npm:npm"
+peer_packages="libbenchmark-dev libbullet-dev libode-dev libsimbody-dev" # bench measures, and measures with, these
 all_packages="clang:clang++ libclang-rt-dev clang-format:clang-format clang-tidy:clang-tidy shellcheck:shellcheck
-  python3:python3"
+  python3:python3 valgrind:valgrind"
 
 system_file=/etc/os-release
 

@@ -29,13 +29,15 @@ fresh() { # SYSTEM VERSION: a machine with apt and no package
   stand_in id <<<'echo 0'
   stand_in dpkg-query <<<'exit 1'
   stand_in apt-get <<<'echo "apt-get $*" >>"$CALLED"'
-  stand_in cmake <<<'echo "cmake $*" >>"$CALLED"; mkdir -p build/default/checks build/default/programs/11_world
+  stand_in cmake <<<'echo "cmake $*" >>"$CALLED"; cd build; mkdir -p default/{checks,programs/11_world,costs/12_many_bodies}; cd ..
     for program in 01_force_checks 01_force.force; do
       printf "#!/usr/bin/env bash\necho checked\nexit ${CHECKS:-0}\n" >build/default/checks/$program
       chmod() { "$CHMOD" "$@"; }; chmod +x build/default/checks/$program
     done
     printf "%s\n" "#!/usr/bin/env bash" "echo \$PWD \"\${@@Q}\"" "exit 130" >build/default/programs/11_world/simulate
-    chmod +x build/default/programs/11_world/simulate'
+    bench=build/default/costs/12_many_bodies/many_bodies_bench
+    printf "%s\n" "#!/usr/bin/env bash" "echo Running; echo ns per body and step; echo \$@" >$bench
+    chmod +x build/default/programs/11_world/simulate $bench'
 }
 
 course() { # ARGUMENT...: its output and exit code go to `output` and `code`
@@ -96,6 +98,14 @@ verify "simulate gives its options to the simulator, in the caller's folder" \
   says "/ 'a scene.json' '--csv' 'a file.csv' '--all'"
 verify "and ends as it does" ends_with 130
 verify "simulate compiles the simulator alone" called "--target simulate"
+
+fresh debian 12
+course bench
+verify "bench installs the libraries that it compares with" called "libbullet-dev libode-dev"
+verify "bench compiles the benchmark alone" called "--target many_bodies_bench"
+verify "bench measures the full set and shows its tables" says $'ns per body and step\n--full build/bench'
+verify "and nothing before them" [ "${output/Running/}" = "$output" ]
+verify "bench names the log" says "log: build/log/bench.txt"
 
 fresh debian 12
 course check 1

@@ -1,0 +1,87 @@
+/// @file
+/// The one place where the benchmark knows our own world: what it is, and how it is asked to step.
+#pragma once
+
+#include <course/bench/scene.hpp>
+#include <tumble/air_and_water.hpp>
+#include <tumble/gravity.hpp>
+#include <tumble/solids.hpp>
+#include <tumble/world.hpp>
+
+namespace tumble::course::bench {
+
+/// A torque that stays the same in the world.
+template <class Real>
+struct SteadyTorque {
+  static constexpr std::string_view name = "steady torque", reads{};
+  Vec3<Real> torque = Vec3<Real>::Zero();  ///< N m, world axes
+  bool needs_top() const { return true; }
+  Push<Real> push(const BodyState<Real>&, const Real&) const { return {.torque = torque}; }
+};
+
+/// Our world in one of the scenes.
+template <class Real>
+class OurWorld {
+ public:
+  static constexpr int most_threads = 1;
+  static constexpr std::size_t most_bodies = 1 << 20;  ///< what 1.5 GB hold
+
+  /// Of the rules that keep |L|, and with it every number, within bounds whatever the step: the one
+  /// that takes the least time.
+  static constexpr TurningMethod cheapest_stable = TurningMethod::carrying_momentum;
+
+  explicit OurWorld(const Setting& setting, TurningMethod method = TurningMethod::splitting)
+      : world_(steps_per_second(setting.rate),
+               setting.gyroscopic ? method : TurningMethod::steady) {
+    const auto vector = [](const Triple& v) { return Vec3d(v[0], v[1], v[2]).cast<Real>().eval(); };
+    const Box<Real> box{vector(edges)};
+    RigidBody<Real> body =
+        make_rigid_body<Real>("box", mass_properties(box, static_cast<Real>(mass))).body;
+    for (std::size_t n = 0; n < setting.count; ++n) {
+      const Start start = start_of(n);
+      body.centre.position = vector(start.position);
+      body.centre.velocity = vector(start.velocity);
+      set_angular_velocity_world(body.top, vector(start.angular_velocity));
+      if (has_tops(setting.scene))
+        world_.add(std::to_string(n), body);
+      else
+        world_.add(std::to_string(n), body.centre);
+    }
+    add_effects(setting.scene, vector(torque));
+    world_.plan();
+  }
+
+  void run(int steps) {
+    for (int step = 0; step < steps; ++step) world_.step();
+  }
+
+  Motion motion(std::size_t n) const {
+    const RigidBody<Real> body = world_.body(world_.find(std::to_string(n)));
+    return {triple_of(body.centre.position), triple_of(body.centre.velocity),
+            triple_of(angular_velocity_world(body.top))};
+  }
+
+  /// The bytes that a step of one body reads and writes where each is touched once: beyond those
+  /// of bytes_of_step(), the inverse mass and the sums of forces and torques both ways.
+  static constexpr double bytes_of_step(Scene scene) {
+    int numbers = has_gravity(scene) || has_damping(scene) ? 12 : 9;
+    if (has_gravity(scene) || has_torque(scene)) numbers += 2 * 3 + 1;
+    if (has_tops(scene)) numbers += 2 * 7 + 3;
+    if (has_torque(scene)) numbers += 2 * 3;
+    return numbers * static_cast<double>(sizeof(Real));
+  }
+
+ private:
+  void add_effects(Scene scene, const Vec3<Real>& on_each) {
+    const auto rate = static_cast<Real>(damping_rate);
+    if (has_gravity(scene)) world_.add(Gravity<Real>{{0, 0, static_cast<Real>(gravity)}});
+    if (has_torque(scene)) world_.add(SteadyTorque<Real>{on_each});
+    if (!has_damping(scene)) return;
+    world_.add(LinearDamping<Real>{.rate = rate});
+    if (has_tops(scene)) world_.add(AngularDamping<Real>{.rate = rate});
+  }
+
+  World<Real> world_;
+};
+
+}  // namespace tumble::course::bench
