@@ -253,7 +253,8 @@ TEST_CASE_TEMPLATE("A top seen in a mirror turns the mirrored way, to the bit", 
 //! [reversal]
 TEST_CASE_TEMPLATE("Turn L around, and the splittings retrace their steps", Real, EVERY_PRECISION) {
   for (const TumblingProblem* problem : {&A, &B, &C})
-    for (const auto turn : {turn_by_splitting<Real>, turn_axis_by_axis<Real>}) {
+    for (const auto turn :
+         {turn_by_splitting<Real>, turn_by_splitting_without_sine<Real>, turn_axis_by_axis<Real>}) {
       const Top<Real> start = top_of<Real>(*problem);
       Top<Real> top = start;
       const int steps = 10;

@@ -31,6 +31,8 @@ void measure(const char* precision) {
   add("momentum-carrying", [](Top<Real>& top, Real h) { turn_carrying_momentum(top, h); });
   add("splitting by axes", [](Top<Real>& top, Real h) { turn_axis_by_axis(top, h); });
   add("splitting with a sphere", [](Top<Real>& top, Real h) { turn_by_splitting(top, h); });
+  add("splitting without a sine",
+      [](Top<Real>& top, Real h) { turn_by_splitting_without_sine(top, h); });
 }
 
 const bool registered = [] {

@@ -1,5 +1,6 @@
 #include <course/checks.hpp>
 #include <course/random_world.hpp>
+#include <tumble/ledger.hpp>
 
 using namespace tumble;
 using namespace tumble::course;
@@ -265,6 +266,39 @@ TEST_CASE_TEMPLATE("The order of work is kick, blow, damping, drift", Real, EVER
   CHECK(std::abs(world.body(ball).centre.position.x() - Real(4.5)) <= 16 * unit_roundoff<Real>);
 }
 
+TEST_CASE_TEMPLATE("A steady torque spins a ball up by τ t/I, and the books have its work", Real,
+                   EVERY_PRECISION) {
+  World<Real> world(steps_per_second(64));
+  const auto ball = mass_properties(Sphere<Real>{1}, 5);  // I = 2/5 m r² = 2 kg m²
+  const BodyHandle body = world.add("ball", make_rigid_body<Real>("ball", ball).body);
+  world.add(SteadyTorque<Real>{{0, 0, 4}});
+  Ledger<Real> books(world);
+  for (int n = 0; n < 128; ++n) books.step(world);
+  const Real omega = angular_velocity_world(world.body(body).top).z();
+  const Real rounding = 128 * 8 * unit_roundoff<Real>;
+  CHECK(std::abs(omega - 4) <= 4 * rounding);  // 4 N m for 2 s on 2 kg m²
+  REQUIRE(!books.lines().empty());
+  CHECK(books.lines()[0].name == "steady torque");
+  CHECK(std::abs(static_cast<Real>(books.lines()[0].energy) - 16) <= 16 * rounding);
+  CHECK(std::abs(static_cast<Real>(books.rest(world).energy)) <= 16 * rounding);
+}
+
+TEST_CASE_TEMPLATE("A torque that is no number stops the step and is named", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  world.add("point", make_particle<Real>(1));
+  const auto ball = mass_properties(Sphere<Real>{1}, 5);
+  const BodyHandle body = world.add("ball", make_rigid_body<Real>("ball", ball).body);
+  world.add(SteadyTorque<Real>{{0, std::numeric_limits<Real>::infinity(), 0}}, {body});
+  std::string said;
+  try {
+    world.step();
+  } catch (const SimulationError& error) {
+    said = error.what();
+  }
+  CHECK(said.find("'ball' at 0 s (step 0): steady torque gives a torque of (0, inf, 0) N m") == 0);
+}
+
 //! [methods]
 TEST_CASE_TEMPLATE("A world turns by the rule that was chosen", Real, EVERY_PRECISION) {
   const RigidBody<Real> box = make_rigid_body<Real>("box", mass_properties(Box<Real>{{1, 2, 3}}, 2),
@@ -283,6 +317,7 @@ TEST_CASE_TEMPLATE("A world turns by the rule that was chosen", Real, EVERY_PREC
     CHECK(same_bits(turned(method).angular_momentum_body, top.angular_momentum_body));
   };
   expect(TurningMethod::splitting, &turn_by_splitting<Real>);
+  expect(TurningMethod::splitting_without_sine, &turn_by_splitting_without_sine<Real>);
   expect(TurningMethod::axis_by_axis, &turn_axis_by_axis<Real>);
   expect(TurningMethod::carrying_momentum, &turn_carrying_momentum<Real>);
   expect(TurningMethod::implicit_newton, &turn_implicitly<Real>);

@@ -131,6 +131,7 @@ TEST_CASE_TEMPLATE("Every rule of chapter 8 turns a pack as it turns its tops, t
   compare([](auto& top, auto h) { turn_carrying_momentum(top, h); });
   compare([](auto& top, auto h) { turn_axis_by_axis(top, h); });
   compare([](auto& top, auto h) { turn_by_splitting(top, h); });
+  compare([](auto& top, auto h) { turn_by_splitting_without_sine(top, h); });
   compare([](auto& top, auto h) { kick(top, h), turn_by_splitting(top, h); });
 }
 //! [rules]

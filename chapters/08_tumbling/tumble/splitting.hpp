@@ -8,17 +8,13 @@
 
 namespace tumble {
 
-/// Turns the top by `angle` (rad) about its body axis 0, 1 or 2, with L standing still in the
-/// world.
-///
-/// The half angle gives all four numbers: sin a = 2 sin(a/2) cos(a/2), and 1 − cos a = 2 sin²(a/2),
-/// which keeps its digits where a is small.
-//! [turn_about_axis]
+/// Turns L by an angle of which sine and 1 − cosine are given, and the orientation by the
+/// quaternion c + s axis, about body axis 0, 1 or 2. L stands still in the world.
+//! [turn_by_half]
 template <int axis, class Real>
-void turn_about_axis(Top<Real>& top, Same<Real> angle) {
+void turn_by_half(Top<Real>& top, Same<Real> c, Same<Real> s, Same<Real> sine,
+                  Same<Real> one_minus_cosine) {
   constexpr int next = (axis + 1) % 3, last = (axis + 2) % 3;
-  const auto [s, c] = sine_cosine(Real(angle / 2));
-  const Real sine = 2 * s * c, one_minus_cosine = 2 * s * s;
   Vec3<Real>& L = top.angular_momentum_body;
   const Real L_next = L[next], L_last = L[last];
   L[next] = L_next + (sine * L_last - one_minus_cosine * L_next);
@@ -29,6 +25,19 @@ void turn_about_axis(Top<Real>& top, Same<Real> angle) {
   top.orientation.imaginary[axis] = c * q.imaginary[axis] + s * q.real;
   top.orientation.imaginary[next] = c * q.imaginary[next] + s * q.imaginary[last];
   top.orientation.imaginary[last] = c * q.imaginary[last] - s * q.imaginary[next];
+}
+//! [turn_by_half]
+
+/// Turns the top by `angle` (rad) about its body axis 0, 1 or 2, with L standing still in the
+/// world.
+///
+/// The half angle gives all four numbers: sin a = 2 sin(a/2) cos(a/2), and 1 − cos a = 2 sin²(a/2),
+/// which keeps its digits where a is small.
+//! [turn_about_axis]
+template <int axis, class Real>
+void turn_about_axis(Top<Real>& top, Same<Real> angle) {
+  const auto [s, c] = sine_cosine(Real(angle / 2));
+  turn_by_half<axis, Real>(top, c, s, 2 * s * c, 2 * s * s);
 }
 //! [turn_about_axis]
 
@@ -82,5 +91,34 @@ void turn_by_splitting(Top<Real>& top, Same<Real> time_step) {
   top.orientation = turn_exponential_body<Real>(top.orientation, a * L, time_step);
 }
 //! [turn_by_splitting]
+
+/// Turns by 2 atan(angle/2) about a body axis, and leaves the quaternion √(1 + (angle/2)²) too
+/// long. With t for tan(a/2), sin a = 2t/(1 + t²) and 1 − cos a = 2t²/(1 + t²): no sine, no root.
+//! [turn_about_axis_without_sine]
+template <int axis, class Real>
+void turn_about_axis_without_sine(Top<Real>& top, Same<Real> angle) {
+  const Real t = angle / 2, sine = 2 * t / (1 + t * t);
+  turn_by_half<axis, Real>(top, 1, t, sine, sine * t);
+}
+//! [turn_about_axis_without_sine]
+
+/// turn_by_splitting() with chapter 7's first-order turns: each is too small by angle³/12. It is a
+/// turn all the same, and how far it goes depends on what it leaves alone. So L is exact, the
+/// energy bounded and the step symmetric in time, as with sines.
+//! [turn_by_splitting_without_sine]
+template <class Real>
+void turn_by_splitting_without_sine(Top<Real>& top, Same<Real> time_step) {
+  const auto [a, b, c] =
+      std::array{top.inverse_moments[0], top.inverse_moments[1], top.inverse_moments[2]};
+  const Vec3<Real> before = top.angular_momentum_body;
+  const Vec3<Real>& L = top.angular_momentum_body;
+  turn_about_axis_without_sine<1>(top, time_step / 2 * ((b - a) * L[1]));
+  turn_about_axis_without_sine<2>(top, time_step * ((c - a) * L[2]));
+  turn_about_axis_without_sine<1>(top, time_step / 2 * ((b - a) * L[1]));
+  top.angular_momentum_body = with_length_of(before, L);
+  const Vec3<Real> t = time_step / 2 * a * L;
+  top.orientation = normalized(top.orientation * Quaternion<Real>{1, t});
+}
+//! [turn_by_splitting_without_sine]
 
 }  // namespace tumble

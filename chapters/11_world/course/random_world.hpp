@@ -35,6 +35,18 @@ class Dice {
   std::mt19937_64 generator_;
 };
 
+/// A torque that is the same for all bodies and at all times.
+template <class Real>
+struct SteadyTorque {
+  static constexpr std::string_view name = "steady torque", reads{};
+  Vec3<Real> steady = Vec3<Real>::Zero();  ///< N m, world axes
+  Vec3<Real> torque(const Top<Real>&, Real) const { return steady; }
+  template <class Wide>
+  SteadyTorque<Wide> widened() const {
+    return {steady.template cast<Wide>()};
+  }
+};
+
 /// A body of any kind: point, box, ball, rod, static; at rest or not.
 template <class Real, class Keeping>
 BodyHandle add_random_body(World<Real, Keeping>& world, Dice& dice, const std::string& name) {
@@ -82,7 +94,7 @@ void add_random_effect(World<Real, Keeping>& world, Dice& dice,
     else
       world.add(effect, some);
   };
-  switch (dice.below(10)) {
+  switch (dice.below(11)) {
     case 0:
       return add(Gravity<Real>{.gravity = direction});
     case 1:
@@ -94,6 +106,9 @@ void add_random_effect(World<Real, Keeping>& world, Dice& dice,
     case 4:
       if (!has_top) return;
       return add(AngularDamping<Real>{.rate = amount});
+    case 9:
+      if (!has_top) return;
+      return add(SteadyTorque<Real>{amount * direction});
     case 5:
       return add(QuadraticDrag<Real>{.coefficient = amount / 8, .wind = direction});
     case 6:
@@ -118,10 +133,11 @@ void add_random_effect(World<Real, Keeping>& world, Dice& dice,
 
 template <class Real, class Keeping = OneByOne<Real>>
 World<Real, Keeping> random_world(Dice& dice, std::size_t most_bodies = 5) {
-  constexpr TurningMethod methods[] = {TurningMethod::splitting, TurningMethod::axis_by_axis,
-                                       TurningMethod::carrying_momentum, TurningMethod::steady,
-                                       TurningMethod::implicit_newton};
-  World<Real, Keeping> world(steps_per_second(60), methods[dice.below(5)]);
+  constexpr TurningMethod methods[] = {
+      TurningMethod::splitting,    TurningMethod::splitting_without_sine,
+      TurningMethod::axis_by_axis, TurningMethod::carrying_momentum,
+      TurningMethod::steady,       TurningMethod::implicit_newton};
+  World<Real, Keeping> world(steps_per_second(60), methods[dice.below(6)]);
   std::vector<BodyHandle> bodies;
   for (std::size_t n = 0, count = 1 + dice.below(most_bodies); n < count; ++n)
     bodies.push_back(add_random_body(world, dice, "body " + std::to_string(n)));

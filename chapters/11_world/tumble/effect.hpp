@@ -79,6 +79,11 @@ concept ForceOnBody = requires(const Effect& effect, const BodyState<Real>& body
 };
 
 template <class Effect, class Real>
+concept TorqueOnTop = requires(const Effect& effect, const Top<Real>& top, const Real& time) {
+  { effect.torque(top, time) } -> std::convertible_to<Vec3<Real>>;
+};
+
+template <class Effect, class Real>
 concept PushOnBody = requires(const Effect& effect, const BodyState<Real>& body, const Real& time) {
   { effect.push(body, time) } -> std::same_as<Push<Real>>;
 };
@@ -111,16 +116,17 @@ concept ActsOnTop = requires(const Effect& effect, Top<Real>& top, const Moment<
 
 /// An effect that visits bodies one by one.
 template <class Effect, class Real>
-concept EffectOnOne =
-    ForceOnCentre<Effect, Real> || ForceOnBody<Effect, Real> || PushOnBody<Effect, Real> ||
-    AccelerationOfCentre<Effect, Real> || ActsOnCentre<Effect, Real> || ActsOnTop<Effect, Real>;
+concept EffectOnOne = ForceOnCentre<Effect, Real> || ForceOnBody<Effect, Real> ||
+    PushOnBody<Effect, Real> || AccelerationOfCentre<Effect, Real> || ActsOnCentre<Effect, Real> ||
+    TorqueOnTop<Effect, Real> || ActsOnTop<Effect, Real>;
 
 /// The answer of an effect's predicate: empty if the effect is needed, else why it is not. An
 /// effect without a predicate is needed by every body that can answer it.
 template <class Real, class Effect>
 std::string_view why_skipped(const Effect& effect, const Facts& facts) {
-  constexpr bool on_top = ActsOnTop<Effect, Real>;
+  constexpr bool on_top = ActsOnTop<Effect, Real> || TorqueOnTop<Effect, Real>;
   if (on_top && facts.is_point) return "points do not turn";
+  if (TorqueOnTop<Effect, Real> && !facts.can_turn) return "locked about every axis";
   if (!on_top && !ActsOnCentre<Effect, Real> && facts.is_static) return "nothing can move them";
   if constexpr (requires { effect.needs_top(); })
     if (effect.needs_top() && facts.is_point) return "points have no orientation";

@@ -113,9 +113,12 @@ const AnyEffect<Real>* culprit_for(BodyIndex body, const std::vector<Pass<Real>>
                                   : Push<Real>{-pair.force_on_first, pair.torque_on_second};
         if (!is_finite(push.force) || !is_finite(push.torque)) return &effect;
       }
-    } else if (!effect.visits_tops() &&
-               (pass.group.everyone ||
-                std::find(members.begin(), members.end(), body) != members.end())) {
+    } else {
+      const BodyIndex member = effect.visits_tops() ? bodies.top_of[body] : body;
+      const bool is_one = pass.group.everyone
+                              ? member != no_index
+                              : std::find(members.begin(), members.end(), member) != members.end();
+      if (!is_one) continue;
       push = effect.push_on(state_of(bodies, body), time);
       if (!is_finite(push.force) || !is_finite(push.torque)) return &effect;
     }

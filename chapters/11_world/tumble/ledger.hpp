@@ -185,7 +185,7 @@ class Ledger {
   }
 
   static bool pushes(const AnyEffect<Real>& effect) {
-    return effect.gives_force() || effect.gives_acceleration();
+    return effect.gives_force() || effect.gives_acceleration() || effect.gives_torque();
   }
 
   static void book_pushes(const Pass<Real>& pass, const Bodies<Real>& before,
@@ -206,9 +206,12 @@ class Ledger {
         book(members[i + 1], {-push.force_on_first, push.torque_on_second});
       }
     } else {
-      for_each_index(pass.group, before.centres.size(), [&](BodyIndex body) {
-        book(body, effect.push_on(state_of(before, body), time));
-      });
+      const bool tops = effect.visits_tops();
+      for_each_index(pass.group, tops ? before.tops.size() : before.centres.size(),
+                     [&](BodyIndex member) {
+                       const BodyIndex body = tops ? before.body_of[member] : member;
+                       book(body, effect.push_on(state_of(before, body), time));
+                     });
     }
   }
 

@@ -109,7 +109,10 @@ void visit(const Effect& effect, Particle<Real>& centre, const Moment<Real>& mom
 
 template <class Effect, class Real>
 void visit(const Effect& effect, Top<Real>& top, const Moment<Real>& moment) {
-  effect.act(top, moment);
+  if constexpr (TorqueOnTop<Effect, Real>)
+    top.torque += effect.torque(top, moment.time);
+  else
+    effect.act(top, moment);
 }
 
 /// AnyEffect for one type of effect.
@@ -121,9 +124,11 @@ class EffectOf : public AnyEffect<Real> {
   static constexpr bool push_between = PushBetween<Effect, Real>;
   static constexpr bool accelerates = AccelerationOfCentre<Effect, Real>;
   static constexpr bool on_centre = ActsOnCentre<Effect, Real>;
-  static constexpr bool on_top = ActsOnTop<Effect, Real>;
+  static constexpr bool torque_on_top = TorqueOnTop<Effect, Real>;
+  static constexpr bool acts_on_top = ActsOnTop<Effect, Real>;
+  static constexpr bool on_top = torque_on_top || acts_on_top;
   static_assert(force_on_centre + force_on_body + push_on_body + push_between + accelerates +
-                        on_centre + on_top ==
+                        on_centre + torque_on_top + acts_on_top ==
                     1,
                 "an effect has exactly one kernel, in one of the forms in effect.hpp");
 
@@ -133,7 +138,7 @@ class EffectOf : public AnyEffect<Real> {
 
   std::string name() const override { return std::string(effect_.name); }
   Phase phase() const override {
-    if constexpr (on_centre || on_top)
+    if constexpr (on_centre || acts_on_top)
       return Effect::phase;
     else
       return accelerates ? Phase::kick : Phase::force;
@@ -142,8 +147,9 @@ class EffectOf : public AnyEffect<Real> {
     if constexpr (requires { Effect::reads; })
       return Effect::reads;
     else
-      return on_top      ? "angular momentum"
-             : on_centre ? "velocity"
+      return torque_on_top ? "orientation, spin"
+             : on_top      ? "angular momentum"
+             : on_centre   ? "velocity"
              : force_on_body || push_on_body || push_between
                  ? "position, velocity, orientation, spin"
                  : "position, velocity";
@@ -152,10 +158,11 @@ class EffectOf : public AnyEffect<Real> {
     if constexpr (requires { Effect::writes; })
       return Effect::writes;
     else
-      return gives_torque()  ? "force, torque"
-             : gives_force() ? "force"
-             : on_top        ? "angular momentum"
-                             : "velocity";
+      return torque_on_top    ? "torque"
+             : gives_torque() ? "force, torque"
+             : gives_force()  ? "force"
+             : on_top         ? "angular momentum"
+                              : "velocity";
   }
   bool joins_two() const override { return push_between; }
   bool visits_tops() const override { return on_top; }
@@ -167,14 +174,14 @@ class EffectOf : public AnyEffect<Real> {
     if constexpr (requires { effect_.gives_torque(); })
       return effect_.gives_torque();
     else
-      return push_on_body || push_between;
+      return torque_on_top || push_on_body || push_between;
   }
   bool gives_motion() const override {
     return gives_force() || accelerates || phase() == Phase::impulse;
   }
 
   bool gives_spin() const override {
-    return gives_torque() || (on_top && phase() == Phase::impulse);
+    return gives_torque() || (acts_on_top && phase() == Phase::impulse);
   }
   bool needs_top() const override {
     if constexpr (requires { effect_.needs_top(); })
@@ -234,6 +241,8 @@ class EffectOf : public AnyEffect<Real> {
       return {.force = effect_.force(body, time)};
     else if constexpr (push_on_body)
       return effect_.push(body, time);
+    else if constexpr (torque_on_top)
+      return {.torque = effect_.torque(body.top, time)};
     else
       return {};
   }

@@ -13,7 +13,8 @@ namespace tumble {
 /// By which rule the bodies turn whose moments differ.
 //! [turning_method]
 enum class TurningMethod {
-  splitting,  ///< sphere + axial + residual splitting: the world's own choice
+  splitting,               ///< sphere + axial + residual splitting: the world's own choice
+  splitting_without_sine,  ///< the same in a third of the time, for angles that are small
   axis_by_axis,
   carrying_momentum,
   implicit_newton,
@@ -24,9 +25,9 @@ enum class TurningMethod {
 //! [turning_method]
 
 /// The methods' names, in the order of TurningMethod.
-inline constexpr std::array<std::string_view, 7> turning_method_names = {
-    "splitting",      "axis by axis", "carrying momentum", "implicit Newton", "restoring momentum",
-    "explicit Euler", "steady"};
+inline constexpr std::array<std::string_view, 8> turning_method_names = {
+    "splitting",       "splitting without sine", "axis by axis",   "carrying momentum",
+    "implicit Newton", "restoring momentum",     "explicit Euler", "steady"};
 
 /// The effect that turns by a method, in the form that `Keeping` runs.
 template <class Real, class Keeping>
@@ -37,6 +38,8 @@ std::shared_ptr<const AnyEffect<Real>> tumbling_effect(TurningMethod method) {
     return Keeping::erased(Tumble<Real, Rule>{name, rule});
   };
   switch (method) {
+    case TurningMethod::splitting_without_sine:
+      return by([](auto& top, auto time_step) { turn_by_splitting_without_sine(top, time_step); });
     case TurningMethod::axis_by_axis:
       return by([](auto& top, auto time_step) { turn_axis_by_axis(top, time_step); });
     case TurningMethod::carrying_momentum:

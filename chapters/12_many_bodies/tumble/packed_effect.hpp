@@ -84,7 +84,7 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
   static constexpr bool on_centre = ForceOnCentre<Effect, Real> ||
                                     AccelerationOfCentre<Effect, Real> ||
                                     ActsOnCentre<Effect, Real>;
-  static constexpr bool on_top = ActsOnTop<Effect, Real>;
+  static constexpr bool on_top = ActsOnTop<Effect, Real> || TorqueOnTop<Effect, Real>;
 
  public:
   explicit PackedEffectOf(const Effect& effect)

@@ -3,32 +3,24 @@
 #pragma once
 
 #include <course/bench/scene.hpp>
+#include <course/random_world.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
+#include <tumble/in_packs.hpp>
 #include <tumble/solids.hpp>
-#include <tumble/world.hpp>
 
 namespace tumble::course::bench {
-
-/// A torque that stays the same in the world.
-template <class Real>
-struct SteadyTorque {
-  static constexpr std::string_view name = "steady torque", reads{};
-  Vec3<Real> torque = Vec3<Real>::Zero();  ///< N m, world axes
-  bool needs_top() const { return true; }
-  Push<Real> push(const BodyState<Real>&, const Real&) const { return {.torque = torque}; }
-};
 
 /// Our world in one of the scenes.
 template <class Real>
 class OurWorld {
  public:
-  static constexpr int most_threads = 1;
+  static constexpr int most_threads = 2;
   static constexpr std::size_t most_bodies = 1 << 20;  ///< what 1.5 GB hold
 
   /// Of the rules that keep |L|, and with it every number, within bounds whatever the step: the one
   /// that takes the least time.
-  static constexpr TurningMethod cheapest_stable = TurningMethod::carrying_momentum;
+  static constexpr TurningMethod cheapest_stable = TurningMethod::splitting_without_sine;
 
   explicit OurWorld(const Setting& setting, TurningMethod method = TurningMethod::splitting)
       : world_(steps_per_second(setting.rate),
@@ -49,6 +41,7 @@ class OurWorld {
     }
     add_effects(setting.scene, vector(torque));
     world_.plan();
+    world_.keeping().use_threads(setting.threads);
   }
 
   void run(int steps) {
@@ -81,7 +74,7 @@ class OurWorld {
     if (has_tops(scene)) world_.add(AngularDamping<Real>{.rate = rate});
   }
 
-  World<Real> world_;
+  ManyBodies<Real> world_;
 };
 
 }  // namespace tumble::course::bench
