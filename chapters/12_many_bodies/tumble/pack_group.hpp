@@ -55,16 +55,15 @@ PackGroup<Real, width> pack_group(bool everyone, std::vector<BodyIndex> members,
   return group;
 }
 
-/// Calls `visit` with each pack from `begin` to before `end` all of whose bodies are members.
+/// Calls `visit` with the beginning and the end of each row of packs, between `begin` and `end`,
+/// all of whose bodies are members.
 template <class Real, int width, class Visit>
-void for_each_whole_pack(const PackGroup<Real, width>& group, std::uint32_t begin,
-                         std::uint32_t end, const Visit& visit) {
+void for_each_whole(const PackGroup<Real, width>& group, std::uint32_t begin, std::uint32_t end,
+                    const Visit& visit) {
   auto run = std::partition_point(group.whole.begin(), group.whole.end(),
                                   [&](const WholePacks& packs) { return packs.end <= begin; });
   for (; run != group.whole.end() && run->begin < end; ++run)
-    for (std::uint32_t pack = std::max(run->begin, begin), last = std::min(run->end, end);
-         pack < last; ++pack)
-      visit(pack);
+    visit(std::max(run->begin, begin), std::min(run->end, end));
 }
 
 /// Calls `visit` with each other pack that has members, and with them.

@@ -8,9 +8,12 @@
 
 namespace tumble {
 
-/// How many numbers the processor works on at once: 8 floats or 4 doubles with AVX, 4 or 2 without.
+/// How many numbers the processor works on at once: 16 floats or 8 doubles with AVX-512, half as
+/// many with AVX, and a quarter with neither.
 //! [width]
-#ifdef __AVX__
+#if defined(__AVX512F__)
+constexpr std::size_t vector_bytes = 64;
+#elif defined(__AVX__)
 constexpr std::size_t vector_bytes = 32;
 #else
 constexpr std::size_t vector_bytes = 16;

@@ -104,8 +104,9 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
       visit_packs(bodies.tops, packs, begin, end, moment);
     } else {
       constexpr PackMask<Real, width> all{~typename PackMask<Real, width>::Lanes{}};
-      for_each_whole_pack(packs, begin, end,
-                          [&](std::uint32_t pack) { push(bodies, pack, all, moment.time); });
+      for_each_whole(packs, begin, end, [&](std::uint32_t first, std::uint32_t last) {
+        for (std::uint32_t pack = first; pack < last; ++pack) push(bodies, pack, all, moment.time);
+      });
       for_each_part(packs, begin, end, [&](std::uint32_t pack, const auto& members) {
         push(bodies, pack, members, moment.time);
       });
@@ -113,6 +114,18 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
   }
 
  private:
+  /// The loop in which nearly all of the time is spent. The kernel and all that it calls must
+  /// become one piece here: a function of its own would hand over its vectors through memory.
+  //! [visit_row]
+  template <class Packs>
+  [[gnu::flatten]] static void visit_row(const Kernel& kernel, Packs* begin, const Packs* end,
+                                         const Moment<Packed>& moment) {
+    const Kernel own_kernel = kernel;  // nobody else can change these two meanwhile, so that their
+    const Moment<Packed> own_moment = moment;  // numbers can stay in registers
+    for (Packs* packs = begin; packs != end; ++packs) visit(own_kernel, *packs, own_moment);
+  }
+  //! [visit_row]
+
   /// An effect on centres alone, or on tops alone.
   //! [visit_packs]
   template <class Array>
@@ -120,8 +133,9 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
                    std::uint32_t end, const Moment<Real>& moment) const {
     if constexpr (is_widened) {
       const Moment<Packed> wide{moment.time, moment.time_step};
-      for_each_whole_pack(group, begin, end,
-                          [&](std::uint32_t pack) { visit(kernel_, array.packs()[pack], wide); });
+      for_each_whole(group, begin, end, [&](std::uint32_t first, std::uint32_t last) {
+        visit_row(kernel_, array.packs().data() + first, array.packs().data() + last, wide);
+      });
       for_each_part(group, begin, end, [&](std::uint32_t pack, const auto& members) {
         auto changed = array.packs()[pack];
         visit(kernel_, changed, wide);
@@ -134,10 +148,10 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
         visit(kernel_, element, moment);
         set_lane(array.packs()[pack], lane, element);
       };
-      for_each_whole_pack(group, begin, end, [&](std::uint32_t pack) {
-        const std::size_t lanes = array.size() - std::size_t{pack} * width;
-        for (int lane = 0; lane < width && static_cast<std::size_t>(lane) < lanes; ++lane)
-          visit_lane(pack, lane);
+      for_each_whole(group, begin, end, [&](std::uint32_t first, std::uint32_t last) {
+        const std::size_t all = std::min(std::size_t{last} * width, array.size());
+        for (std::size_t i = std::size_t{first} * width; i < all; ++i)
+          visit_lane(static_cast<std::uint32_t>(i / width), static_cast<int>(i % width));
       });
       for_each_part(group, begin, end, [&](std::uint32_t pack, const auto& members) {
         for (int lane = 0; lane < width; ++lane)

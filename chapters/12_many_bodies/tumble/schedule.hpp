@@ -68,8 +68,9 @@ template <class Real, int width, class Packed>
 bool any_stopped(const std::vector<Packed>& array, const PackGroup<Real, width>& group,
                  std::uint32_t begin, std::uint32_t end, Same<Real> time_step) {
   typename PackMask<Real, width>::Lanes stopped{};
-  for_each_whole_pack(group, begin, end, [&](std::uint32_t pack) {
-    stopped |= (!can_drift(array[pack], time_step)).lanes;
+  for_each_whole(group, begin, end, [&](std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t pack = first; pack < last; ++pack)
+      stopped |= (!can_drift(array[pack], time_step)).lanes;
   });
   for_each_part(group, begin, end, [&](std::uint32_t pack, const auto& members) {
     stopped |= (members && !can_drift(array[pack], time_step)).lanes;
