@@ -66,7 +66,8 @@ struct Start {
 
 constexpr Start start_of(std::size_t n) {
   const double more = 1 + static_cast<double>(n % 7) / 8;
-  return {.position = {static_cast<double>(n % 1024) * 16, static_cast<double>(n / 1024) * 16, 0},
+  const std::size_t row = n / 1024;
+  return {.position = {static_cast<double>(n % 1024) * 16, static_cast<double>(row) * 16, 0},
           .velocity = {more, -2, 0.5},
           .angular_velocity = {more, 2 * more, -1.5}};
 }
