@@ -81,6 +81,8 @@ int main(int argument_count, char** arguments) {
       same ? "no" : "some");
   course::expect(same, "the three worlds agree to the bit");
 
+  notebook.value("steps_to_repeat", std::to_string(InPacks<float>::steps_to_repeat));
+  notebook.value("passes", std::to_string(world.passes().size()));
   notebook.value("width", std::to_string(width));
   notebook.value("width_double", std::to_string(natural_width<double>));
   notebook.value("bytes_point", std::to_string(sizeof(Particle<Packed>) / width));

@@ -14,6 +14,9 @@ namespace tumble {
 template <class Real, int width = natural_width<Real>>
 class InPacks {
  public:
+  /// After so many steps the bodies are copied, so that a step that fails can be taken back.
+  static constexpr std::int64_t steps_to_repeat = 64;
+
   std::size_t body_count() const { return bodies_.centres.size(); }
   std::size_t top_count() const { return bodies_.tops.size(); }
   bool is_point(BodyIndex body) const { return tumble::is_point(bodies_, body); }
@@ -102,7 +105,6 @@ class InPacks {
   /// Where the last steps began: a step is a function of its beginning, so what led here can be
   /// computed again. It costs one copy in so many steps, and not one in each.
   //! [past]
-  static constexpr std::int64_t steps_to_repeat = 64;
   struct Change {
     std::int64_t tick;
     BodyIndex index;
