@@ -80,8 +80,31 @@ TEST_CASE(
         HeavyTopCase{"hanging and pushed", 0.5, 1, 1, pi, {3, 1, -2}},
         HeavyTopCase{"a pendulum", 0.5, 1, 1, 0.6, {1, 0, 0}},
         HeavyTopCase{"a pendulum that turns over", 0.5, 1, 1, 0.6, {5, 0, 0}},
+        HeavyTopCase{"past upright by a hair", 0.5, 1, 1, 0.3, {5, 0, 1e-7}},
+        HeavyTopCase{"past upright by a hand", 0.5, 1, 1, 0.3, {5, 0, 0.1}},
         HeavyTopCase{"a whirl from below", 0.5, 1, 1, 3.1, {30, 1, -2}}})
     agrees(given, {0, 0, -given.pull});
+}
+
+TEST_CASE("The heavy top keeps its digits at the instant when it all but stands upright") {
+  // From its lowest point, with L_z all but equal to L3: the nearer they are, the nearer to
+  // upright.
+  const Vec3d pull(0, 0, -1);
+  for (const double off : {1e-7, 1e-4, 0.0}) {
+    const double tilt = 2.5, spin = 4;
+    const Topd start = start_of(
+        {"rises", 0.5, 1, 1, tilt, {0, spin / 0.5 * std::tan(tilt / 2) * (1 + off), spin}});
+    const HeavyTop<double> exact(start, pull);
+    Top<long double> witness = in_long_double(start);
+    witness.orientation = normalized(witness.orientation);
+    const double half = exact.nutation_period() / 2;
+    for (const double time : {half * (1 - 1e-8), half, half * (1 + 1e-8)}) {
+      const auto truth = integrated_heavy_top(witness, pull, time, 4000);
+      CHECK(difference(exact.at(time), truth) <=
+            60 * (1 + rate_of(witness, 1) * time) * unit_roundoff<double>);
+    }
+    CHECK(1 - exact.highest() <= off * off + 4 * unit_roundoff<double>);
+  }
 }
 
 TEST_CASE("Upright and without a push the heavy top sleeps, even where that is not stable") {

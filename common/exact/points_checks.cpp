@@ -157,6 +157,30 @@ TEST_CASE_TEMPLATE("The orbit agrees with Fehlberg's rule, whatever its eccentri
   }
 }
 
+TEST_CASE_TEMPLATE("The orbit agrees with Fehlberg's rule from anywhere on it, out or in", Real,
+                   double, long double) {
+  for (const Real outwards : {-0.6, -1e-6, 0.3, 0.9}) {
+    const auto start =
+        make_particle<Real>(1, {0.5, -1, 0.25}, {outwards * Real(0.5), -outwards, 0.5});
+    const KeplerOrbit<Real> exact(start, 1);
+    for (const Real time : {-1.3, 0.01, 2.0}) {
+      const auto truth = integrated_particle(
+          state_of(start), time, 8000, [](const Vec3<long double>& r, const Vec3<long double>&) {
+            return Vec3<long double>(-r / std::pow(r.norm(), 3.0L));
+          });
+      const auto [position, velocity] = apart(exact.at(time), truth);
+      // No nearer than 0.06 m, where the rate is 1/0.06^1.5 = 70/s, for a short while.
+      const long double allowed =
+          400 * unit_roundoff<Real> + eighth_order_error(20, std::abs(time), 8000);
+      CHECK(position <= allowed);
+      CHECK(velocity <= allowed * 4);
+    }
+    // Where it was a while ago, it comes from.
+    const auto back = KeplerOrbit<Real>(exact.at(Real(-1.3)), 1).at(Real(1.3));
+    CHECK((back.position - start.position).norm() <= 400 * unit_roundoff<Real>);
+  }
+}
+
 TEST_CASE_TEMPLATE("The orbit keeps its energy and angular momentum, and closes", Real, double,
                    long double) {
   for (const Real eccentricity : {0.0, 0.5, 0.99}) {
