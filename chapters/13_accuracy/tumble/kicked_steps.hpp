@@ -38,7 +38,10 @@ void step_by_kick_and_drift(Body& body, const Gather& gather, Real time, Real ti
 /// other top drifts by a rule of second order that is symmetric in time: then it is that of the row
 /// if the row is made of whole steps, see composed().
 ///
-/// Where force depends on velocity, too, the order falls to 1: the last kick of a step uses what
+/// A `gather` that has a drift(body, h) of its own drifts by that: in thick air, say, where
+/// coasting to a stop is an exact motion too.
+///
+/// Where force depends on velocity, the order falls to 1: the last kick of a step uses what
 /// was gathered before it.
 //! [step_by_row]
 template <class Row, class Body, class Gather, class Real>
@@ -46,7 +49,10 @@ void step_by_row(Body& body, const Gather& gather, Real time, Real time_step) {
   alternate<Row>(
       time_step, [&](Real h) { kick(body, h); },
       [&](Real h) {
-        drift(body, h);
+        if constexpr (requires { gather.drift(body, h); })
+          gather.drift(body, h);
+        else
+          drift(body, h);
         time += h;
         gather(body, time);
       });
