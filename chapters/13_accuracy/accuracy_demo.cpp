@@ -14,10 +14,12 @@ int main(int argument_count, char** arguments) {
   append(all, torqued_tops(effort));
   append(all, moving_points(effort));
   std::ofstream csv(notebook.file_in_folder("accuracy.csv"));
-  csv << "problem,precision,method,kind,step,steps,error,energy error,momentum error,ns per run,ns per s\n";
+  csv << "problem,precision,method,kind,step,steps,error,energy error,momentum error,ns per run,ns "
+         "per s\n";
   for (const Measurement& m : all)
     csv << '"' << m.problem << "\"," << m.precision << ",\"" << m.method << "\"," << m.kind << ','
         << number(m.knob) << ',' << m.steps << ',' << number("%.4g", m.error) << ','
         << number("%.4g", m.energy_error) << ',' << number("%.4g", m.momentum_error) << ','
-        << number("%.4g", m.nanoseconds) << ',' << number("%.4g", m.nanoseconds / m.seconds) << '\n';
+        << number("%.4g", m.nanoseconds) << ',' << number("%.4g", m.nanoseconds / m.seconds)
+        << '\n';
 }

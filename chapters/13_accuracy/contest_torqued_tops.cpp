@@ -9,8 +9,10 @@ void contest(std::vector<Measurement>& all, const Effort& effort) {
   const auto on = [&]<class Gather, class Wide>(const Problem<Top<Real>, Gather>& problem,
                                                 const Wide& wide_gather, peers::Torque torque,
                                                 double parameter) {
-    Problem<Top<long double>, Wide> wide{problem.name, exactly(problem.start), wide_gather, problem.seconds};
-    const auto truth = contestant(wide, torque_ladder<long double, Wide>.back()).run(400 * problem.seconds);
+    Problem<Top<long double>, Wide> wide{problem.name, exactly(problem.start), wide_gather,
+                                         problem.seconds};
+    const auto truth =
+        contestant(wide, torque_ladder<long double, Wide>.back()).run(400 * problem.seconds);
     auto list = contestants(problem, torque_ladder<Real, Gather>);
     if constexpr (std::is_same_v<Real, double>) append(list, odeint_on(problem, torque, parameter));
     measure_all(all, problem, list, truth, effort);

@@ -17,7 +17,8 @@ void measure_all(std::vector<Measurement>& all, const Problem<Body, Gather>& pro
                  const Effort& effort) {
   const bool single = sizeof(typename ScalarOf<Body>::type) == sizeof(float);
   for (const Contestant<Body>& contestant : contestants)
-    for (Measurement& one : measured(problem, single ? "float" : "double", contestant, truth, effort))
+    for (Measurement& one :
+         measured(problem, single ? "float" : "double", contestant, truth, effort))
       all.push_back(std::move(one));
 }
 

@@ -87,16 +87,34 @@ TEST_CASE("The rungs do to the problems A to D what is published of them") {
   CHECK(about(run("linearly implicit", D).energy_error, 0.031));
   CHECK(about(run("augmented second order", A).energy_error, 1.8e-3));
   CHECK(about(run("augmented second order", C).energy_ratio, 0.857));
-  MESSAGE(run("implicit midpoint", A).energy_error << " " << run("implicit midpoint", A).momentum_error << " " << run("implicit midpoint", A).angle);
-  MESSAGE(run("implicit midpoint", C).energy_error << " " << run("implicit midpoint", C).momentum_error << " " << run("implicit midpoint", C).angle);
-  MESSAGE(run("implicit midpoint", D).energy_error << " " << run("implicit midpoint", D).momentum_error << " " << run("implicit midpoint", D).angle);
-  MESSAGE(run("Lie midpoint", A).energy_error << " " << run("Lie midpoint", A).momentum_error << " " << run("Lie midpoint", A).angle);
-  MESSAGE(run("Lie midpoint", C).energy_error << " " << run("Lie midpoint", C).momentum_error << " " << run("Lie midpoint", C).angle);
-  MESSAGE(run("Lie midpoint", D).energy_error << " " << run("Lie midpoint", D).momentum_error << " " << run("Lie midpoint", D).angle);
-  MESSAGE(run("augmented second order", A).angle << " " << run("augmented second order", C).angle << " "<< run("augmented second order", D).energy_error);
-  MESSAGE(run("Runge-Kutta", A).energy_error << " " << run("Runge-Kutta", A).momentum_error << " " << run("Runge-Kutta", A).angle);
-  MESSAGE(run("Runge-Kutta", C).energy_ratio << " " << run("Runge-Kutta", C).angle << " " << run("Runge-Kutta", D).diverged);
-  for (const auto& rung : turning_ladder<double>) { const Motion a = watched<double>(A, rung.turn), c = watched<double>(C, rung.turn), d = watched<double>(D, rung.turn);
-    MESSAGE(std::string(rung.name) << ": A " << a.energy_error << " " << a.momentum_error << " " << a.angle << "; C " << c.energy_error << " " << c.momentum_error << " " << c.angle << "; D " << d.energy_error << " " << d.momentum_error << " " << d.angle);
+  MESSAGE(run("implicit midpoint", A).energy_error
+          << " " << run("implicit midpoint", A).momentum_error << " "
+          << run("implicit midpoint", A).angle);
+  MESSAGE(run("implicit midpoint", C).energy_error
+          << " " << run("implicit midpoint", C).momentum_error << " "
+          << run("implicit midpoint", C).angle);
+  MESSAGE(run("implicit midpoint", D).energy_error
+          << " " << run("implicit midpoint", D).momentum_error << " "
+          << run("implicit midpoint", D).angle);
+  MESSAGE(run("Lie midpoint", A).energy_error << " " << run("Lie midpoint", A).momentum_error << " "
+                                              << run("Lie midpoint", A).angle);
+  MESSAGE(run("Lie midpoint", C).energy_error << " " << run("Lie midpoint", C).momentum_error << " "
+                                              << run("Lie midpoint", C).angle);
+  MESSAGE(run("Lie midpoint", D).energy_error << " " << run("Lie midpoint", D).momentum_error << " "
+                                              << run("Lie midpoint", D).angle);
+  MESSAGE(run("augmented second order", A).angle << " " << run("augmented second order", C).angle
+                                                 << " "
+                                                 << run("augmented second order", D).energy_error);
+  MESSAGE(run("Runge-Kutta", A).energy_error << " " << run("Runge-Kutta", A).momentum_error << " "
+                                             << run("Runge-Kutta", A).angle);
+  MESSAGE(run("Runge-Kutta", C).energy_ratio << " " << run("Runge-Kutta", C).angle << " "
+                                             << run("Runge-Kutta", D).diverged);
+  for (const auto& rung : turning_ladder<double>) {
+    const Motion a = watched<double>(A, rung.turn), c = watched<double>(C, rung.turn),
+                 d = watched<double>(D, rung.turn);
+    MESSAGE(std::string(rung.name)
+            << ": A " << a.energy_error << " " << a.momentum_error << " " << a.angle << "; C "
+            << c.energy_error << " " << c.momentum_error << " " << c.angle << "; D "
+            << d.energy_error << " " << d.momentum_error << " " << d.angle);
   }
 }

@@ -21,7 +21,8 @@ struct Measurement {
   double seconds;                       ///< that it simulated
 };
 
-/// Something that can be run with a number of steps or a tolerance, and then says where the body is.
+/// Something that can be run with a number of steps or a tolerance, and then says where the body
+/// is.
 template <class Body>
 struct Contestant {
   std::string name, kind;
@@ -31,8 +32,9 @@ struct Contestant {
 
 /// How thorough to be.
 struct Effort {
-  double longest_run;  ///< ns; a method is not tried with smaller steps after a run that took longer
-  int repetitions;     ///< of which the fastest counts
+  double
+      longest_run;  ///< ns; a method is not tried with smaller steps after a run that took longer
+  int repetitions;  ///< of which the fastest counts
 };
 inline constexpr Effort quick = {.longest_run = 1e6, .repetitions = 3},
                         full = {.longest_run = 1e8, .repetitions = 9};
@@ -80,25 +82,29 @@ std::vector<Measurement> measured(const Problem<Body, Gather>& problem, const ch
   double best_error = std::numeric_limits<double>::infinity();
   int since_best = 0;
   for (int n = 0; n < 60 && since_best < 6; ++n) {
-    const double knob = contestant.chooses_steps ? std::pow(10, -n / 3.0) : std::round(std::pow(2, n / 2.0));
+    const double knob =
+        contestant.chooses_steps ? std::pow(10, -n / 3.0) : std::round(std::pow(2, n / 2.0));
     if (contestant.chooses_steps && knob < 2e-15) break;
     const auto end = exactly(contestant.run(knob));
     const auto kept = problem.gather.kept(end);
     const double error = error_of(end, truth);
+    if (!std::isfinite(error)) {
+      if (contestant.chooses_steps) break;
+      continue;
+    }
     const double time = fastest(
         [&] {
           const Body body = contestant.run(knob);
           asm volatile("" : : "r"(&body) : "memory");  // or the compiler drops the run
         },
         effort.repetitions);
-    if (std::isfinite(error))
-      measurements.push_back(
-          {problem.name, precision, contestant.name, contestant.kind,
-           contestant.chooses_steps ? knob : problem.seconds / knob,
-           contestant.chooses_steps ? 0 : static_cast<long>(knob), error,
-           relative(kept.energy - start.energy, start.energy),
-           relative((kept.momentum - start.momentum).norm(), start.momentum.norm()), time,
-           problem.seconds});
+    measurements.push_back(
+        {problem.name, precision, contestant.name, contestant.kind,
+         contestant.chooses_steps ? knob : problem.seconds / knob,
+         contestant.chooses_steps ? 0 : static_cast<long>(knob), error,
+         relative(kept.energy - start.energy, start.energy),
+         relative((kept.momentum - start.momentum).norm(), start.momentum.norm()), time,
+         problem.seconds});
     since_best = error < 0.9 * best_error || error > 0.1 ? 0 : since_best + 1;
     best_error = std::min(best_error, error);
     if (time > effort.longest_run || contestant.kind == "exact") break;

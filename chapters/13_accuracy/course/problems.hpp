@@ -36,8 +36,7 @@ struct Weight {
     top.torque = weight_times_arm * Vec3<Real>(-axis.y(), axis.x(), 0);
   }
   Kept kept(const Top<long double>& top) const {
-    const Vec3<long double> axis =
-        rotate<long double>(top.orientation, Vec3<long double>::UnitZ());
+    const Vec3<long double> axis = rotate<long double>(top.orientation, Vec3<long double>::UnitZ());
     const Vec3<long double> L = angular_momentum_world(top);
     return {kinetic_energy(top) + static_cast<long double>(weight_times_arm) * axis.z(),
             {0, 0, L.z()}};
@@ -62,8 +61,8 @@ struct SpringForce {
     particle.force = -stiffness * particle.position;
   }
   Kept kept(const Particle<long double>& particle) const {
-    return {kinetic_energy(particle) + static_cast<long double>(stiffness) *
-                                           particle.position.squaredNorm() / 2,
+    return {kinetic_energy(particle) +
+                static_cast<long double>(stiffness) * particle.position.squaredNorm() / 2,
             mass_of(particle) * particle.position.cross(particle.velocity)};
   }
 };
@@ -77,8 +76,9 @@ struct Star {
     particle.force = (-strength / (square * std::sqrt(square))) * particle.position;
   }
   Kept kept(const Particle<long double>& particle) const {
-    return {kinetic_energy(particle) - static_cast<long double>(strength) / particle.position.norm(),
-            particle.position.cross(particle.velocity)};
+    return {
+        kinetic_energy(particle) - static_cast<long double>(strength) / particle.position.norm(),
+        particle.position.cross(particle.velocity)};
   }
 };
 
@@ -126,7 +126,9 @@ std::vector<FreeProblem<Real>> free_problems() {
   std::vector<FreeProblem<Real>> problems;
   for (const TumblingProblem& problem : tumbling_problems)
     problems.push_back({std::string(1, problem.letter) + " " + std::string(problem.name),
-                        top_of<Real>(problem), {}, double(problem.seconds_to_angle)});
+                        top_of<Real>(problem),
+                        {},
+                        double(problem.seconds_to_angle)});
   const Topd handle = thrown_t_handle().body.top;
   problems.push_back({"T-handle",
                       {.angular_momentum_body = handle.angular_momentum_body.cast<Real>(),
@@ -171,8 +173,10 @@ Problem<Particle<Real>, Star<Real>> eccentric_orbit() {
 /// A throw through thick air.
 template <class Real, class Gather>
 Problem<Particle<Real>, Gather> projectile() {
-  return {"projectile in air", make_particle(Real(1), {0, 0, 0}, {20, 0, 20}),
-          {.gravity = Real(9.81), .drag_rate = Real(0.5)}, 3};
+  return {"projectile in air",
+          make_particle(Real(1), {0, 0, 0}, {20, 0, 20}),
+          {.gravity = Real(9.81), .drag_rate = Real(0.5)},
+          3};
 }
 
 }  // namespace tumble::course

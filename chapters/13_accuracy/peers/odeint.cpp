@@ -2,6 +2,7 @@
 
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
+#include <limits>
 
 namespace odeint = boost::numeric::odeint;
 
@@ -17,9 +18,12 @@ struct TopEquations {
   void operator()(const TopState& state, TopState& rate, double time) const {
     const auto [w, x, y, z, L0, L1, L2] = state;
     const double w0 = i[0] * L0, w1 = i[1] * L1, w2 = i[2] * L2;
-    rate = {-0.5 * (x * w0 + y * w1 + z * w2), 0.5 * (w * w0 + y * w2 - z * w1),
-            0.5 * (w * w1 + z * w0 - x * w2),  0.5 * (w * w2 + x * w1 - y * w0),
-            L1 * w2 - L2 * w1,                 L2 * w0 - L0 * w2,
+    rate = {-0.5 * (x * w0 + y * w1 + z * w2),
+            0.5 * (w * w0 + y * w2 - z * w1),
+            0.5 * (w * w1 + z * w0 - x * w2),
+            0.5 * (w * w2 + x * w1 - y * w0),
+            L1 * w2 - L2 * w1,
+            L2 * w0 - L0 * w2,
             L0 * w1 - L1 * w0};
     if constexpr (torque == Torque::weight) {
       // M g l (−y, x, 0) for the axis (x, y, z), seen from the body: it is square to the axis.
@@ -28,7 +32,8 @@ struct TopEquations {
     }
     if constexpr (torque == Torque::drive) {
       const double t0 = 0.6 * std::cos(2 * time), t1 = 0.4 * std::sin(3 * time), t2 = 0.3;
-      const double u0 = 2 * (t1 * z - t2 * y), u1 = 2 * (t2 * x - t0 * z), u2 = 2 * (t0 * y - t1 * x);
+      const double u0 = 2 * (t1 * z - t2 * y), u1 = 2 * (t2 * x - t0 * z),
+                   u2 = 2 * (t0 * y - t1 * x);
       rate[4] += t0 + w * u0 + (u1 * z - u2 * y);
       rate[5] += t1 + w * u1 + (u2 * x - u0 * z);
       rate[6] += t2 + w * u2 + (u0 * y - u1 * x);
@@ -56,6 +61,17 @@ struct PointEquations {
   }
 };
 
+/// NaN where the tolerance is so tight that no step meets it.
+template <class Stepper, class Equations, class State>
+State adapted(const Stepper& stepper, const Equations& equations, State state, double seconds) {
+  try {
+    odeint::integrate_adaptive(stepper, equations, state, 0.0, seconds, seconds / 100);
+  } catch (const odeint::step_adjustment_error&) {
+    state.fill(std::numeric_limits<double>::quiet_NaN());
+  }
+  return state;
+}
+
 template <class State, class Equations>
 std::vector<Peer<State>> all(const Equations& equations, const State& start, double seconds) {
   std::vector<Peer<State>> list;
@@ -69,10 +85,8 @@ std::vector<Peer<State>> all(const Equations& equations, const State& start, dou
   };
   const auto controlled = [&]<class Stepper>(const char* name, Stepper) {
     list.push_back({name, true, [=](double knob) {
-                      State state = start;
-                      odeint::integrate_adaptive(odeint::make_controlled<Stepper>(knob, knob),
-                                                 equations, state, 0.0, seconds, seconds / 100);
-                      return state;
+                      return adapted(odeint::make_controlled<Stepper>(knob, knob), equations, start,
+                                     seconds);
                     }});
   };
   fixed("rk4", odeint::runge_kutta4<State>());
@@ -81,10 +95,8 @@ std::vector<Peer<State>> all(const Equations& equations, const State& start, dou
   controlled("Dormand-Prince 5, controlled", odeint::runge_kutta_dopri5<State>());
   controlled("Fehlberg 7(8), controlled", odeint::runge_kutta_fehlberg78<State>());
   list.push_back({"Bulirsch-Stoer", true, [=](double knob) {
-                    State state = start;
-                    odeint::integrate_adaptive(odeint::bulirsch_stoer<State>(knob, knob), equations,
-                                               state, 0.0, seconds, seconds / 100);
-                    return state;
+                    return adapted(odeint::bulirsch_stoer<State>(knob, knob), equations, start,
+                                   seconds);
                   }});
   return list;
 }

@@ -1,6 +1,6 @@
 /// @file
-/// Boost.Odeint on the chapter's problems. It knows nothing of Tumble: the equations are written out
-/// on plain arrays, as its manual does it, and compiled as its users would.
+/// Boost.Odeint on the chapter's problems. It knows nothing of Tumble: the equations are written
+/// out on plain arrays, as its manual does it, and compiled as its users would.
 #pragma once
 
 #include <array>
