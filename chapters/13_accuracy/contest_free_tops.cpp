@@ -1,3 +1,5 @@
+#include <tumble/exact/free_top.hpp>
+
 #include "contests.hpp"
 #include "with_odeint.hpp"
 
@@ -7,9 +9,11 @@ namespace {
 template <class Real>
 void contest(std::vector<Measurement>& all, const Effort& effort) {
   for (const FreeProblem<Real>& problem : free_problems<Real>()) {
-    Top<long double> truth = exactly(problem.start);
-    truth.orientation = FreeTop(truth).orientation(static_cast<long double>(problem.seconds));
+    const auto truth = exact::FreeTop(exactly(problem.start)).at(problem.seconds);
     auto list = contestants(problem, turning_ladder<Real>);
+    list.push_back({"exact", "exact", false, [problem](double) {
+                      return exact::FreeTop(problem.start).at(static_cast<Real>(problem.seconds));
+                    }});
     if constexpr (std::is_same_v<Real, double>)
       append(list, odeint_on(problem, peers::Torque::none, 0));
     measure_all(all, problem, list, truth, effort);

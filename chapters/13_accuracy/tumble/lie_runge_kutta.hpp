@@ -2,7 +2,7 @@
 /// The classical Runge–Kutta rule on turns instead of numbers.
 #pragma once
 
-#include <tumble/runge_kutta.hpp>
+#include <tumble/tumbling.hpp>
 
 namespace tumble {
 
