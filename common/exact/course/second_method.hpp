@@ -74,13 +74,18 @@ inline Top<long double> integrated_free_top(const Top<long double>& top, long do
 }
 
 /// The angle between two orientations (rad), and how far apart the angular momenta are, relative to
-/// |L|: the larger of the two.
+/// `size` (kg m²/s): the larger of the two.
 template <class Real>
-long double difference(const Top<Real>& top, const Top<long double>& truth) {
+long double difference(const Top<Real>& top, const Top<long double>& truth, long double size) {
   const Top<long double> mine = in_long_double(top);
   const long double apart = (mine.angular_momentum_body - truth.angular_momentum_body).norm();
-  return std::max(angle_between(mine.orientation, truth.orientation),
-                  apart / truth.angular_momentum_body.norm());
+  return std::max(angle_between(mine.orientation, truth.orientation), apart / size);
+}
+
+/// The same, relative to |L|.
+template <class Real>
+long double difference(const Top<Real>& top, const Top<long double>& truth) {
+  return difference(top, truth, truth.angular_momentum_body.norm());
 }
 
 }  // namespace tumble::course
