@@ -9,66 +9,79 @@
 
 namespace tumble {
 
-/// All that changes in a body, as numbers in a column, so that a rule can weigh them alike. Eight,
-/// since processors add four or eight at once; what is left over stays 0.
-template <class Real>
-using Numbers = std::array<Real, 7>;
+/// All that changes in a body, as numbers in a row, so that a rule can weigh them alike: the
+/// position and the velocity of a particle, the orientation and L of a top.
+template <class Real, std::size_t count>
+using Numbers = std::array<Real, count>;
 
 template <class Real>
-Numbers<Real> numbers_of(const Particle<Real>& particle) {
+Numbers<Real, 6> numbers_of(const Particle<Real>& particle) {
   const Vec3<Real>&x = particle.position, &v = particle.velocity;
-  return {x[0], x[1], x[2], v[0], v[1], v[2], 0};
+  return {x[0], x[1], x[2], v[0], v[1], v[2]};
 }
 
 template <class Real>
-void set_numbers(Particle<Real>& particle, const Numbers<Real>& numbers) {
-  particle.position = {numbers[0], numbers[1], numbers[2]};
-  particle.velocity = {numbers[3], numbers[4], numbers[5]};
+void set_numbers(Particle<Real>& particle, const Numbers<Real, 6>& numbers) {
+  const auto& [x, y, z, v_x, v_y, v_z] = numbers;
+  particle.position = {x, y, z};
+  particle.velocity = {v_x, v_y, v_z};
 }
 
 /// How they change: the velocity, m/s, and the acceleration by the force gathered, m/s².
 template <class Real>
-Numbers<Real> rates_of(const Particle<Real>& particle) {
-  const Vec3<Real>& v = particle.velocity;
-  const Vec3<Real> a = particle.inverse_mass * particle.force;
-  return {v[0], v[1], v[2], a[0], a[1], a[2], 0};
+Numbers<Real, 6> rates_of(const Numbers<Real, 6>& numbers, const Particle<Real>& particle) {
+  const Vec3<Real>& F = particle.force;
+  const Real i = particle.inverse_mass;
+  return {numbers[3], numbers[4], numbers[5], i * F[0], i * F[1], i * F[2]};
 }
 
 template <class Real>
-Numbers<Real> numbers_of(const Top<Real>& top) {
+Numbers<Real, 7> numbers_of(const Top<Real>& top) {
   const Vec3<Real>&u = top.orientation.imaginary, &L = top.angular_momentum_body;
   return {top.orientation.real, u[0], u[1], u[2], L[0], L[1], L[2]};
 }
 
 template <class Real>
-void set_numbers(Top<Real>& top, const Numbers<Real>& numbers) {
-  top.orientation = {numbers[0], {numbers[1], numbers[2], numbers[3]}};
-  top.angular_momentum_body = {numbers[4], numbers[5], numbers[6]};
+void set_numbers(Top<Real>& top, const Numbers<Real, 7>& numbers) {
+  const auto& [w, x, y, z, L0, L1, L2] = numbers;
+  top.orientation = {w, {x, y, z}};
+  top.angular_momentum_body = {L0, L1, L2};
 }
 
-/// Chapter 7's rate of the orientation, and Euler's equations with a torque (N m, body axes).
+/// Chapter 7's rate of the orientation, ½ q ω, and L × ω. Number by number, as the processor does
+/// it: a vector made on the way costs as much as the sums.
 //! [rates_of]
 template <class Real>
-Numbers<Real> rates_of(const Top<Real>& top, const Vec3<Same<Real>>& torque_body) {
-  const auto [w, u] = orientation_rate_body(top.orientation, angular_velocity_body(top));
-  const Vec3<Real> N = gyroscopic_torque(top) + torque_body;
-  return {w, u[0], u[1], u[2], N[0], N[1], N[2]};
+Numbers<Real, 7> rates_of(const Numbers<Real, 7>& numbers, const Vec3<Same<Real>>& inverse) {
+  const auto& [w, x, y, z, L0, L1, L2] = numbers;
+  const Real w0 = inverse[0] * L0, w1 = inverse[1] * L1, w2 = inverse[2] * L2;
+  return {-(x * w0 + y * w1 + z * w2) / 2,
+          (w * w0 + y * w2 - z * w1) / 2,
+          (w * w1 + z * w0 - x * w2) / 2,
+          (w * w2 + x * w1 - y * w0) / 2,
+          L1 * w2 - L2 * w1,
+          L2 * w0 - L0 * w2,
+          L0 * w1 - L1 * w0};
 }
 //! [rates_of]
 
-/// The same with the torque gathered.
+/// The same with the torque gathered, which is given in world axes.
 template <class Real>
-Numbers<Real> rates_of(const Top<Real>& top) {
-  return rates_of(top, rotate_back(top.orientation, top.torque));
+Numbers<Real, 7> rates_of(const Numbers<Real, 7>& numbers, const Top<Real>& top) {
+  Numbers<Real, 7> rates = rates_of(numbers, top.inverse_moments);
+  const Vec3<Real> torque = rotate_back(top.orientation, top.torque);
+  for (std::size_t axis = 0; axis < 3; ++axis) rates[4 + axis] += torque[Eigen::Index(axis)];
+  return rates;
 }
 
-/// start + h Σ weight_j × rate_j. The weights are known when the program is compiled, so that
-/// nothing is spent on those that are 0.
-template <const auto& weights, class Real, std::size_t s, std::size_t... j>
-Numbers<Real> led(const Numbers<Real>& start, Real time_step,
-                  const std::array<Numbers<Real>, s>& rates, std::index_sequence<j...>) {
-  Numbers<Real> result;
-  for (std::size_t n = 0; n < result.size(); ++n) {
+/// start + h Σ weight_j rate_j. The weights are known when the program is compiled, so that nothing
+/// is spent on those that are 0.
+template <const auto& weights, class Real, std::size_t count, std::size_t s, std::size_t... j>
+Numbers<Real, count> led(const Numbers<Real, count>& start, Same<Real> time_step,
+                         const std::array<Numbers<Real, count>, s>& rates,
+                         std::index_sequence<j...>) {
+  Numbers<Real, count> result;
+  for (std::size_t n = 0; n < count; ++n) {
     Real sum = 0;
     const auto add = [&]<std::size_t k>() {
       if constexpr (weights[k] != 0) sum += static_cast<Real>(weights[k]) * rates[k][n];
@@ -83,23 +96,24 @@ Numbers<Real> led(const Numbers<Real>& start, Real time_step,
 /// `rates_at(numbers, ahead)` answers for a state `ahead` seconds after the start; `first` is what
 /// it would say of the start.
 //! [after_step]
-template <class Rule, class Real, class RatesAt>
-Numbers<Real> after_step(const Numbers<Real>& start, const Numbers<Real>& first, Real time_step,
-                         const RatesAt& rates_at) {
+template <class Rule, class Real, std::size_t count, class RatesAt>
+Numbers<Real, count> after_step(const Numbers<Real, count>& start,
+                                const Numbers<Real, count>& first, Same<Real> time_step,
+                                const RatesAt& rates_at) {
   static constexpr auto& rule = Rule::rule;
   constexpr std::size_t s = rule.nodes.size();
-  std::array<Numbers<Real>, s> rates = {first};
+  std::array<Numbers<Real, count>, s> rates = {first};
   const auto look = [&]<std::size_t i>() {
     static constexpr auto& looks = rule.looks[i];
-    rates[i] = rates_at(led<looks, Real>(start, time_step, rates, std::make_index_sequence<i>()),
-                        static_cast<Real>(rule.nodes[i]) * time_step);
+    const auto there = led<looks>(start, time_step, rates, std::make_index_sequence<i>());
+    rates[i] = rates_at(there, static_cast<Real>(rule.nodes[i]) * time_step);
   };
   [&]<std::size_t... i>(std::index_sequence<i...>) {
     (look.template operator()<i + 1>(), ...);
   }
   (std::make_index_sequence<s - 1>());
   static constexpr auto& weights = rule.weights;
-  return led<weights, Real>(start, time_step, rates, std::make_index_sequence<s>());
+  return led<weights>(start, time_step, rates, std::make_index_sequence<s>());
 }
 //! [after_step]
 
@@ -108,12 +122,11 @@ Numbers<Real> after_step(const Numbers<Real>& start, const Numbers<Real>& first,
 //! [turn_by_runge_kutta]
 template <class Rule, class Real>
 void turn_by_runge_kutta(Top<Real>& top, Same<Real> time_step) {
-  const auto rates_at = [&](const Numbers<Real>& numbers, Real) -> Numbers<Real> {
-    Top<Real> at = top;
-    set_numbers(at, numbers);
-    return rates_of<Real>(at, Vec3<Real>::Zero());
+  const Vec3<Real> inverse = top.inverse_moments;
+  const auto rates_at = [inverse](const Numbers<Real, 7>& numbers, Real) {
+    return rates_of(numbers, inverse);
   };
-  const Numbers<Real> start = numbers_of(top);
+  const Numbers<Real, 7> start = numbers_of(top);
   set_numbers(top, after_step<Rule>(start, rates_at(start, 0), time_step, rates_at));
   top.orientation = renormalized(top.orientation);
 }
@@ -124,13 +137,14 @@ void turn_by_runge_kutta(Top<Real>& top, Same<Real> time_step) {
 //! [step_by_runge_kutta]
 template <class Rule, class Body, class Gather, class Real>
 void step_by_runge_kutta(Body& body, const Gather& gather, Real time, Real time_step) {
-  const auto rates_at = [&](const Numbers<Real>& numbers, Real ahead) -> Numbers<Real> {
-    Body at = body;
-    set_numbers(at, numbers);
-    gather(at, time + ahead);
-    return rates_of(at);
+  Body there = body;
+  const auto rates_at = [&](const auto& numbers, Real ahead) {
+    set_numbers(there, numbers);
+    gather(there, time + ahead);
+    return rates_of(numbers, there);
   };
-  set_numbers(body, after_step<Rule, Real>(numbers_of(body), rates_of(body), time_step, rates_at));
+  const auto start = numbers_of(body);
+  set_numbers(body, after_step<Rule>(start, rates_of(start, body), time_step, rates_at));
   if constexpr (requires { body.orientation; }) body.orientation = renormalized(body.orientation);
   gather(body, time + time_step);
 }
