@@ -3,7 +3,7 @@
 #pragma once
 
 #include <chrono>
-#include <course/problems.hpp>
+#include <course/exact_motion.hpp>
 #include <functional>
 #include <limits>
 
@@ -28,6 +28,14 @@ struct Contestant {
   std::string name, kind;
   bool chooses_steps;
   std::function<Body(double knob)> run;  ///< knob: number of steps, or tolerance
+};
+
+/// float or double, from Top<float> or Particle<double>.
+template <class Body>
+struct ScalarOf;
+template <template <class> class Body, class Real>
+struct ScalarOf<Body<Real>> {
+  using type = Real;
 };
 
 /// How thorough to be.
@@ -55,18 +63,24 @@ double fastest(const Run& run, int repetitions) {
   return best;
 }
 
-template <class Real>
-Particle<long double> exactly(const Particle<Real>& particle) {
-  return {.position = particle.position.template cast<long double>(),
-          .velocity = particle.velocity.template cast<long double>(),
-          .inverse_mass = particle.inverse_mass};
-}
-
 inline double error_of(const Top<long double>& top, const Top<long double>& truth) {
   return static_cast<double>(angle_between(truth.orientation, top.orientation));
 }
 inline double error_of(const Particle<long double>& particle, const Particle<long double>& truth) {
   return static_cast<double>((particle.position - truth.position).norm());
+}
+
+/// Where the body of a problem really is in the end, and the exact solution as a contestant.
+template <class Body, class Gather>
+auto truth_of(const Problem<Body, Gather>& problem) {
+  return exactly_after(exactly(problem.gather), exactly(problem.start), problem.seconds);
+}
+template <class Body, class Gather>
+Contestant<Body> exact_contestant(const Problem<Body, Gather>& problem) {
+  using Real = typename ScalarOf<Body>::type;
+  return {"exact solution", "exact", false, [problem](double) {
+            return exactly_after(problem.gather, problem.start, static_cast<Real>(problem.seconds));
+          }};
 }
 
 /// Tries a contestant with ever smaller steps, until a run takes too long or nothing is gained.
@@ -111,14 +125,6 @@ std::vector<Measurement> measured(const Problem<Body, Gather>& problem, const ch
   }
   return measurements;
 }
-
-/// float or double, from Top<float> or Particle<double>.
-template <class Body>
-struct ScalarOf;
-template <template <class> class Body, class Real>
-struct ScalarOf<Body<Real>> {
-  using type = Real;
-};
 
 /// A rung of turning_ladder as a contestant.
 template <class Real>
