@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <course/exact_motion.hpp>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 
@@ -46,6 +47,11 @@ struct Effort {
 };
 inline constexpr Effort quick = {.longest_run = 1e6, .repetitions = 3},
                         full = {.longest_run = 1e8, .repetitions = 9};
+
+/// The quick one, unless `./course book --full` asks for more: it sets TUMBLE_FULL.
+inline Effort wanted_effort() {
+  return std::getenv("TUMBLE_FULL") != nullptr ? full : quick;
+}
 
 /// The time of the fastest of some runs, ns. Short ones are made in batches that a clock can time.
 template <class Run>
