@@ -3,7 +3,8 @@
 #pragma once
 
 #include <chrono>
-#include <course/problems.hpp>
+#include <course/exact_motion.hpp>
+#include <cstdlib>
 #include <functional>
 #include <limits>
 
@@ -30,6 +31,14 @@ struct Contestant {
   std::function<Body(double knob)> run;  ///< knob: number of steps, or tolerance
 };
 
+/// float or double, from Top<float> or Particle<double>.
+template <class Body>
+struct ScalarOf;
+template <template <class> class Body, class Real>
+struct ScalarOf<Body<Real>> {
+  using type = Real;
+};
+
 /// How thorough to be.
 struct Effort {
   double
@@ -38,6 +47,11 @@ struct Effort {
 };
 inline constexpr Effort quick = {.longest_run = 1e6, .repetitions = 3},
                         full = {.longest_run = 1e8, .repetitions = 9};
+
+/// The quick one, unless `./course book --full` asks for more: it sets TUMBLE_FULL.
+inline Effort wanted_effort() {
+  return std::getenv("TUMBLE_FULL") != nullptr ? full : quick;
+}
 
 /// The time of the fastest of some runs, ns. Short ones are made in batches that a clock can time.
 template <class Run>
@@ -55,18 +69,24 @@ double fastest(const Run& run, int repetitions) {
   return best;
 }
 
-template <class Real>
-Particle<long double> exactly(const Particle<Real>& particle) {
-  return {.position = particle.position.template cast<long double>(),
-          .velocity = particle.velocity.template cast<long double>(),
-          .inverse_mass = particle.inverse_mass};
-}
-
 inline double error_of(const Top<long double>& top, const Top<long double>& truth) {
   return static_cast<double>(angle_between(truth.orientation, top.orientation));
 }
 inline double error_of(const Particle<long double>& particle, const Particle<long double>& truth) {
   return static_cast<double>((particle.position - truth.position).norm());
+}
+
+/// Where the body of a problem really is in the end, and the exact solution as a contestant.
+template <class Body, class Gather>
+auto truth_of(const Problem<Body, Gather>& problem) {
+  return exactly_after(exactly(problem.gather), exactly(problem.start), problem.seconds);
+}
+template <class Body, class Gather>
+Contestant<Body> exact_contestant(const Problem<Body, Gather>& problem) {
+  using Real = typename ScalarOf<Body>::type;
+  return {"exact solution", "exact", false, [problem](double) {
+            return exactly_after(problem.gather, problem.start, static_cast<Real>(problem.seconds));
+          }};
 }
 
 /// Tries a contestant with ever smaller steps, until a run takes too long or nothing is gained.
@@ -111,14 +131,6 @@ std::vector<Measurement> measured(const Problem<Body, Gather>& problem, const ch
   }
   return measurements;
 }
-
-/// float or double, from Top<float> or Particle<double>.
-template <class Body>
-struct ScalarOf;
-template <template <class> class Body, class Real>
-struct ScalarOf<Body<Real>> {
-  using type = Real;
-};
 
 /// A rung of turning_ladder as a contestant.
 template <class Real>

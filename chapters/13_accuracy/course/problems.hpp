@@ -82,21 +82,11 @@ struct Star {
   }
 };
 
-/// Gravity and a drag −c m v, both gathered as forces.
-template <class Real>
-struct GravityAndDrag {
-  Real gravity, drag_rate;  ///< m/s², and c, 1/s
-  void operator()(Particle<Real>& particle, Real) const {
-    particle.force =
-        mass_of(particle) * (Vec3<Real>(0, 0, -gravity) - drag_rate * particle.velocity);
-  }
-  static Kept kept(const Particle<long double>&) { return {}; }
-};
-
-/// The same with the drag in the drift: without force it coasts to a stop, exactly, by e^(−c t).
+/// Gravity in thick air, with the drag −c m v in the drift: without force a thing coasts to a stop,
+/// exactly, by e^(−c t).
 template <class Real>
 struct GravityInAir {
-  Real gravity, drag_rate;
+  Real gravity, drag_rate;  ///< m/s², and c, 1/s
   void operator()(Particle<Real>& particle, Real) const {
     particle.force = mass_of(particle) * Vec3<Real>(0, 0, -gravity);
   }
@@ -107,6 +97,39 @@ struct GravityInAir {
   }
   static Kept kept(const Particle<long double>&) { return {}; }
 };
+
+/// The same law in long double, with the numbers as they were rounded.
+template <class Real>
+NoTorque<long double> exactly(const NoTorque<Real>&) {
+  return {};
+}
+template <class Real>
+Weight<long double> exactly(const Weight<Real>& weight) {
+  return {weight.weight_times_arm};
+}
+template <class Real>
+Drive<long double> exactly(const Drive<Real>&) {
+  return {};
+}
+template <class Real>
+SpringForce<long double> exactly(const SpringForce<Real>& spring) {
+  return {spring.stiffness};
+}
+template <class Real>
+Star<long double> exactly(const Star<Real>& star) {
+  return {star.strength};
+}
+template <class Real>
+GravityInAir<long double> exactly(const GravityInAir<Real>& air) {
+  return {air.gravity, air.drag_rate};
+}
+
+template <class Real>
+Particle<long double> exactly(const Particle<Real>& particle) {
+  return {.position = particle.position.template cast<long double>(),
+          .velocity = particle.velocity.template cast<long double>(),
+          .inverse_mass = particle.inverse_mass};
+}
 
 /// One problem: where it starts, what acts, and after how long one asks where it is.
 template <class Body, class Gather>
@@ -171,8 +194,8 @@ Problem<Particle<Real>, Star<Real>> eccentric_orbit() {
 }
 
 /// A throw through thick air.
-template <class Real, class Gather>
-Problem<Particle<Real>, Gather> projectile() {
+template <class Real>
+Problem<Particle<Real>, GravityInAir<Real>> projectile() {
   return {"projectile in air",
           make_particle(Real(1), {0, 0, 0}, {20, 0, 20}),
           {.gravity = Real(9.81), .drag_rate = Real(0.5)},
