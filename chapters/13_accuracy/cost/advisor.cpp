@@ -40,8 +40,7 @@ std::optional<Found> Advisor::search(const Candidate& candidate, const Wish& wis
     if (ratio <= 1 / reserve) break;
     without_gain = ratio < 0.7 * smallest || ratio > 1e15 ? 0 : without_gain + 1;
     smallest = std::min(smallest, ratio);
-    if (!candidate.takes_steps || without_gain > 3 || 2 * cost > limit ||
-        high >= most_steps_per_frame)
+    if (!candidate.takes_steps || without_gain > 3 || cost > limit || high >= most_steps_per_frame)
       return std::nullopt;
   }
   long low = high / 2;  // known not to do
@@ -67,7 +66,7 @@ bool Advisor::confirm(Found& found, const Wish& wish) const {
       errors = worse(errors, found.candidate->errors(found.steps_per_frame, trial));
     if (errors.of(wish) <= 1) {
       found.errors = errors;
-      found.nanoseconds = nanoseconds(*found.candidate, found.steps_per_frame, 7);
+      found.nanoseconds = nanoseconds(*found.candidate, found.steps_per_frame, 5);
       return true;
     }
     if (!found.candidate->takes_steps) return false;
@@ -85,24 +84,23 @@ Verdict Advisor::cheapest(const Wish& wish) const {
   Verdict verdict;
   std::vector<Found> enough;
   double cheapest = std::numeric_limits<double>::infinity();
-  for (const Candidate* candidate : tried)
-    if (const auto found = search(*candidate, wish, worth_naming * cheapest, verdict.nearest)) {
-      enough.push_back(*found);
-      cheapest = std::min(cheapest, found->nanoseconds);
-    }
-  const auto by_cost = [](const Found& a, const Found& b) { return a.nanoseconds < b.nanoseconds; };
-  std::sort(enough.begin(), enough.end(), by_cost);
-  for (Found& found : enough)  // the first ones once more, with more care
-    if (found.nanoseconds < 1.5 * cheapest)
-      found.nanoseconds = nanoseconds(*found.candidate, found.steps_per_frame, 7);
-  std::sort(enough.begin(), enough.end(), by_cost);
-  for (const Found& candidate : enough) {
-    Found found = candidate;
-    if (!verdict.winner && confirm(found, wish))
-      verdict.winner = found;
-    else if (verdict.winner && candidate.nanoseconds < worth_naming * verdict.winner->nanoseconds)
-      verdict.others.push_back(candidate);
+  for (const Candidate* candidate : tried) {
+    auto found = search(*candidate, wish, worth_naming * cheapest, verdict.nearest);
+    if (!found || !confirm(*found, wish)) continue;
+    enough.push_back(*found);
+    cheapest = std::min(cheapest, found->nanoseconds);
   }
+  if (enough.empty()) return verdict;
+  for (Found& found : enough)  // once more, side by side: the machine may have been busy
+    found.nanoseconds =
+        std::min(found.nanoseconds, nanoseconds(*found.candidate, found.steps_per_frame, 5));
+  std::sort(enough.begin(), enough.end(),
+            [](const Found& a, const Found& b) { return a.nanoseconds < b.nanoseconds; });
+  verdict.winner = enough.front();
+  for (const Found& other : enough)
+    if (other.candidate != verdict.winner->candidate &&
+        other.nanoseconds < worth_naming * verdict.winner->nanoseconds)
+      verdict.others.push_back(other);
   return verdict;
 }
 

@@ -20,7 +20,7 @@ struct Found {
 /// What became of a wish.
 struct Verdict {
   std::optional<Found> winner;   ///< confirmed; nothing if there is none
-  std::vector<Found> others;     ///< that would do too, the cheapest first; not confirmed
+  std::vector<Found> others;     ///< that would do too, confirmed as well, the cheapest first
   std::optional<Found> nearest;  ///< without a winner: what came nearest
 };
 

@@ -122,7 +122,7 @@ Reference reference_of(const std::filesystem::path& file, const Frames& frames, 
       if (last_extrapolated) {
         const Errors uncertainty = errors_between(better, *last_extrapolated);
         if (uncertainty.of(wish) < best.uncertainty.of(wish)) best = {better, uncertainty, steps};
-        if (best.uncertainty.of(wish) <= 0.1) return best;
+        if (best.uncertainty.of(wish) <= 0.02) return best;  // enough for a tenth of it too
       }
       last_extrapolated = better;
       last_difference = size;

@@ -20,7 +20,7 @@ struct SceneCandidates {
 };
 
 /// The methods for the scene in `file`. The reference takes ever shorter steps, until it is sure to
-/// a tenth of what is wanted or a run takes longer than `longest_run` seconds.
+/// a fiftieth of what is wanted or a run takes longer than `longest_run` seconds.
 /// @throws SceneError if the scene is wrong, SimulationError if the reference can't be run at all.
 SceneCandidates scene_candidates(const std::filesystem::path& file, const Frames& frames,
                                  const Wish& wish, const Precisions& precisions,
