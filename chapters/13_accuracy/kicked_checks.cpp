@@ -75,7 +75,7 @@ TEST_CASE("Under a push that changes with time each rung of the motion ladder ha
 //! [heavy_orders]
 TEST_CASE("On a heavy top each rung of the torque ladder has its order, against the exact motion") {
   auto problem = heavy_top<Wide>("", 8);
-  problem.seconds = 1;
+  problem.seconds = 4;
   const auto truth = exactly_after(problem.gather, problem.start, problem.seconds);
   check_orders(problem, truth, torque_ladder<Wide, Weight<Wide>>);
 }
@@ -84,14 +84,14 @@ TEST_CASE("On a heavy top each rung of the torque ladder has its order, against 
 TEST_CASE("On a driven top two ladders meet, and each rung has its order") {
   const auto problem = [] {
     auto driven = driven_top<Wide>();
-    driven.seconds = 2;
+    driven.seconds = 4;
     return driven;
   }();
   const auto& ladder = torque_ladder<Wide, Drive<Wide>>;
-  const Top<Wide> by_splitting = after(problem, ladder.back(), 400);
+  const Top<Wide> by_splitting = after(problem, ladder.back(), 800);
   const Rung<Top<Wide>, Wide, Drive<Wide>> looks{
       "", {}, step_by_runge_kutta<DormandPrinceEighth, Top<Wide>, Drive<Wide>, Wide>};
-  const Top<Wide> by_looks = after(problem, looks, 2000);
+  const Top<Wide> by_looks = after(problem, looks, 4000);
   CHECK(difference(by_splitting, by_looks) <= 1e-16L);
   check_orders(problem, by_splitting, ladder);
 }
