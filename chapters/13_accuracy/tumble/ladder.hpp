@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <stdexcept>
+#include <string>
 #include <string_view>
 #include <tumble/augmented.hpp>
 #include <tumble/compositions.hpp>
@@ -21,7 +23,8 @@ struct Claims {
   bool energy = false;    ///< a free top's energy is kept
   bool momentum = false;  ///< a free top's angular momentum is kept in the world
   bool reverses = false;  ///< with L turned around, it retraces its steps
-  bool bounded = false;   ///< a free top stays finite, however long the step
+  bool bounded = false;   ///< however long the step, a free top stays finite, as long as no turn
+                         ///< goes beyond SineCosineConstants::limit
 };
 //! [claims]
 
@@ -46,11 +49,11 @@ constexpr std::array<TurningRung<Real>, 21> turning_ladder = {{
     {"momentum-carrying", {1, false, true, false, true}, turn_carrying_momentum<Real>},
     {"implicit midpoint", {2, true, true, true, false}, turn_by_implicit_midpoint<Real>},
     {"Lie midpoint", {2, false, true, true, false}, turn_by_lie_midpoint<Real>},
-    {"augmented second order", {2, false, true, false, true}, turn_by_augmented_rule<Real>},
+    {"augmented second order", {2, false, true, false, false}, turn_by_augmented_rule<Real>},
     {"splitting by axes", {2, false, true, true, true}, turn_axis_by_axis<Real>},
     {"splitting", {2, false, true, true, true}, turn_by_splitting<Real>},
     {"Runge-Kutta", {4, false, false, false, false}, turn_by_runge_kutta<Kutta, Real>},
-    {"Lie Runge-Kutta", {4, false, true, false, true}, turn_by_lie_runge_kutta<Real>},
+    {"Lie Runge-Kutta", {4, false, true, false, false}, turn_by_lie_runge_kutta<Real>},
     {"splitting, Suzuki", {4, false, true, true, true}, turn_by_row<Suzuki, Real>},
     {"splitting, Blanes-Moan 4", {4, false, true, true, true}, turn_by_row<BlanesMoanFourth, Real>},
     {"Dormand-Prince 5",
@@ -66,6 +69,18 @@ constexpr std::array<TurningRung<Real>, 21> turning_ladder = {{
      {10, false, true, true, true},
      turn_by_row<SofroniouSpaletta, Real>},
 }};
+
+/// The rung of that name.
+/// @throws std::invalid_argument if there is none; the sentence lists the names.
+template <class Real>
+const TurningRung<Real>& turning_rung(std::string_view name) {
+  std::string names;
+  for (const TurningRung<Real>& rung : turning_ladder<Real>) {
+    if (rung.name == name) return rung;
+    names.append(names.empty() ? "" : "; ").append(rung.name);
+  }
+  throw std::invalid_argument("no rung is called '" + std::string(name) + "'; they are: " + names);
+}
 
 /// A method for a top under torque, or for a particle under force. `gather` as in kicked_steps.hpp.
 //! [rung]
