@@ -29,13 +29,15 @@ fresh() { # SYSTEM VERSION: a machine with apt and no package
   stand_in id <<<'echo 0'
   stand_in dpkg-query <<<'exit 1'
   stand_in apt-get <<<'echo "apt-get $*" >>"$CALLED"'
-  stand_in cmake <<<'echo "cmake $*" >>"$CALLED"; mkdir -p build/default/checks build/default/programs/11_world
+  stand_in cmake <<<'echo "cmake $*" >>"$CALLED"; mkdir -p build/default/checks build/default/programs/{11_world,13_accuracy}
     for program in 01_force_checks 01_force.force; do
       printf "#!/usr/bin/env bash\necho checked\nexit ${CHECKS:-0}\n" >build/default/checks/$program
       chmod() { "$CHMOD" "$@"; }; chmod +x build/default/checks/$program
     done
-    printf "%s\n" "#!/usr/bin/env bash" "echo \$PWD \"\${@@Q}\"" "exit 130" >build/default/programs/11_world/simulate
-    chmod +x build/default/programs/11_world/simulate'
+    for program in 11_world/simulate 13_accuracy/cost; do
+      printf "%s\n" "#!/usr/bin/env bash" "echo \$PWD \"\${@@Q}\"" "exit 130" >build/default/programs/$program
+      chmod +x build/default/programs/$program
+    done'
 }
 
 course() { # ARGUMENT...: its output and exit code go to `output` and `code`
@@ -96,6 +98,11 @@ verify "simulate gives its options to the simulator, in the caller's folder" \
   says "/ 'a scene.json' '--csv' 'a file.csv' '--all'"
 verify "and ends as it does" ends_with 130
 verify "simulate compiles the simulator alone" called "--target simulate"
+course cost --spin -1,2,3 --json --no-install
+verify "cost gives its options to the adviser" says "/ '--spin' '-1,2,3' '--json'"
+verify "and ends as it does" ends_with 130
+verify "cost compiles the adviser alone" called "--target cost"
+verify "cost needs Boost" says "libboost-dev"
 
 fresh debian 12
 course check 1
