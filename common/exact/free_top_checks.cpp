@@ -66,15 +66,18 @@ TEST_CASE("The free top agrees with Fehlberg's rule on the problems A to D") {
   }
 }
 
-TEST_CASE(
-    "The free top in double stays with the one in long double for 600 s on the problems A to D") {
+TEST_CASE_TEMPLATE(
+    "The free top stays with the one in long double for 600 s on the problems A to D", Real,
+    EVERY_PRECISION) {
   for (const TumblingProblem& problem : tumbling_problems) {
     CAPTURE(problem.letter);
-    const Topd start = top_of<double>(problem);
-    const FreeTop<double> exact(start);
+    const Top<Real> start = top_of<Real>(problem);
+    const FreeTop<Real> exact(start);
     const FreeTop<long double> truth(in_long_double(start));
-    for (const double time : {0.0, 1e-6, 0.01, 1.0, 7.7, 60.0, 600.0})
+    for (const double seconds : {0.0, 1e-6, 0.01, 1.0, 7.7, 60.0, 600.0}) {
+      const auto time = static_cast<Real>(seconds);
       CHECK(difference(exact.at(time), truth.at(time)) <= claimed(start, time));
+    }
   }
 }
 
