@@ -108,6 +108,18 @@ TEST_CASE("A run that ends in no number, or lasts too long, or never converges, 
   CHECK(asked(list, 1e-2).winner->candidate->method == "slow");
 }
 
+TEST_CASE("On a method that gains nothing from shorter steps no more time is spent") {
+  int runs = 0;
+  Candidate constant = method("constant", 4, 0.5, 1e-6);
+  constant.errors = [&runs](long, int) {
+    ++runs;
+    return Errors{.angle = 0.5};
+  };
+  const std::vector<Candidate> list = {constant};
+  CHECK(!asked(list, 1e-8).winner.has_value());
+  CHECK(runs <= 6);  // one, and four that gain nothing
+}
+
 TEST_CASE("What diverges with long steps may do with short ones") {
   Candidate stiff = method("stiff", 2, 1, 10);
   stiff.errors = [](long steps, int) {
@@ -158,5 +170,11 @@ TEST_CASE("For a given cost the advisor finds the least error, and for none the 
   CHECK(cheap->nanoseconds <= 300);
   CHECK(advisor.best_for(3000, {.angle = 1})->candidate->method == "fourth order");
   CHECK(!advisor.best_for(50, {.angle = 1}).has_value());
+  Candidate exact = method("exact", 0, 1e-15, 500);
+  exact.takes_steps = false;
+  const std::vector<Candidate> exact_alone = {exact};
+  const Advisor with_exact(exact_alone, frames, longest_run);
+  CHECK(!with_exact.best_for(300, {.angle = 1}).has_value());
+  CHECK(with_exact.best_for(6000, {.angle = 1})->steps_per_frame == 1);
   CHECK(advisor.least({.angle = 1})->candidate->method == "first order");
 }

@@ -46,13 +46,7 @@ std::optional<Found> Advisor::search(const Candidate& candidate, const Wish& wis
   long low = high / 2;  // known not to do
   while (high - low > 1 && high - low > low / 20) {
     const long middle = low + (high - low) / 2;
-    const Errors there = candidate.errors(middle, 0);
-    if (there.of(wish) <= 1 / reserve) {
-      high = middle;
-      errors = there;
-    } else {
-      low = middle;
-    }
+    (candidate.errors(middle, 0).of(wish) <= 1 / reserve ? high : low) = middle;
   }
   return Found{&candidate, high, errors, nanoseconds(candidate, high, 3)};
 }
