@@ -80,15 +80,15 @@ TEST_CASE("A symmetric top makes two turns, one about L and one about its axis")
 TEST_CASE_TEMPLATE("Where L x w is zero the free top turns steadily", Real, double, long double) {
   const Vec3<Real> round(2, 2, 2), flat(2, 2, 1), uneven(3, 2, 1), locked(3, 0, 1);
   struct Case {
-    Vec3<Real> inverse, L;
+    Vec3<Real> inverse, momentum;
   };
-  for (const auto& [inverse, L] :
+  for (const auto& [inverse, momentum] :
        {Case{round, {1, 2, 3}}, Case{uneven, {0, 5, 0}}, Case{flat, {Real(0.1), Real(0.7), 0}},
         Case{locked, {1, 0, 2}}, Case{uneven, {0, 0, 0}}}) {
-    const Top<Real> start{.angular_momentum_body = L, .inverse_moments = inverse};
+    const Top<Real> start{.angular_momentum_body = momentum, .inverse_moments = inverse};
     const FreeTop<Real> exact(start);
     const Top<Real> later = exact.at(Real(1.5));
-    CHECK(same_bits(later.angular_momentum_body, L));
+    CHECK(same_bits(later.angular_momentum_body, momentum));
     CHECK(std::isinf(exact.period()));
     const Vec3<Real> turn = Real(1.5) * angular_velocity_body(start);
     CHECK(angle_between(later.orientation, quaternion_of_rotation_vector(turn)) <=
