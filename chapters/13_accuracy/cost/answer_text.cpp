@@ -28,8 +28,9 @@ std::string method_of(const Found& found, const Frames& frames) {
   std::string text = found.candidate->method + ", in " + found.candidate->precision;
   if (!found.candidate->takes_steps) return text + ", asked once a state";
   const auto steps = static_cast<double>(found.steps_per_frame);
+  const double rate = static_cast<double>(frames.rate) * steps;
   return text + ", " + counted(steps, "step") +
-         " a state: " + formatted("%.6g s", 1 / (static_cast<double>(frames.rate) * steps));
+         " a state: " + formatted("%.6g s, %.0f a second", 1 / rate, rate);
 }
 
 /// The errors that somebody asked about.
@@ -59,7 +60,8 @@ std::string question(const Answer& answer) {
     if (answer.bodies != 1) text.replace(text.size() - 5, 5, "bodies");
   }
   return text +
-         formatted(", for %g s, %ld states a second\n", asked.frames.seconds(), asked.frames.rate) +
+         formatted(", for %g s, %ld state%s a second\n", asked.frames.seconds(), asked.frames.rate,
+                   asked.frames.rate == 1 ? "" : "s") +
          line("wanted", "errors of at most " + wanted(asked.wish) + ", all the way");
 }
 
