@@ -15,8 +15,7 @@ namespace tumble {
 //! [turn_by_row]
 template <class Row, class Real>
 void turn_by_row(Top<Real>& top, Same<Real> time_step) {
-  const auto [a, b, c] =
-      std::array{top.inverse_moments[0], top.inverse_moments[1], top.inverse_moments[2]};
+  const Real a = top.inverse_moments[0], b = top.inverse_moments[1], c = top.inverse_moments[2];
   const Vec3<Real> before = top.angular_momentum_body;
   const Vec3<Real>& L = top.angular_momentum_body;
   alternate<Row>(
