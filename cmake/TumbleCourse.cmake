@@ -10,6 +10,8 @@ set(TUMBLE_RESULTS ${PROJECT_BINARY_DIR}/results)
 option(TUMBLE_NATIVE "Use every instruction this machine has" OFF)
 set(TUMBLE_BOOK_FOLDER ${PROJECT_BINARY_DIR}/html CACHE PATH "Where the book is written")
 
+option(TUMBLE_FULL "Let the programs that measure take their full sets: an hour instead of a minute" OFF)
+
 find_package(doctest REQUIRED)
 find_package(benchmark QUIET)
 find_program(TUMBLE_GNUPLOT gnuplot)
@@ -108,8 +110,13 @@ function(tumble_add_checks chapter)
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${result})
 endfunction()
 
-# tumble_add_program(CHAPTER NAME): compiles NAME.cpp; it is run with the results folder as its one argument.
+# tumble_add_program(CHAPTER NAME [MEASURES]): compiles NAME.cpp; it is run with the results folder as its one argument.
+# One that MEASURES finds TUMBLE_FULL in its environment when it shall take its time.
 function(tumble_add_program chapter name)
+  set(measured_in_full "")
+  if("MEASURES" IN_LIST ARGN AND TUMBLE_FULL)
+    set(measured_in_full ${CMAKE_COMMAND} -E env TUMBLE_FULL=1)
+  endif()
   add_executable(${name} ${name}.cpp)
   target_link_libraries(${name} PRIVATE tumble_${chapter} tumble_program_flags)
   target_precompile_headers(${name} REUSE_FROM tumble_program_headers)
@@ -122,7 +129,7 @@ function(tumble_add_program chapter name)
   set(folder ${TUMBLE_RESULTS}/${chapter})
   add_custom_command(OUTPUT ${folder}/${name}.txt
     COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
-    COMMAND $<TARGET_FILE:${name}> ${folder} > ${folder}/${name}.txt
+    COMMAND ${measured_in_full} $<TARGET_FILE:${name}> ${folder} > ${folder}/${name}.txt
     DEPENDS ${name} COMMENT "Running ${name}" VERBATIM)
   add_custom_target(run_${name} DEPENDS ${folder}/${name}.txt)
   add_dependencies(results run_${name})

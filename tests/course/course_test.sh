@@ -29,15 +29,19 @@ fresh() { # SYSTEM VERSION: a machine with apt and no package
   stand_in id <<<'echo 0'
   stand_in dpkg-query <<<'exit 1'
   stand_in apt-get <<<'echo "apt-get $*" >>"$CALLED"'
-  stand_in cmake <<<'echo "cmake $*" >>"$CALLED"; cd build; mkdir -p default/{checks,programs/11_world,costs/12_many_bodies}; cd ..
+  stand_in cmake <<<'echo "cmake $*" >>"$CALLED"; cd build
+    mkdir -p default/{checks,programs/11_world,programs/13_accuracy,costs/12_many_bodies}; cd ..
     for program in 01_force_checks 01_force.force; do
       printf "#!/usr/bin/env bash\necho checked\nexit ${CHECKS:-0}\n" >build/default/checks/$program
       chmod() { "$CHMOD" "$@"; }; chmod +x build/default/checks/$program
     done
-    printf "%s\n" "#!/usr/bin/env bash" "echo \$PWD \"\${@@Q}\"" "exit 130" >build/default/programs/11_world/simulate
+    for program in 11_world/simulate 13_accuracy/cost; do
+      printf "%s\n" "#!/usr/bin/env bash" "echo \$PWD \"\${@@Q}\"" "exit 130" >build/default/programs/$program
+      chmod +x build/default/programs/$program
+    done
     bench=build/default/costs/12_many_bodies/many_bodies_bench
     printf "%s\n" "#!/usr/bin/env bash" "echo Running; echo ns per body and step; echo \$@" >$bench
-    chmod +x build/default/programs/11_world/simulate $bench'
+    chmod +x $bench'
 }
 
 course() { # ARGUMENT...: its output and exit code go to `output` and `code`
@@ -98,6 +102,11 @@ verify "simulate gives its options to the simulator, in the caller's folder" \
   says "/ 'a scene.json' '--csv' 'a file.csv' '--all'"
 verify "and ends as it does" ends_with 130
 verify "simulate compiles the simulator alone" called "--target simulate"
+course cost --spin -1,2,3 --json --no-install
+verify "cost gives its options to the adviser" says "/ '--spin' '-1,2,3' '--json'"
+verify "and ends as it does" ends_with 130
+verify "cost compiles the adviser alone" called "--target cost"
+verify "cost needs Boost" says "libboost-dev"
 
 fresh debian 12
 course bench

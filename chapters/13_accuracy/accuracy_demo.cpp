@@ -1,0 +1,153 @@
+// What accuracy costs in time: every method on every problem.
+#include <course/cheapest.hpp>
+#include <course/record.hpp>
+
+#include "contests.hpp"
+
+using namespace tumble::course;
+
+namespace {
+
+std::string time_of(double nanoseconds) {
+  return nanoseconds < 1e3   ? number("%.2g ns", nanoseconds)
+         : nanoseconds < 1e5 ? number("%.2g µs", nanoseconds / 1e3)
+                             : number("%.3g µs", nanoseconds / 1e3);
+}
+
+std::string power_of_ten(double value) {
+  return number("1e%.0f", std::log10(value));
+}
+
+std::string times(double ratio) {
+  return number(ratio < 10 ? "%.1f ×" : "%.0f ×", ratio);
+}
+
+void write_csv(const std::filesystem::path& file, const std::vector<Measurement>& all) {
+  std::ofstream csv(file);
+  csv << "problem,precision,method,kind,\"step (s) or tolerance\",steps,\"error (rad or m)\","
+         "energy error,momentum error,ns per run,ns per simulated s\n";
+  for (const Measurement& m : all)
+    csv << '"' << m.problem << "\"," << m.precision << ",\"" << m.method << "\"," << m.kind << ','
+        << number(m.knob) << ',' << m.steps << ',' << number("%.4g", m.error) << ','
+        << number("%.4g", m.energy_error) << ',' << number("%.4g", m.momentum_error) << ','
+        << number("%.4g", m.nanoseconds) << ',' << number("%.4g", m.nanoseconds / m.seconds)
+        << '\n';
+}
+
+/// What the figures draw: all runs of one problem.
+void write_runs(const Notebook& notebook, const std::string& table,
+                const std::vector<Measurement>& all, const std::string& problem) {
+  Table runs = notebook.table(table, {"method", "precision", "error", "ns per simulated s"});
+  for (const Measurement& m : all)
+    if (m.problem == problem)
+      runs.row(m.method, m.precision, std::max(m.error, 1e-17), m.nanoseconds / m.seconds);
+}
+
+/// A row a problem: who meets the wish at what price.
+void write_prices(const Notebook& notebook, const std::vector<Measurement>& all,
+                  const std::vector<std::string>& problems, double wanted) {
+  Table table = notebook.table(
+      "prices_" + power_of_ten(wanted),
+      {"problem", "cheapest", "price of a simulated second", "next", "times", "cheapest that steps",
+       "its step (s)", "times", "cheapest of Odeint", "times"});
+  for (const std::string& problem : problems) {
+    const auto list = cheapest(all, problem, wanted);
+    const auto first = first_of(list, is_ours), step = first_of(list, is_rung),
+               odeint = first_of(list, is_odeint);
+    const auto next = first_of(
+        list, [&](const Measurement& run) { return is_ours(run) && run.method != first->method; });
+    if (!first) continue;
+    const auto price = [&](const auto& run) {
+      return run ? times(run->nanoseconds / first->nanoseconds) : std::string("–");
+    };
+    const auto name = [](const auto& run) { return run ? run->method : std::string("none does"); };
+    table.row(problem, name(first), time_of(first->nanoseconds / first->seconds), name(next),
+              price(next), name(step), step ? number("%.2g", step->knob) : std::string("–"),
+              price(step), name(odeint), price(odeint));
+  }
+}
+
+/// Over all problems and wanted errors: how often ours is no dearer than Odeint's cheapest.
+void compare_with_odeint(Notebook& notebook, const std::vector<Measurement>& all,
+                         const std::vector<std::string>& problems) {
+  int pairs = 0, won = 0, won_by_steps = 0;
+  double worst_free = 1e300, worst_fast = 1e300;
+  Table lost = notebook.table("odeint_cheaper", {"problem", "wanted error", "ours", "price",
+                                                 "Odeint's", "its price", "ratio"});
+  for (const std::string& problem : problems)
+    for (int digits = 1; digits <= 10; ++digits) {
+      const double wanted = std::pow(10, -digits);
+      const auto list = cheapest(all, problem, wanted);
+      const auto ours = first_of(list, is_ours), step = first_of(list, is_rung),
+                 odeint = first_of(list, is_odeint);
+      if (!ours || !odeint) continue;
+      const double ratio = odeint->nanoseconds / ours->nanoseconds;
+      ++pairs;
+      won += ratio >= 1;
+      won_by_steps += step && step->nanoseconds <= odeint->nanoseconds;
+      const bool is_free = problem[1] == ' ' || problem == "T-handle";
+      if (is_free && digits >= 5) worst_free = std::min(worst_free, ratio);
+      if (problem == "heavy top, fast" || problem[0] == 'C' || problem[0] == 'D')
+        worst_fast = std::min(worst_fast, ratio);
+      if (ratio < 1)
+        lost.row(problem, power_of_ten(wanted), ours->method, time_of(ours->nanoseconds),
+                 odeint->method, time_of(odeint->nanoseconds), number("%.2f", ratio));
+    }
+  notebook.value("pairs", std::to_string(pairs));
+  notebook.value("won", std::to_string(won));
+  notebook.value("lost", std::to_string(pairs - won));
+  notebook.value("won_by_steps", std::to_string(won_by_steps));
+  notebook.value("worst_free", number("%.1f", worst_free));
+  notebook.value("worst_fast", number("%.1f", worst_fast));
+  std::printf(
+      "\nOf %d pairs of problem and wanted error from 1e-1 to 1e-10, our cheapest costs no "
+      "more than\nOdeint's cheapest in %d; in %d, one that steps does.\n",
+      pairs, won, won_by_steps);
+}
+
+/// The smallest error that any method reached on a problem.
+double floor_of(const std::vector<Measurement>& all, const std::string& problem,
+                const char* precision) {
+  double floor = 1e300;
+  for (const Measurement& m : all)
+    if (m.problem == problem && m.precision == precision && is_rung(m))
+      floor = std::min(floor, m.error);
+  return floor;
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+  Notebook notebook(argument_count, arguments);
+  const Effort effort = wanted_effort();
+  std::vector<Measurement> all;
+  for (const auto contest : {free_tops, torqued_tops, moving_points}) append(all, contest(effort));
+  write_csv(notebook.file_in_folder("accuracy.csv"), all);
+
+  std::vector<std::string> problems;
+  for (const Measurement& m : all)
+    if (std::find(problems.begin(), problems.end(), m.problem) == problems.end())
+      problems.push_back(m.problem);
+  write_runs(notebook, "runs_ordinary", all, problems[0]);
+  write_runs(notebook, "runs_rod", all, problems[2]);
+  write_runs(notebook, "runs_driven", all, "driven top");
+  write_runs(notebook, "runs_orbit", all, "eccentric orbit");
+  for (const int digits : {2, 4, 6, 8, 10})
+    write_prices(notebook, all, problems, std::pow(10, -digits));
+
+  std::printf("The cheapest for an error of 1e-6 rad or m (double):\n\n%-17s %-22s %9s  %s\n",
+              "problem", "cheapest", "per s", "cheapest that steps");
+  for (const std::string& problem : problems) {
+    const auto list = cheapest(all, problem, 1e-6);
+    const auto first = first_of(list, is_ours), step = first_of(list, is_rung);
+    if (!first || !step) continue;
+    std::printf("%-17s %-22s %9s  %s, %s\n", problem.c_str(), first->method.c_str(),
+                time_of(first->nanoseconds / first->seconds).c_str(), step->method.c_str(),
+                times(step->nanoseconds / first->nanoseconds).c_str());
+  }
+  compare_with_odeint(notebook, all, problems);
+  notebook.value("runs", std::to_string(all.size()));
+  notebook.value("problems", std::to_string(problems.size()));
+  notebook.value("float_floor", number("%.0e", floor_of(all, problems[0], "float")));
+  notebook.value("double_floor", number("%.0e", floor_of(all, problems[0], "double")));
+}

@@ -1,0 +1,36 @@
+#include "contests.hpp"
+
+namespace tumble::course {
+namespace {
+
+template <class Real>
+void contest(std::vector<Measurement>& all, const Effort& effort) {
+  for (const auto& [name, spin] : {std::pair("heavy top, slow", 3), {"heavy top, fast", 20}}) {
+    const auto problem = heavy_top<Real>(name, spin);
+    auto list = contestants(problem, torque_ladder<Real, Weight<Real>>);
+    list.push_back(exact_contestant(problem));
+    append_odeint(list, problem, peers::Torque::weight, 1);
+    measure_all(all, problem, list, truth_of(problem), effort);
+  }
+  // Nobody has solved this one: its truth is the highest rung in long double, with steps so short
+  // that they no longer matter.
+  const auto problem = driven_top<Real>();
+  using Wide = Drive<long double>;
+  const Problem<Top<long double>, Wide> wide{
+      problem.name, exactly(problem.start), {}, problem.seconds};
+  const auto truth = contestant(wide, torque_ladder<long double, Wide>.back()).run(2000);
+  auto list = contestants(problem, torque_ladder<Real, Drive<Real>>);
+  append_odeint(list, problem, peers::Torque::drive, 0);
+  measure_all(all, problem, list, truth, effort);
+}
+
+}  // namespace
+
+std::vector<Measurement> torqued_tops(const Effort& effort) {
+  std::vector<Measurement> all;
+  contest<float>(all, effort);
+  contest<double>(all, effort);
+  return all;
+}
+
+}  // namespace tumble::course

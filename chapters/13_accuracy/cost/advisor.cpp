@@ -1,0 +1,126 @@
+#include "advisor.hpp"
+
+#include <cmath>
+
+namespace tumble::cost {
+namespace {
+
+/// What is searched for is half of what is wanted: the error of another body like this one, or a
+/// step a little longer, is not quite the same.
+constexpr double reserve = 2;
+
+/// A method within this factor of the cheapest is worth a line.
+constexpr double worth_naming = 4;
+
+/// No frame holds more steps than this.
+constexpr long most_steps_per_frame = 1L << 24;
+
+}  // namespace
+
+double Advisor::nanoseconds(const Candidate& candidate, long steps_per_frame,
+                            int repetitions) const {
+  return candidate.nanoseconds(steps_per_frame, repetitions) / frames_.seconds();
+}
+
+/// Doubles the steps until the error is small enough, then looks in between. Gives up on a method
+/// that costs more than `dearest` (ns a second), or whose error has stopped falling.
+std::optional<Found> Advisor::search(const Candidate& candidate, const Wish& wish, double dearest,
+                                     std::optional<Found>& nearest) const {
+  const double limit = std::min(dearest, longest_run_ * 1e9 / frames_.seconds());
+  double smallest = std::numeric_limits<double>::infinity();
+  int without_gain = 0;
+  long high = 1;
+  Errors errors;
+  for (;; high *= 2) {
+    const double cost = nanoseconds(candidate, high, 1);
+    errors = candidate.errors(high, 0);
+    const double ratio = errors.of(wish);
+    if (!nearest || ratio < nearest->errors.of(wish))
+      nearest = Found{&candidate, high, errors, cost};
+    if (ratio <= 1 / reserve) break;
+    without_gain = ratio < 0.7 * smallest || ratio > 1e15 ? 0 : without_gain + 1;
+    smallest = std::min(smallest, ratio);
+    if (!candidate.takes_steps || without_gain > 3 || cost > limit || high >= most_steps_per_frame)
+      return std::nullopt;
+  }
+  long low = high / 2;  // known not to do
+  while (high - low > 1 && high - low > low / 20) {
+    const long middle = low + (high - low) / 2;
+    (candidate.errors(middle, 0).of(wish) <= 1 / reserve ? high : low) = middle;
+  }
+  return Found{&candidate, high, errors, nanoseconds(candidate, high, 3)};
+}
+
+/// Runs it again: the question itself, and others like it. If one is not good enough, with shorter
+/// steps.
+bool Advisor::confirm(Found& found, const Wish& wish) const {
+  for (int attempt = 0; attempt < 6; ++attempt) {
+    Errors errors;
+    for (int trial = 0; trial < found.candidate->trials; ++trial)
+      errors = worse(errors, found.candidate->errors(found.steps_per_frame, trial));
+    if (errors.of(wish) <= 1) {
+      found.errors = errors;
+      found.nanoseconds = nanoseconds(*found.candidate, found.steps_per_frame, 5);
+      return true;
+    }
+    if (!found.candidate->takes_steps) return false;
+    found.steps_per_frame += 1 + found.steps_per_frame / 5;
+  }
+  return false;
+}
+
+Verdict Advisor::cheapest(const Wish& wish) const {
+  // A high order is soon small, and what is dearer than the best need not be tried to the end.
+  std::vector<const Candidate*> tried;
+  for (const Candidate& candidate : candidates_) tried.push_back(&candidate);
+  std::stable_sort(tried.begin(), tried.end(),
+                   [](const Candidate* a, const Candidate* b) { return a->order > b->order; });
+  Verdict verdict;
+  std::vector<Found> enough;
+  double cheapest = std::numeric_limits<double>::infinity();
+  for (const Candidate* candidate : tried) {
+    auto found = search(*candidate, wish, worth_naming * cheapest, verdict.nearest);
+    if (!found || !confirm(*found, wish)) continue;
+    enough.push_back(*found);
+    cheapest = std::min(cheapest, found->nanoseconds);
+  }
+  if (enough.empty()) return verdict;
+  for (Found& found : enough)  // once more, side by side: the machine may have been busy
+    found.nanoseconds =
+        std::min(found.nanoseconds, nanoseconds(*found.candidate, found.steps_per_frame, 5));
+  std::sort(enough.begin(), enough.end(),
+            [](const Found& a, const Found& b) { return a.nanoseconds < b.nanoseconds; });
+  verdict.winner = enough.front();
+  for (const Found& other : enough)
+    if (other.candidate != verdict.winner->candidate &&
+        other.nanoseconds < worth_naming * verdict.winner->nanoseconds)
+      verdict.others.push_back(other);
+  return verdict;
+}
+
+std::optional<Found> Advisor::best_for(double most_nanoseconds, const Wish& wish) const {
+  std::optional<Found> best;
+  for (const Candidate& candidate : candidates_) {
+    const double one_step = nanoseconds(candidate, 1, 3);
+    if (one_step > most_nanoseconds) continue;
+    const long steps = candidate.takes_steps ? static_cast<long>(most_nanoseconds / one_step) : 1;
+    const Errors errors = candidate.errors(steps, 0);
+    if (!(errors.of(wish) < std::numeric_limits<double>::infinity())) continue;
+    if (!best || errors.of(wish) < best->errors.of(wish))
+      best = Found{&candidate, steps, errors, one_step * static_cast<double>(steps)};
+  }
+  return best;
+}
+
+std::optional<Found> Advisor::least(const Wish& wish) const {
+  std::optional<Found> least;
+  for (const Candidate& candidate : candidates_) {
+    const Errors errors = candidate.errors(1, 0);
+    if (!(errors.of(wish) < std::numeric_limits<double>::infinity())) continue;
+    const double cost = nanoseconds(candidate, 1, 3);
+    if (!least || cost < least->nanoseconds) least = Found{&candidate, 1, errors, cost};
+  }
+  return least;
+}
+
+}  // namespace tumble::cost

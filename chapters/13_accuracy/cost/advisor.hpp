@@ -1,0 +1,54 @@
+/// @file
+/// Finds the cheapest method and step for a wanted error, and confirms it before it says so.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "candidate.hpp"
+
+namespace tumble::cost {
+
+/// A candidate with the steps in a frame that it needs, what it then errs and what it takes.
+struct Found {
+  const Candidate* candidate = nullptr;
+  long steps_per_frame = 1;
+  Errors errors;
+  double nanoseconds = 0;  ///< for each simulated second
+};
+
+/// What became of a wish.
+struct Verdict {
+  std::optional<Found> winner;   ///< confirmed; nothing if there is none
+  std::vector<Found> others;     ///< that would do too, confirmed as well, the cheapest first
+  std::optional<Found> nearest;  ///< without a winner: what came nearest
+};
+
+/// Chooses among candidates.
+class Advisor {
+ public:
+  /// `longest_run` (s): a method is not tried with smaller steps once a run takes longer.
+  Advisor(const std::vector<Candidate>& candidates, const Frames& frames, double longest_run)
+      : candidates_(candidates), frames_(frames), longest_run_(longest_run) {}
+
+  /// The candidate that fulfils the wish in the least time.
+  Verdict cheapest(const Wish& wish) const;
+
+  /// What errs least, in terms of the wish, at no more than so many ns for each simulated second.
+  std::optional<Found> best_for(double nanoseconds, const Wish& wish) const;
+
+  /// What takes least at all: one step in a frame.
+  std::optional<Found> least(const Wish& wish) const;
+
+ private:
+  std::optional<Found> search(const Candidate& candidate, const Wish& wish, double dearest,
+                              std::optional<Found>& nearest) const;
+  bool confirm(Found& found, const Wish& wish) const;
+  double nanoseconds(const Candidate& candidate, long steps_per_frame, int repetitions) const;
+
+  const std::vector<Candidate>& candidates_;
+  Frames frames_;
+  double longest_run_;
+};
+
+}  // namespace tumble::cost

@@ -1,0 +1,64 @@
+/// @file
+/// What the advisor chooses among: a method in a precision, that can be run with any number of
+/// steps in a frame, timed, and held against the truth.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+
+namespace tumble::cost {
+
+/// The largest errors that are wanted; infinite where nobody asks.
+struct Wish {
+  double angle = std::numeric_limits<double>::infinity();  ///< of any orientation, rad
+  double place = std::numeric_limits<double>::infinity();  ///< of any centre of mass, m
+};
+
+/// The largest errors on the way, of all bodies and all frames that were looked at.
+struct Errors {
+  double angle = 0;     ///< rad
+  double place = 0;     ///< m
+  double energy = 0;    ///< of a free top, relative
+  double momentum = 0;  ///< of a free top, in world axes, relative
+
+  /// How large they are in terms of what is wanted: at most 1 if the wish is fulfilled. A run that
+  /// failed is infinitely far off.
+  double of(const Wish& wish) const {
+    if (!std::isfinite(angle) || !std::isfinite(place))
+      return std::numeric_limits<double>::infinity();
+    return std::max(angle / wish.angle, place / wish.place);
+  }
+};
+
+inline constexpr Errors failed_run = {.angle = std::numeric_limits<double>::infinity(),
+                                      .place = std::numeric_limits<double>::infinity()};
+
+/// The larger one of each.
+inline Errors worse(const Errors& a, const Errors& b) {
+  return {std::max(a.angle, b.angle), std::max(a.place, b.place), std::max(a.energy, b.energy),
+          std::max(a.momentum, b.momentum)};
+}
+
+/// One method in one precision.
+struct Candidate {
+  std::string method, precision;
+  int order = 0;            ///< what it claims; the highest is tried first
+  bool takes_steps = true;  ///< false: the exact solution, asked once a frame
+  /// The errors with so many steps in a frame. Trial 0 is the question that was asked; the others
+  /// are others like it, up to `trials` in all.
+  std::function<Errors(long steps_per_frame, int trial)> errors;
+  int trials = 1;
+  /// The time of the whole run, ns: the fastest of so many repetitions.
+  std::function<double(long steps_per_frame, int repetitions)> nanoseconds;
+};
+
+/// When states are wanted: `frames` of them, `rate` in a second.
+struct Frames {
+  long count = 0, rate = 60;
+  double seconds() const { return static_cast<double>(count) / static_cast<double>(rate); }
+};
+
+}  // namespace tumble::cost

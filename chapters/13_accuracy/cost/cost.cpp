@@ -1,0 +1,28 @@
+// Says what accuracy costs on this machine: the cheapest method and step for a wanted error,
+// confirmed.
+#include <cstdio>
+#include <tumble/guard.hpp>
+#include <tumble/scene/scene_error.hpp>
+
+#include "answer.hpp"
+
+int main(int argument_count, char** arguments) {
+  using namespace tumble::cost;
+  try {
+    const std::optional<Options> options = read_options(argument_count, arguments);
+    if (!options) return confirmed;
+    const Answer answer = answer_to(*options);
+    const std::string said = options->json ? json_of(answer) : text_of(answer);
+    std::fputs(said.c_str(), stdout);
+    return answer.verdict.winner ? confirmed : refused;
+  } catch (const UsageError& error) {
+    std::fprintf(stderr, "cost: %s\n", error.what());
+    return bad_input;
+  } catch (const tumble::SceneError& error) {
+    std::fprintf(stderr, "cost: %s\n", error.what());
+    return bad_input;
+  } catch (const tumble::SimulationError& error) {
+    std::fprintf(stderr, "cost: the scene can't be run: %s\n", error.what());
+    return refused;
+  }
+}

@@ -1,0 +1,212 @@
+#include "free_top.hpp"
+
+#include <course/contest.hpp>
+#include <memory>
+#include <random>
+#include <tumble/exact/free_top.hpp>
+
+namespace tumble::cost {
+namespace {
+
+/// The question, and three like it: turned at random, and the spin off by up to a hundredth.
+constexpr int trials = 4;
+
+/// More frames than this are not looked at; they are then spread evenly over the time.
+constexpr long most_frames_seen = 4096;
+
+long frames_between_looks(const Frames& frames) {
+  return std::max(1L, frames.count / most_frames_seen);
+}
+
+/// The top with these moments and this spin, its axes in the order in which chapter 5 puts them.
+/// Where that order is odd, all three axes point the other way, so that they stay right-handed.
+template <class Real>
+Top<Real> top_of(const std::array<double, 3>& moments, const Vec3d& spin) {
+  std::array<int, 3> axes = {0, 1, 2};
+  const auto moment = [&](int axis) { return moments[static_cast<std::size_t>(axis)]; };
+  std::stable_sort(axes.begin(), axes.end(), [&](int a, int b) { return moment(a) < moment(b); });
+  const auto closest =
+      closest_pair_first(Vec3d(1 / moment(axes[0]), 1 / moment(axes[1]), 1 / moment(axes[2])));
+  const double sign = (axes[0] + 1) % 3 == axes[1] ? 1 : -1;
+  Top<Real> top;
+  Vec3<Real> spin_in_order;
+  for (int axis = 0; axis < 3; ++axis) {
+    const int from = axes[static_cast<std::size_t>(closest[static_cast<std::size_t>(axis)])];
+    top.inverse_moments[axis] = 1 / static_cast<Real>(moment(from));
+    spin_in_order[axis] = static_cast<Real>(sign * spin[from]);
+  }
+  set_angular_velocity_body(top, spin_in_order);
+  return top;
+}
+
+/// The top that is asked for, or one like it.
+template <class Real>
+Top<Real> start_of(const FreeTopQuestion& question, int trial) {
+  const Vec3d spin(question.spin[0], question.spin[1], question.spin[2]);
+  if (trial == 0) return top_of<Real>(question.moments, spin);
+  std::mt19937_64 generator(static_cast<unsigned>(trial));
+  std::normal_distribution<double> normal;
+  const auto random_vector = [&] {
+    const double x = normal(generator), y = normal(generator), z = normal(generator);
+    return Vec3d(x, y, z);
+  };
+  const double real = normal(generator);
+  const Quaterniond orientation = normalized(Quaterniond{real, random_vector()});
+  const Vec3d other = spin + 0.01 * spin.norm() * random_vector().normalized();
+  Top<Real> top = top_of<Real>(question.moments, other);
+  top.orientation = normalized(Quaternion<Real>{static_cast<Real>(orientation.real),
+                                                orientation.imaginary.template cast<Real>()});
+  return top;
+}
+
+/// A start and where the exact solution has it in each frame that is looked at.
+template <class Real>
+struct Trial {
+  Top<Real> start;
+  std::vector<Top<long double>> truth;
+};
+
+template <class Real>
+std::vector<Trial<Real>> trials_of(const FreeTopQuestion& question, const Frames& frames) {
+  std::vector<Trial<Real>> list;
+  for (int trial = 0; trial < trials; ++trial) {
+    Trial<Real> made{start_of<Real>(question, trial), {}};
+    const exact::FreeTop<long double> exact(course::exactly(made.start));
+    for (long frame = 0; frame <= frames.count; frame += frames_between_looks(frames))
+      made.truth.push_back(
+          exact.at(static_cast<long double>(frame) / static_cast<long double>(frames.rate)));
+    list.push_back(std::move(made));
+  }
+  return list;
+}
+
+/// What a top errs at one moment.
+template <class Real>
+Errors errors_at(const Top<Real>& top, const Top<long double>& truth) {
+  const Top<long double> mine = course::exactly(top);
+  const auto relative = [](long double difference, long double to) {
+    return to == 0 ? 0.0 : static_cast<double>(std::abs(difference / to));
+  };
+  const Vec3<long double> L = angular_momentum_world(truth);
+  return {.angle = static_cast<double>(angle_between(truth.orientation, mine.orientation)),
+          .energy = relative(kinetic_energy(mine) - kinetic_energy(truth), kinetic_energy(truth)),
+          .momentum = relative((angular_momentum_world(mine) - L).norm(), L.norm())};
+}
+
+/// Looks at a run frame by frame; `advance` takes the top to the next one.
+template <class Real, class Advance>
+Errors watched(const Trial<Real>& trial, const Frames& frames, const Advance& advance) {
+  Top<Real> top = trial.start;
+  Errors errors;
+  const long between = frames_between_looks(frames);
+  for (long frame = 1; frame <= frames.count; ++frame) {
+    advance(top, frame);
+    if (frame % between != 0) continue;
+    const Errors now = errors_at(top, trial.truth[static_cast<std::size_t>(frame / between)]);
+    if (!std::isfinite(now.angle)) return failed_run;
+    errors = worse(errors, now);
+  }
+  return errors;
+}
+
+template <class Real>
+double time_of_run(const Top<Real>& start, int repetitions,
+                   const std::function<void(Top<Real>&)>& run) {
+  return course::fastest(
+      [&] {
+        Top<Real> top = start;
+        run(top);
+        asm volatile("" : : "r"(&top) : "memory");  // or the compiler drops the run
+      },
+      repetitions);
+}
+
+template <class Real>
+void append(std::vector<Candidate>& candidates, const FreeTopQuestion& question,
+            const Frames& frames) {
+  const std::string precision = sizeof(Real) == sizeof(float) ? "float" : "double";
+  const auto list = std::make_shared<std::vector<Trial<Real>>>(trials_of<Real>(question, frames));
+  const Top<Real>& start = (*list)[0].start;
+  const auto in_range = [](Real x) { return x == 0 || std::isnormal(x); };
+  for (int axis = 0; axis < 3; ++axis)  // what this precision can't even store, it can't turn
+    if (!std::isnormal(start.inverse_moments[axis]) || !in_range(start.angular_momentum_body[axis]))
+      return;
+  const bool tumbles = is_gyroscopic(start);
+  for (const TurningRung<Real>& rung : turning_ladder<Real>) {
+    const bool steady = rung.claims.order == 0;
+    if (steady == tumbles) continue;  // what does not converge, or what needs a tumbling top
+    const auto time_step = [frames](long steps) {
+      return static_cast<Real>(
+          1.0L / (static_cast<long double>(frames.rate) * static_cast<long double>(steps)));
+    };
+    candidates.push_back({.method = std::string(rung.name),
+                          .precision = precision,
+                          .order = rung.claims.order,
+                          .errors =
+                              [=](long steps, int trial) {
+                                const Real h = time_step(steps);
+                                return watched((*list)[static_cast<std::size_t>(trial)], frames,
+                                               [&](Top<Real>& top, long) {
+                                                 for (long n = 0; n < steps; ++n) rung.turn(top, h);
+                                               });
+                              },
+                          .trials = trials,
+                          .nanoseconds =
+                              [=](long steps, int repetitions) {
+                                const Real h = time_step(steps);
+                                return time_of_run<Real>(
+                                    (*list)[0].start, repetitions, [&](Top<Real>& top) {
+                                      for (long n = 0; n < steps * frames.count; ++n)
+                                        rung.turn(top, h);
+                                    });
+                              }});
+  }
+  const auto time_of_frame = [frames](long frame) {
+    return static_cast<Real>(static_cast<long double>(frame) /
+                             static_cast<long double>(frames.rate));
+  };
+  candidates.push_back({.method = "exact solution",
+                        .precision = precision,
+                        .takes_steps = false,
+                        .errors =
+                            [=](long, int trial) {
+                              const Trial<Real>& given = (*list)[static_cast<std::size_t>(trial)];
+                              const exact::FreeTop<Real> exact(given.start);
+                              return watched(given, frames, [&](Top<Real>& top, long frame) {
+                                top = exact.at(time_of_frame(frame));
+                              });
+                            },
+                        .trials = trials,
+                        .nanoseconds =
+                            [=](long, int repetitions) {
+                              return time_of_run<Real>(
+                                  (*list)[0].start, repetitions, [&](Top<Real>& top) {
+                                    const exact::FreeTop<Real> exact(top);
+                                    for (long frame = 1; frame <= frames.count; ++frame) {
+                                      top = exact.at(time_of_frame(frame));
+                                      asm volatile("" : : "r"(&top) : "memory");
+                                    }
+                                  });
+                            }});
+}
+
+}  // namespace
+
+std::vector<Candidate> free_top_candidates(const FreeTopQuestion& question, const Frames& frames,
+                                           const Precisions& precisions) {
+  std::vector<Candidate> candidates;
+  if (precisions.twice) append<double>(candidates, question, frames);
+  if (precisions.single) append<float>(candidates, question, frames);
+  return candidates;
+}
+
+double uncertainty_of_truth(const FreeTopQuestion& question, const Frames& frames) {
+  const auto& I = question.moments;
+  double twice_energy = 0;
+  for (std::size_t n = 0; n < 3; ++n) twice_energy += I[n] * question.spin[n] * question.spin[n];
+  const double fastest = std::sqrt(twice_energy / std::min({I[0], I[1], I[2]}));
+  return 30 * (1 + fastest * frames.seconds()) *
+         double(std::numeric_limits<long double>::epsilon()) / 2;
+}
+
+}  // namespace tumble::cost

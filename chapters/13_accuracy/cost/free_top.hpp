@@ -1,0 +1,30 @@
+/// @file
+/// The candidates for one top without torque: every rung of the ladder, and the exact solution.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "candidate.hpp"
+
+namespace tumble::cost {
+
+/// A top without torque: its principal moments (kg m²) and its spin (rad/s, body axes).
+struct FreeTopQuestion {
+  std::array<double, 3> moments = {}, spin = {};
+};
+
+/// Which precisions may answer.
+struct Precisions {
+  bool single = true, twice = true;
+};
+
+/// All methods that turn this top rightly as the step goes to zero.
+/// The moments must be those of some body. A precision that can't store them is left out.
+std::vector<Candidate> free_top_candidates(const FreeTopQuestion& question, const Frames& frames,
+                                           const Precisions& precisions);
+
+/// How far the exact solution in long double may itself be off, rad.
+double uncertainty_of_truth(const FreeTopQuestion& question, const Frames& frames);
+
+}  // namespace tumble::cost

@@ -1,0 +1,209 @@
+#include "scene.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <tumble/scene/read_scene.hpp>
+
+namespace tumble::cost {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Where all bodies are at one moment.
+struct Snapshot {
+  std::vector<Vec3d> places;
+  std::vector<Quaterniond> orientations;
+};
+
+/// More frames than this are not looked at; they are then spread evenly, with the last among them.
+constexpr long most_frames_seen = 100;
+
+template <class Real>
+Scene<Real> scene_with(const std::filesystem::path& file, const Frames& frames, long steps,
+                       std::optional<TurningMethod> method) {
+  return read_scene_file<Real>(
+      file, {.step = steps_per_second(frames.rate * steps), .turning_method = method});
+}
+
+template <class Real>
+Snapshot snapshot_of(const Bodies<Real>& bodies) {
+  Snapshot snapshot;
+  for (const Particle<Real>& centre : bodies.centres)
+    snapshot.places.push_back(centre.position.template cast<double>());
+  for (const Top<Real>& top : bodies.tops)
+    snapshot.orientations.push_back({static_cast<double>(top.orientation.real),
+                                     top.orientation.imaginary.template cast<double>()});
+  return snapshot;
+}
+
+/// The whole run, a snapshot for each frame that is looked at. @throws SimulationError.
+template <class Real>
+std::vector<Snapshot> snapshots_of(World<Real> world, const Frames& frames, long steps) {
+  const long between = (frames.count + most_frames_seen - 1) / most_frames_seen;
+  std::vector<Snapshot> snapshots;
+  for (long frame = 1; frame <= frames.count; ++frame) {
+    for (long n = 0; n < steps; ++n) world.step();
+    if ((frames.count - frame) % between == 0) snapshots.push_back(snapshot_of(world.bodies()));
+  }
+  return snapshots;
+}
+
+Errors errors_between(const std::vector<Snapshot>& mine, const std::vector<Snapshot>& truth) {
+  Errors errors;
+  for (std::size_t n = 0; n < mine.size(); ++n) {
+    for (std::size_t body = 0; body < mine[n].places.size(); ++body) {
+      const double off = (mine[n].places[body] - truth[n].places[body]).norm();
+      if (!std::isfinite(off)) return failed_run;
+      errors.place = std::max(errors.place, off);
+    }
+    for (std::size_t top = 0; top < mine[n].orientations.size(); ++top) {
+      const double off = angle_between(truth[n].orientations[top], mine[n].orientations[top]);
+      if (!std::isfinite(off)) return failed_run;
+      errors.angle = std::max(errors.angle, off);
+    }
+  }
+  return errors;
+}
+
+/// Richardson: what two runs, one with steps half as long, say about steps of length zero. With
+/// errors that fall as the step to the power `order`, the finer run has 1/(2^order − 1) of their
+/// difference still to go.
+std::vector<Snapshot> extrapolated(const std::vector<Snapshot>& coarse,
+                                   const std::vector<Snapshot>& fine, int order) {
+  const double rest = 1 / (std::exp2(order) - 1);
+  std::vector<Snapshot> result = fine;
+  for (std::size_t n = 0; n < result.size(); ++n) {
+    for (std::size_t body = 0; body < result[n].places.size(); ++body)
+      result[n].places[body] += rest * (fine[n].places[body] - coarse[n].places[body]);
+    for (std::size_t top = 0; top < result[n].orientations.size(); ++top) {
+      const Vec3d turn =
+          rotation_vector_of(conjugate(coarse[n].orientations[top]) * fine[n].orientations[top]);
+      result[n].orientations[top] = normalized(fine[n].orientations[top] *
+                                               quaternion_of_rotation_vector<double>(rest * turn));
+    }
+  }
+  return result;
+}
+
+struct Reference {
+  std::vector<Snapshot> snapshots;
+  Errors uncertainty = failed_run;
+  long steps = 0;
+};
+
+/// Steps half as long each time. Two extrapolated runs that agree tell how far the better one may
+/// be off: no less than rounding lets two runs agree.
+Reference reference_of(const std::filesystem::path& file, const Frames& frames, const Wish& wish,
+                       double longest_run) {
+  Reference best;
+  std::vector<Snapshot> before, last;
+  std::optional<std::vector<Snapshot>> last_extrapolated;
+  double last_difference = 0;
+  for (long steps = 1; frames.rate * steps <= 1'000'000; steps *= 2) {
+    const auto begin = Clock::now();
+    std::vector<Snapshot> now;
+    try {
+      now = snapshots_of(scene_with<double>(file, frames, steps, {}).world, frames, steps);
+    } catch (const SimulationError&) {
+      if (2 * frames.rate * steps > 1'000'000) throw;
+      last.clear();
+      last_extrapolated.reset();
+      continue;
+    }
+    const double took = std::chrono::duration<double>(Clock::now() - begin).count();
+    if (!last.empty()) {
+      const Errors difference = errors_between(now, last);
+      const double size = difference.of({.angle = 1, .place = 1});
+      // The world's orders are 1 and 2; what falls more slowly is no order at all.
+      const double fall = last_difference > 0 && size > 0 ? last_difference / size : 2;
+      const auto better = extrapolated(last, now, fall > 2.8 ? 2 : 1);
+      if (last_extrapolated) {
+        const Errors uncertainty = errors_between(better, *last_extrapolated);
+        if (uncertainty.of(wish) < best.uncertainty.of(wish)) best = {better, uncertainty, steps};
+        if (best.uncertainty.of(wish) <= 0.02) return best;  // enough for a tenth of it too
+      }
+      last_extrapolated = better;
+      last_difference = size;
+    }
+    last = std::move(now);
+    if (2 * took > longest_run) break;
+  }
+  return best;
+}
+
+template <class Real>
+void append(SceneCandidates& made, const std::filesystem::path& file, const Frames& frames,
+            const std::shared_ptr<const Reference>& reference) {
+  const Scene<Real> scene = scene_with<Real>(file, frames, 1, {});
+  const TurningMethod own = scene.world.turning_method();
+  const auto& tops = scene.world.bodies().tops;
+  const bool tumbles = std::any_of(tops.begin(), tops.end(), is_gyroscopic<Real>);
+  for (std::size_t n = 0; n < turning_method_words().size(); ++n) {
+    const auto method = static_cast<TurningMethod>(n);
+    if (!tumbles && method != own) continue;  // without a tumbling body they are all the same
+    made.candidates.push_back(
+        {.method = turning_method_words()[n],
+         .precision = std::string(range_of<Real>().precision),
+         .order =
+             method == TurningMethod::splitting || method == TurningMethod::axis_by_axis ? 2 : 1,
+         .errors =
+             [=](long steps, int) {
+               if (frames.rate * steps > 1'000'000) return failed_run;
+               try {
+                 Errors errors = errors_between(
+                     snapshots_of(scene_with<Real>(file, frames, steps, method).world, frames,
+                                  steps),
+                     reference->snapshots);
+                 errors.angle += reference->uncertainty.angle;
+                 errors.place += reference->uncertainty.place;
+                 return errors;
+               } catch (const SimulationError&) {
+                 return failed_run;
+               }
+             },
+         .nanoseconds =
+             [=](long steps, int repetitions) {
+               double best = std::numeric_limits<double>::infinity();
+               if (frames.rate * steps > 1'000'000) return best;
+               World<Real> start = scene_with<Real>(file, frames, steps, method).world;
+               start.plan();
+               for (int run = 0; run < repetitions; ++run) {
+                 World<Real> world = start;
+                 const auto begin = Clock::now();
+                 try {
+                   for (long step = 0; step < steps * frames.count; ++step) world.step();
+                 } catch (const SimulationError&) {
+                   return std::numeric_limits<double>::infinity();
+                 }
+                 best = std::min(
+                     best, std::chrono::duration<double, std::nano>(Clock::now() - begin).count());
+               }
+               return best;
+             }});
+  }
+}
+
+}  // namespace
+
+SceneCandidates scene_candidates(const std::filesystem::path& file, const Frames& frames,
+                                 const Wish& wish, const Precisions& precisions,
+                                 double longest_run) {
+  SceneCandidates made;
+  made.bodies = scene_with<double>(file, frames, 1, {}).world.body_count();
+  const auto reference =
+      std::make_shared<const Reference>(reference_of(file, frames, wish, longest_run));
+  made.uncertainty = reference->uncertainty;
+  made.reference_steps = reference->steps;
+  if (reference->snapshots.empty()) return made;
+  if (precisions.twice) append<double>(made, file, frames, reference);
+  try {
+    if (precisions.single) append<float>(made, file, frames, reference);
+  } catch (const SceneError&) {  // float can't hold this scene, so double is all there is
+    if (!precisions.twice) throw;
+  }
+  return made;
+}
+
+}  // namespace tumble::cost

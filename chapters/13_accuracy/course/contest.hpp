@@ -1,0 +1,170 @@
+/// @file
+/// Error and time of any method on any problem: what the figures and the tables are made of.
+#pragma once
+
+#include <chrono>
+#include <course/exact_motion.hpp>
+#include <cstdlib>
+#include <functional>
+#include <limits>
+
+namespace tumble::course {
+
+/// One run of one method.
+struct Measurement {
+  std::string problem, precision, method;
+  std::string kind;  ///< "rung", "exact" or the name of the library it comes from
+  double knob;       ///< the time step (s), or the tolerance of a method that chooses its steps
+  long steps;        ///< 0 where the method chooses them
+  double error;      ///< of place (m) or orientation (rad) at the end
+  double energy_error, momentum_error;  ///< relative, at the end
+  double nanoseconds;                   ///< of the whole run, the best of several
+  double seconds;                       ///< that it simulated
+};
+
+/// Something that can be run with a number of steps or a tolerance, and then says where the body
+/// is.
+template <class Body>
+struct Contestant {
+  std::string name, kind;
+  bool chooses_steps;
+  std::function<Body(double knob)> run;  ///< knob: number of steps, or tolerance
+};
+
+/// float or double, from Top<float> or Particle<double>.
+template <class Body>
+struct ScalarOf;
+template <template <class> class Body, class Real>
+struct ScalarOf<Body<Real>> {
+  using type = Real;
+};
+
+/// How thorough to be.
+struct Effort {
+  double
+      longest_run;  ///< ns; a method is not tried with smaller steps after a run that took longer
+  int repetitions;  ///< of which the fastest counts
+};
+inline constexpr Effort quick = {.longest_run = 1e6, .repetitions = 3},
+                        full = {.longest_run = 1e8, .repetitions = 9};
+
+/// The quick one, unless `./course book --full` asks for more: it sets TUMBLE_FULL.
+inline Effort wanted_effort() {
+  return std::getenv("TUMBLE_FULL") != nullptr ? full : quick;
+}
+
+/// The time of the fastest of some runs, ns. Short ones are made in batches that a clock can time.
+template <class Run>
+double fastest(const Run& run, int repetitions) {
+  using Clock = std::chrono::steady_clock;
+  const auto time_of = [&](long count) {
+    const auto begin = Clock::now();
+    for (long n = 0; n < count; ++n) run();
+    return std::chrono::duration<double, std::nano>(Clock::now() - begin).count() /
+           static_cast<double>(count);
+  };
+  const long count = 1 + static_cast<long>(20'000 / (time_of(1) + 1));
+  double best = std::numeric_limits<double>::infinity();
+  for (int n = 0; n < repetitions; ++n) best = std::min(best, time_of(count));
+  return best;
+}
+
+inline double error_of(const Top<long double>& top, const Top<long double>& truth) {
+  return static_cast<double>(angle_between(truth.orientation, top.orientation));
+}
+inline double error_of(const Particle<long double>& particle, const Particle<long double>& truth) {
+  return static_cast<double>((particle.position - truth.position).norm());
+}
+
+/// Where the body of a problem really is in the end, and the exact solution as a contestant.
+template <class Body, class Gather>
+auto truth_of(const Problem<Body, Gather>& problem) {
+  return exactly_after(exactly(problem.gather), exactly(problem.start), problem.seconds);
+}
+template <class Body, class Gather>
+Contestant<Body> exact_contestant(const Problem<Body, Gather>& problem) {
+  using Real = typename ScalarOf<Body>::type;
+  return {"exact solution", "exact", false, [problem](double) {
+            return exactly_after(problem.gather, problem.start, static_cast<Real>(problem.seconds));
+          }};
+}
+
+/// Tries a contestant with ever smaller steps, until a run takes too long or nothing is gained.
+template <class Body, class Gather, class Truth>
+std::vector<Measurement> measured(const Problem<Body, Gather>& problem, const char* precision,
+                                  const Contestant<Body>& contestant, const Truth& truth,
+                                  const Effort& effort) {
+  std::vector<Measurement> measurements;
+  const auto start = problem.gather.kept(exactly(problem.start));
+  const auto relative = [](long double difference, long double to) {
+    return to == 0 ? 0 : static_cast<double>(std::abs(difference / to));
+  };
+  double best_error = std::numeric_limits<double>::infinity();
+  int since_best = 0;
+  for (int n = 0; n < 60 && since_best < 6; ++n) {
+    const double knob =
+        contestant.chooses_steps ? std::pow(10, -n / 3.0) : std::round(std::pow(2, n / 2.0));
+    if (contestant.chooses_steps && knob < 2e-15) break;
+    const auto end = exactly(contestant.run(knob));
+    const auto kept = problem.gather.kept(end);
+    const double error = error_of(end, truth);
+    if (!std::isfinite(error)) {
+      if (contestant.chooses_steps) break;
+      continue;
+    }
+    const double time = fastest(
+        [&] {
+          const Body body = contestant.run(knob);
+          asm volatile("" : : "r"(&body) : "memory");  // or the compiler drops the run
+        },
+        effort.repetitions);
+    measurements.push_back(
+        {problem.name, precision, contestant.name, contestant.kind,
+         contestant.chooses_steps ? knob : problem.seconds / knob,
+         contestant.chooses_steps ? 0 : static_cast<long>(knob), error,
+         relative(kept.energy - start.energy, start.energy),
+         relative((kept.momentum - start.momentum).norm(), start.momentum.norm()), time,
+         problem.seconds});
+    since_best = error < 0.9 * best_error || error > 0.1 ? 0 : since_best + 1;
+    best_error = std::min(best_error, error);
+    if (time > effort.longest_run || contestant.kind == "exact") break;
+  }
+  return measurements;
+}
+
+/// A rung of turning_ladder as a contestant.
+template <class Real>
+Contestant<Top<Real>> contestant(const FreeProblem<Real>& problem, const TurningRung<Real>& rung) {
+  return {std::string(rung.name), "rung", false, [problem, rung](double knob) {
+            const auto steps = static_cast<long>(knob);
+            const Real h = static_cast<Real>(problem.seconds / knob);
+            Top<Real> top = problem.start;
+            for (long n = 0; n < steps; ++n) rung.turn(top, h);
+            return top;
+          }};
+}
+
+/// A rung under force or torque as a contestant.
+template <class Body, class Gather, class Real>
+Contestant<Body> contestant(const Problem<Body, Gather>& problem,
+                            const Rung<Body, Real, Gather>& rung) {
+  return {std::string(rung.name), "rung", false, [problem, rung](double knob) {
+            const auto steps = static_cast<long>(knob);
+            const Real h = static_cast<Real>(problem.seconds / knob);
+            Body body = problem.start;
+            problem.gather(body, Real(0));
+            for (long n = 0; n < steps; ++n)
+              rung.step(body, problem.gather, static_cast<Real>(n) * h, h);
+            return body;
+          }};
+}
+
+/// Every rung of a ladder.
+template <class SomeProblem, class Ladder>
+auto contestants(const SomeProblem& problem, const Ladder& ladder) {
+  std::vector<decltype(contestant(problem, ladder[0]))> list;
+  for (const auto& rung : ladder) list.push_back(contestant(problem, rung));
+  return list;
+}
+
+}  // namespace tumble::course

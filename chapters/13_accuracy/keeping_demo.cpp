@@ -1,0 +1,55 @@
+// What methods keep: energy and angular momentum of problem A over ten minutes, 20 steps a second.
+#include <course/record.hpp>
+#include <course/rules.hpp>
+#include <tumble/ladder.hpp>
+
+using namespace tumble;
+
+int main(int argument_count, char** arguments) {
+  course::Notebook notebook(argument_count, arguments);
+  course::Table energy = notebook.table("energy", {"time (s)", "augmented", "Runge-Kutta",
+                                                   "Lie Runge-Kutta", "splitting", "midpoint"});
+  course::Table momentum = notebook.table("momentum", {"time (s)", "augmented", "Runge-Kutta",
+                                                       "Lie Runge-Kutta", "splitting", "midpoint"});
+  const Topd start = course::top_of<double>(course::tumbling_problems[0]);
+  const double E = kinetic_energy(start);
+  const Vec3d L = angular_momentum_world(start);
+  //! [methods]
+  const std::array methods = {turn_by_augmented_rule<double>, turn_by_runge_kutta<Kutta, double>,
+                              turn_by_lie_runge_kutta<double>, turn_by_splitting<double>,
+                              turn_by_implicit_midpoint<double>};
+  //! [methods]
+  std::array<Topd, 5> tops;
+  tops.fill(start);
+  std::array<double, 5> worst_energy{}, worst_momentum{}, shown_energy{}, shown_momentum{};
+  const int steps_per_second = 20, seconds = 600;
+  for (int n = 1; n <= seconds * steps_per_second; ++n) {
+    for (std::size_t m = 0; m < methods.size(); ++m) {
+      methods[m](tops[m], 1.0 / steps_per_second);
+      const double off_energy = std::abs(kinetic_energy(tops[m]) / E - 1),
+                   off_momentum = (angular_momentum_world(tops[m]) - L).norm() / L.norm();
+      shown_energy[m] = std::max(shown_energy[m], off_energy);
+      shown_momentum[m] = std::max(shown_momentum[m], off_momentum);
+      worst_energy[m] = std::max(worst_energy[m], off_energy);
+      worst_momentum[m] = std::max(worst_momentum[m], off_momentum);
+    }
+    if (n % (5 * steps_per_second) != 0) continue;  // the largest of each five seconds is drawn
+    const double time = static_cast<double>(n) / steps_per_second;
+    energy.row(time, shown_energy[0], shown_energy[1], shown_energy[2], shown_energy[3],
+               shown_energy[4]);
+    momentum.row(time, shown_momentum[0], shown_momentum[1], shown_momentum[2], shown_momentum[3],
+                 shown_momentum[4]);
+    shown_energy.fill(0);
+    shown_momentum.fill(0);
+  }
+  std::printf("%-24s %12s %12s\n", "largest error in 600 s", "energy", "momentum");
+  const char* names[] = {"augmented second order", "Runge-Kutta", "Lie Runge-Kutta", "splitting",
+                         "implicit midpoint"};
+  for (std::size_t m = 0; m < methods.size(); ++m)
+    std::printf("%-24s %12.1e %12.1e\n", names[m], worst_energy[m], worst_momentum[m]);
+  const double rounding = 1e-11;  // 12,000 steps of a few roundings each
+  course::expect(worst_momentum[0] < rounding && worst_momentum[2] < rounding &&
+                     worst_momentum[3] < rounding && worst_momentum[4] < rounding,
+                 "every method but the classical one keeps L in the world");
+  course::expect(worst_energy[4] < rounding, "the midpoint rule keeps the energy");
+}

@@ -1,0 +1,184 @@
+#include <course/checks.hpp>
+#include <course/exact_motion.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+using Wide = long double;
+
+/// The body of a problem after so many steps of a rung.
+template <class Body, class Gather, class Real>
+Body after(const Problem<Body, Gather>& problem, const Rung<Body, Real, Gather>& rung, int steps) {
+  Body body = problem.start;
+  const Real h = static_cast<Real>(problem.seconds) / Real(steps);
+  problem.gather(body, Real(0));
+  for (int n = 0; n < steps; ++n) rung.step(body, problem.gather, Real(n) * h, h);
+  return body;
+}
+
+Wide difference(const Particle<Wide>& a, const Particle<Wide>& b) {
+  return (a.position - b.position).norm();
+}
+Wide difference(const Top<Wide>& a, const Top<Wide>& b) {
+  return angle_between(a.orientation, b.orientation);
+}
+
+/// Halves the step, in long double, as long as roundings are out of sight or the run gets long; the
+/// last halving shows the order.
+template <class Body, class Gather, class Ladder>
+void check_orders(const Problem<Body, Gather>& problem, const Body& truth, const Ladder& ladder) {
+  for (const auto& rung : ladder) {
+    CAPTURE(std::string(rung.name));
+    Wide error = 1, order = 0;
+    for (int steps = 4; steps <= (1 << 15); steps *= 2) {
+      const Wide next = difference(after(problem, rung, steps), truth);
+      if (next < 2e-15L) break;
+      order = std::log2(error / next);
+      error = next;
+    }
+    CAPTURE(static_cast<double>(order));
+    CHECK(std::lround(order) == rung.claims.order);
+  }
+}
+
+/// A push that swings, on a spring: x'' = −x + cos 2t.
+struct SwungSpring {
+  void operator()(Particle<Wide>& particle, Wide time) const {
+    particle.force = -particle.position;
+    particle.force.x() += std::cos(2 * time);
+  }
+};
+
+}  // namespace
+
+//! [orbit_orders]
+TEST_CASE("On an orbit each rung of the motion ladder has its order, against the exact orbit") {
+  Problem<Particle<Wide>, Star<Wide>> problem = eccentric_orbit<Wide>();
+  problem.start = make_particle<Wide>(1, {0.8L, 0, 0}, {0, std::sqrt(1.5L), 0});  // e = 0.2
+  problem.seconds = 7;
+  const auto truth = exactly_after(problem.gather, problem.start, problem.seconds);
+  check_orders(problem, truth, motion_ladder<Wide, Star<Wide>>);
+}
+//! [orbit_orders]
+
+TEST_CASE("Under a push that changes with time each rung of the motion ladder has its order") {
+  const Problem<Particle<Wide>, SwungSpring> problem{
+      "", make_particle<Wide>(1, {0.5L, 0, 0}, {0, 1, 0}), {}, 2};
+  const Wide t = 2;
+  Particle<Wide> truth = problem.start;
+  truth.position = {Wide(5) / 6 * std::cos(t) - std::cos(2 * t) / 3, std::sin(t), 0};
+  check_orders(problem, truth, motion_ladder<Wide, SwungSpring>);
+}
+
+//! [heavy_orders]
+TEST_CASE("On a heavy top each rung of the torque ladder has its order, against the exact motion") {
+  auto problem = heavy_top<Wide>("", 8);
+  problem.seconds = 4;
+  const auto truth = exactly_after(problem.gather, problem.start, problem.seconds);
+  check_orders(problem, truth, torque_ladder<Wide, Weight<Wide>>);
+}
+//! [heavy_orders]
+
+TEST_CASE("On a driven top two ladders meet, and each rung has its order") {
+  const auto problem = [] {
+    auto driven = driven_top<Wide>();
+    driven.seconds = 4;
+    return driven;
+  }();
+  const auto& ladder = torque_ladder<Wide, Drive<Wide>>;
+  const Top<Wide> by_splitting = after(problem, ladder.back(), 800);
+  const Rung<Top<Wide>, Wide, Drive<Wide>> looks{
+      "", {}, step_by_runge_kutta<DormandPrinceEighth, Top<Wide>, Drive<Wide>, Wide>};
+  const Top<Wide> by_looks = after(problem, looks, 4000);
+  CHECK(difference(by_splitting, by_looks) <= 1e-16L);
+  check_orders(problem, by_splitting, ladder);
+}
+
+//! [gathered]
+TEST_CASE_TEMPLATE("Every step leaves the force and torque gathered for the time that it reaches",
+                   Real, EVERY_PRECISION) {
+  const auto orbit = eccentric_orbit<Real>();
+  for (const auto& rung : motion_ladder<Real, Star<Real>>) {
+    CAPTURE(std::string(rung.name));
+    Particle<Real> particle = orbit.start;
+    orbit.gather(particle, 0);
+    rung.step(particle, orbit.gather, 0, Real(0.01));
+    const Vec3<Real> left = particle.force;
+    orbit.gather(particle, Real(0.01));
+    CHECK(same_bits(left, particle.force));
+  }
+  const auto driven = driven_top<Real>();
+  for (const auto& rung : torque_ladder<Real, Drive<Real>>) {
+    CAPTURE(std::string(rung.name));
+    Top<Real> top = driven.start;
+    driven.gather(top, 1);
+    rung.step(top, driven.gather, 1, Real(0.125));
+    const Vec3<Real> left = top.torque;
+    driven.gather(top, Real(1.125));
+    CHECK(distance(left, top.torque) <=
+          100 * unit_roundoff<Real>);  // the time is a sum of portions
+  }
+}
+//! [gathered]
+
+//! [kicked_reverses]
+TEST_CASE_TEMPLATE("With its velocity turned around, a symmetric step retraces the orbit", Real,
+                   EVERY_PRECISION) {
+  const auto orbit = eccentric_orbit<Real>();
+  const int steps = 50;
+  for (const auto& rung : motion_ladder<Real, Star<Real>>) {
+    CAPTURE(std::string(rung.name));
+    Particle<Real> particle = orbit.start;
+    orbit.gather(particle, 0);
+    const auto go = [&] {
+      for (int n = 0; n < steps; ++n) rung.step(particle, orbit.gather, Real(n) / 50, Real(1) / 50);
+      particle.velocity = -particle.velocity;
+    };
+    go();
+    go();
+    const Real off = (particle.position - orbit.start.position).norm();
+    // Near the star roundings grow: by the ratio of the accelerations there and at the far end, 81.
+    const Real rounding = 100 * steps * 35 * unit_roundoff<Real>;
+    if (rung.claims.reverses)
+      CHECK(off <= rounding);
+    else if (rung.claims.order <= 2)
+      CHECK(off > rounding);
+  }
+}
+//! [kicked_reverses]
+
+TEST_CASE_TEMPLATE("A heavy top that is kicked and drifted keeps L about the vertical", Real,
+                   EVERY_PRECISION) {
+  // A weight never turns anything about the vertical, and a drift keeps L.
+  const auto problem = heavy_top<Real>("", 20);
+  for (const auto& rung : torque_ladder<Real, Weight<Real>>) {
+    if (rung.name.find("kick") != 0) continue;
+    CAPTURE(std::string(rung.name));
+    const auto end = problem.gather.kept(exactly(after(problem, rung, 100)));
+    const auto start = problem.gather.kept(exactly(problem.start));
+    const Wide off = std::abs(end.momentum.z() - start.momentum.z());
+    CHECK(off <= 100 * 35 * 20 * unit_roundoff<Real> * start.momentum.z());
+  }
+}
+
+//! [turned_exactly]
+TEST_CASE_TEMPLATE("The exact solution as a rung: many steps lead where one does", Real,
+                   EVERY_PRECISION) {
+  for (const auto& problem : free_problems<Real>()) {
+    CAPTURE(problem.name);
+    Top<Real> once = problem.start, often = once;
+    turn_exactly(once, Real(1));
+    for (int n = 0; n < 16; ++n) turn_exactly(often, Real(1) / 16);
+    const auto truth = exactly_after(NoTorque<Wide>(), exactly(problem.start), Wide(1));
+    // The solution claims 30 roundings, and again as many for each radian of the fastest spin.
+    const Real fastest =
+        std::sqrt(2 * kinetic_energy(problem.start) * problem.start.inverse_moments.maxCoeff());
+    const Wide claim = 30 * (1 + fastest) * unit_roundoff<Real>;
+    CHECK(difference(exactly(once), truth) <= claim);
+    // Each of the 16 starts afresh from what the one before has rounded, which a flip spreads.
+    CHECK(difference(exactly(often), truth) <= 16 * 16 * claim);
+  }
+}
+//! [turned_exactly]

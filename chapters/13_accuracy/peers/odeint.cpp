@@ -1,0 +1,133 @@
+#include <peers/odeint.hpp>
+
+#include <boost/numeric/odeint.hpp>
+#include <cmath>
+#include <limits>
+
+namespace odeint = boost::numeric::odeint;
+
+namespace peers {
+namespace {
+
+/// Euler's equations and the rate of the quaternion.
+template <Torque torque>
+struct TopEquations {
+  std::array<double, 3> i;
+  double parameter;
+
+  void operator()(const TopState& state, TopState& rate, double time) const {
+    const auto [w, x, y, z, L0, L1, L2] = state;
+    const double w0 = i[0] * L0, w1 = i[1] * L1, w2 = i[2] * L2;
+    rate = {-0.5 * (x * w0 + y * w1 + z * w2),
+            0.5 * (w * w0 + y * w2 - z * w1),
+            0.5 * (w * w1 + z * w0 - x * w2),
+            0.5 * (w * w2 + x * w1 - y * w0),
+            L1 * w2 - L2 * w1,
+            L2 * w0 - L0 * w2,
+            L0 * w1 - L1 * w0};
+    if constexpr (torque == Torque::weight) {
+      // M g l (−y, x, 0) for the axis (x, y, z), seen from the body: it is square to the axis.
+      rate[4] += parameter * 2 * (y * z + w * x);
+      rate[5] += parameter * 2 * (w * y - x * z);
+    }
+    if constexpr (torque == Torque::drive) {
+      const double t0 = 0.6 * std::cos(2 * time), t1 = 0.4 * std::sin(3 * time), t2 = 0.3;
+      const double u0 = 2 * (t1 * z - t2 * y), u1 = 2 * (t2 * x - t0 * z),
+                   u2 = 2 * (t0 * y - t1 * x);
+      rate[4] += t0 + w * u0 + (u1 * z - u2 * y);
+      rate[5] += t1 + w * u1 + (u2 * x - u0 * z);
+      rate[6] += t2 + w * u2 + (u0 * y - u1 * x);
+    }
+  }
+};
+
+template <Force force>
+struct PointEquations {
+  std::array<double, 2> parameters;
+
+  void operator()(const PointState& state, PointState& rate, double) const {
+    const auto [x, y, z, vx, vy, vz] = state;
+    if constexpr (force == Force::gravity_and_drag) {
+      const double c = parameters[1];
+      rate = {vx, vy, vz, -c * vx, -c * vy, -parameters[0] - c * vz};
+    } else {
+      double pull = -parameters[0];
+      if constexpr (force == Force::star) {
+        const double square = x * x + y * y + z * z;
+        pull /= square * std::sqrt(square);
+      }
+      rate = {vx, vy, vz, pull * x, pull * y, pull * z};
+    }
+  }
+};
+
+/// NaN where the tolerance is so tight that no step meets it.
+template <class Stepper, class Equations, class State>
+State adapted(const Stepper& stepper, const Equations& equations, State state, double seconds) {
+  try {
+    odeint::integrate_adaptive(stepper, equations, state, 0.0, seconds, seconds / 100);
+  } catch (const odeint::step_adjustment_error&) {
+    state.fill(std::numeric_limits<double>::quiet_NaN());
+  }
+  return state;
+}
+
+template <class State, class Equations>
+std::vector<Peer<State>> all(const Equations& equations, const State& start, double seconds) {
+  std::vector<Peer<State>> list;
+  const auto fixed = [&]<class Stepper>(const char* name, Stepper) {
+    list.push_back({name, false, [=](double knob) {
+                      State state = start;
+                      odeint::integrate_n_steps(Stepper(), equations, state, 0.0, seconds / knob,
+                                                static_cast<std::size_t>(knob));
+                      return state;
+                    }});
+  };
+  const auto controlled = [&]<class Stepper>(const char* name, Stepper) {
+    list.push_back({name, true, [=](double knob) {
+                      return adapted(odeint::make_controlled<Stepper>(knob, knob), equations, start,
+                                     seconds);
+                    }});
+  };
+  fixed("rk4", odeint::runge_kutta4<State>());
+  fixed("Dormand-Prince 5", odeint::runge_kutta_dopri5<State>());
+  fixed("Fehlberg 7(8)", odeint::runge_kutta_fehlberg78<State>());
+  controlled("Dormand-Prince 5, controlled", odeint::runge_kutta_dopri5<State>());
+  controlled("Fehlberg 7(8), controlled", odeint::runge_kutta_fehlberg78<State>());
+  list.push_back({"Bulirsch-Stoer", true, [=](double knob) {
+                    return adapted(odeint::bulirsch_stoer<State>(knob, knob), equations, start,
+                                   seconds);
+                  }});
+  return list;
+}
+
+}  // namespace
+
+std::vector<Peer<TopState>> odeint_on_top(Torque torque, double parameter,
+                                          const std::array<double, 3>& i, const TopState& start,
+                                          double seconds) {
+  switch (torque) {
+    case Torque::weight:
+      return all(TopEquations<Torque::weight>{i, parameter}, start, seconds);
+    case Torque::drive:
+      return all(TopEquations<Torque::drive>{i, parameter}, start, seconds);
+    case Torque::none:
+      break;
+  }
+  return all(TopEquations<Torque::none>{i, parameter}, start, seconds);
+}
+
+std::vector<Peer<PointState>> odeint_on_point(Force force, const std::array<double, 2>& parameters,
+                                              const PointState& start, double seconds) {
+  switch (force) {
+    case Force::star:
+      return all(PointEquations<Force::star>{parameters}, start, seconds);
+    case Force::gravity_and_drag:
+      return all(PointEquations<Force::gravity_and_drag>{parameters}, start, seconds);
+    case Force::spring:
+      break;
+  }
+  return all(PointEquations<Force::spring>{parameters}, start, seconds);
+}
+
+}  // namespace peers

@@ -1,0 +1,62 @@
+/// @file
+/// Steps under forces and torques that depend on time and place: Euler's two, and splittings into
+/// kicks and drifts.
+///
+/// Every step here takes `gather(body, time)`, which must leave in the body the sum of what acts on
+/// it at that time (s): particle.force, top.torque. The sum of now is there when a step begins, and
+/// that of then when it ends, so gather once before the first. That saves each step one look.
+#pragma once
+
+#include <tumble/alternation.hpp>
+#include <tumble/semi_implicit_euler.hpp>
+#include <tumble/tumbling.hpp>
+
+namespace tumble {
+
+/// Chapter 6's explicit Euler.
+template <class Real, class Gather>
+void step_explicitly(Particle<Real>& particle, const Gather& gather, Same<Real> time,
+                     Same<Real> time_step) {
+  explicit_step(particle, time_step);
+  gather(particle, time + time_step);
+}
+
+/// Kick, then drift: chapter 1's step, and that of the world.
+//! [kick_and_drift]
+template <class Body, class Gather, class Real>
+void step_by_kick_and_drift(Body& body, const Gather& gather, Real time, Real time_step) {
+  kick(body, time_step);
+  drift(body, time_step);
+  gather(body, time + time_step);
+}
+//! [kick_and_drift]
+
+/// Kicks and drifts in the portions of a row. Time passes with the drifts, and a kick takes what
+/// acts at the time and place that they have led to.
+///
+/// For a particle, or for a symmetric top, whose drift is exact, the order is that of the row. Any
+/// other top drifts by a rule of second order that is symmetric in time: then it is that of the row
+/// if the row is made of whole steps, see composed().
+///
+/// A `gather` that has a drift(body, h) of its own drifts by that: in thick air, say, where
+/// coasting to a stop is an exact motion too.
+///
+/// Where force depends on velocity, the order falls to 1: the last kick of a step uses what
+/// was gathered before it.
+//! [step_by_row]
+template <class Row, class Body, class Gather, class Real>
+void step_by_row(Body& body, const Gather& gather, Real time, Real time_step) {
+  alternate<Row>(
+      time_step, [&](Real h) { kick(body, h); },
+      [&](Real h) {
+        if constexpr (requires { gather.drift(body, h); })
+          gather.drift(body, h);
+        else
+          drift(body, h);
+        time += h;
+        gather(body, time);
+      });
+}
+//! [step_by_row]
+
+}  // namespace tumble

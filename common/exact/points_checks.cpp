@@ -1,0 +1,225 @@
+#include <course/second_method.hpp>
+#include <numbers>
+#include <tumble/exact/kepler.hpp>
+#include <tumble/exact/oscillator.hpp>
+#include <tumble/exact/projectile.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+using namespace tumble::exact;
+
+namespace {
+
+using State = std::array<long double, 6>;
+
+template <class Real>
+State state_of(const Particle<Real>& p) {
+  return {p.position.x(), p.position.y(), p.position.z(),
+          p.velocity.x(), p.velocity.y(), p.velocity.z()};
+}
+
+/// A particle by x' = v, v' = acceleration(x, v).
+template <class Acceleration>
+State integrated_particle(const State& start, long double time, int steps,
+                          const Acceleration& acceleration) {
+  return integrated(start, time, steps, [&](const State& s, State& rate, long double) {
+    const Vec3<long double> a =
+        acceleration(Vec3<long double>(s[0], s[1], s[2]), Vec3<long double>(s[3], s[4], s[5]));
+    rate = {s[3], s[4], s[5], a[0], a[1], a[2]};
+  });
+}
+
+/// How far apart two positions and two velocities are, each relative to its size.
+template <class Real>
+std::array<long double, 2> apart(const Particle<Real>& mine, const State& truth) {
+  const State state = state_of(mine);
+  std::array<long double, 2> relative = {};
+  for (std::size_t half = 0; half < 2; ++half) {
+    long double off = 0, size = 0;
+    for (std::size_t n = 3 * half; n < 3 * half + 3; ++n) {
+      off += (state[n] - truth[n]) * (state[n] - truth[n]);
+      size += truth[n] * truth[n];
+    }
+    relative[half] = std::sqrt(off / size);
+  }
+  return relative;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("The thrown body agrees with Fehlberg's rule, from no drag to much", Real,
+                   double, long double) {
+  const auto start = make_particle<Real>(2, {1, 2, 3}, {5, 20, -4});
+  for (const Real drag : {0.0, 1e-18, 1e-9, 1e-4, 0.2, 0.5, 3.0, 10.0}) {
+    CAPTURE(drag);
+    const Projectile<Real> exact(start, {0, Real(-9.8L), 0}, drag);
+    const Vec3<long double> gravity(0, Real(-9.8L), 0);
+    const long double time = 2;
+    const auto truth = integrated_particle(
+        state_of(start), time, 1000, [&](const Vec3<long double>&, const Vec3<long double>& v) {
+          return Vec3<long double>(gravity - drag * v);
+        });
+    // Sums of terms up to 40 m where the result is 10 m or more.
+    const auto [position, velocity] = apart(exact.at(2), truth);
+    const long double allowed =
+        40 * unit_roundoff<Real> + eighth_order_error(std::max(drag, Real(0.5)), time, 1000);
+    CHECK(position <= allowed);
+    CHECK(velocity <= allowed * 4);
+  }
+}
+
+TEST_CASE("A thrown body ends at the terminal speed, and without drag in free fall to the bit") {
+  const auto start = make_particle<double>(2, {0, 0, 0}, {8, 16, 0});
+  const auto late = Projectile<double>(start, {0, -9.75, 0}, 0.5).at(200);
+  CHECK(late.velocity.y() == -19.5);
+  CHECK(std::abs(late.position.x() - 16) <= 16 * 4 * unit_roundoff<double>);
+  const auto falling = Projectile<double>(start, {0, -9.75, 0}, 0).at(2);
+  CHECK(same_bits(falling.position, Vec3d(16, 12.5, 0)));
+  CHECK(same_bits(falling.velocity, Vec3d(8, -3.5, 0)));
+}
+
+TEST_CASE("The two growth functions keep their digits on either side of where they change form") {
+  for (const double x : {-30.0, -1.01, -0.99, -0.1, -1e-9, 0.0, 1e-9, 0.5, 1.01, 4.0}) {
+    const long double precise = second_growth<long double>(x);
+    CHECK(std::abs(second_growth(x) / precise - 1) <= 8 * unit_roundoff<double>);
+    CHECK(std::abs((1 + x * second_growth(x)) / relative_growth<long double>(x) - 1) <=
+          8 * (1 + std::abs(x)) * unit_roundoff<double>);
+  }
+}
+
+TEST_CASE_TEMPLATE("The oscillator agrees with Fehlberg's rule, swinging, creeping and in between",
+                   Real, double, long double) {
+  const Real w = 3;
+  for (const Real damping : {0.0, 0.1, 2.9, 3 - 1e-9, 3.0, 3 + 1e-9, 3.1, 10.0, 40.0})
+    for (const auto& start : {OscillatorState<Real>{1, 0}, {0, 2}, {1, -4}}) {
+      CAPTURE(damping);
+      const auto [x, v] = Oscillator<Real>(start, w, damping).at(1.5);
+      using Pair = std::array<long double, 2>;
+      const Pair truth = integrated(
+          Pair{start.position, start.velocity}, 1.5L, 4000,
+          [&](const Pair& s, Pair& rate, long double) {
+            rate = {s[1], -2.0L * damping * s[1] - static_cast<long double>(w) * w * s[0]};
+          });
+      const long double allowed =
+          30 * unit_roundoff<Real> + eighth_order_error(w + 2 * damping, 1.5L, 4000);
+      const Real size = std::abs(start.position) + std::abs(start.velocity);
+      CHECK(std::abs(x - truth[0]) <= allowed * size);
+      CHECK(std::abs(v - truth[1]) <= allowed * w * size * (1 + damping / w));
+    }
+}
+
+TEST_CASE("Near the critical damping the oscillator in double is the one in long double") {
+  for (const double off : {-1e-3, -1e-8, -1e-15, 0.0, 1e-15, 1e-8, 1e-3}) {
+    const double damping = 3 + off;
+    const auto [x, v] = Oscillator<double>({1, -2}, 3, damping).at(0.7);
+    const auto truth = Oscillator<long double>({1, -2}, 3, damping).at(0.7);
+    CHECK(std::abs(x - truth.position) <= 20 * unit_roundoff<double>);
+    CHECK(std::abs(v - truth.velocity) <= 60 * unit_roundoff<double>);
+  }
+}
+
+TEST_CASE("A heavily damped oscillator creeps home at w²/2γ without a number overflowing") {
+  const auto [x, v] = Oscillator<double>({1, 0}, 1, 1e8).at(2e8);
+  CHECK(std::abs(x - std::exp(-1.0)) <= 1e-15);
+  CHECK(std::abs(v + x / 2e8) <= 1e-23);
+  const auto coasting = Oscillator<double>({1, 3}, 0, 0).at(2);
+  CHECK(coasting.position == 7);
+  CHECK(coasting.velocity == 3);
+}
+
+TEST_CASE_TEMPLATE("The orbit agrees with Fehlberg's rule, whatever its eccentricity", Real, double,
+                   long double) {
+  for (const Real eccentricity : {0.0, 1e-9, 0.2, 0.6, 0.9, 0.99}) {
+    CAPTURE(eccentricity);
+    // From the aphelion, a = 1 m, with a period of 2 pi s: the rule can't step through a perihelion
+    // of 0.99 in equal steps, so it goes up to close to it.
+    const Real distance = 1 + eccentricity;
+    const Real speed = std::sqrt((1 - eccentricity) / (1 + eccentricity));
+    const auto start = make_particle<Real>(1, {distance * Real(0.6L), distance * Real(0.8L), 0},
+                                           {-speed * Real(0.8L), speed * Real(0.6L), 0});
+    const KeplerOrbit<Real> exact(start, 1);
+    CHECK(std::abs(exact.eccentricity() - eccentricity) <= 8 * unit_roundoff<Real>);
+    for (const Real time : {-2.0, 1.0, 2.8}) {
+      const int steps = 8000;
+      const auto truth = integrated_particle(
+          state_of(start), time, steps, [](const Vec3<long double>& r, const Vec3<long double>&) {
+            return Vec3<long double>(-r / std::pow(r.norm(), 3.0L));
+          });
+      const auto [position, velocity] = apart(exact.at(time), truth);
+      // The rate grows as distance^(-3/2); at t = 2.8 the planet of e = 0.99 is at 0.46 m.
+      const long double nearest = std::hypot(truth[0], truth[1]);
+      const long double rate = 4 / std::pow(nearest, 1.5L);
+      const long double allowed = 40 / (1 - eccentricity) * unit_roundoff<Real> +
+                                  eighth_order_error(rate, std::abs(time), steps);
+      CHECK(position <= allowed);
+      CHECK(velocity <= allowed * 4);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("The orbit agrees with Fehlberg's rule from anywhere on it, out or in", Real,
+                   double, long double) {
+  for (const Real outwards : {-0.6, -1e-6, 0.3, 0.9}) {
+    const auto start =
+        make_particle<Real>(1, {0.5, -1, 0.25}, {outwards * Real(0.5), -outwards, 0.5});
+    const KeplerOrbit<Real> exact(start, 1);
+    for (const Real time : {-1.3, 0.01, 2.0}) {
+      const auto truth = integrated_particle(
+          state_of(start), time, 8000, [](const Vec3<long double>& r, const Vec3<long double>&) {
+            return Vec3<long double>(-r / std::pow(r.norm(), 3.0L));
+          });
+      const auto [position, velocity] = apart(exact.at(time), truth);
+      // No nearer than 0.06 m, where the rate is 1/0.06^1.5 = 70/s, for a short while.
+      const long double allowed =
+          400 * unit_roundoff<Real> + eighth_order_error(20, std::abs(time), 8000);
+      CHECK(position <= allowed);
+      CHECK(velocity <= allowed * 4);
+    }
+    // Where it was a while ago, it comes from.
+    const auto back = KeplerOrbit<Real>(exact.at(Real(-1.3)), 1).at(Real(1.3));
+    CHECK((back.position - start.position).norm() <= 400 * unit_roundoff<Real>);
+  }
+}
+
+TEST_CASE_TEMPLATE("The orbit keeps its energy and angular momentum, and closes", Real, double,
+                   long double) {
+  for (const Real eccentricity : {0.0, 0.5, 0.99}) {
+    const Real speed = std::sqrt((1 + eccentricity) / (1 - eccentricity));
+    const auto start = make_particle<Real>(1, {1 - eccentricity, 0, 0}, {0, 0, speed});
+    const KeplerOrbit<Real> exact(start, 1);
+    const Real slack = 40 * unit_roundoff<Real> / (1 - eccentricity);
+    CHECK(std::abs(exact.period() / (2 * std::numbers::pi_v<Real>)-1) <= slack);
+    for (int n = 0; n < 400; ++n) {
+      const auto now = exact.at(Real(0.0317) * Real(n));
+      const Real energy = now.velocity.squaredNorm() / 2 - 1 / now.position.norm();
+      CHECK(std::abs(energy + Real(0.5)) <= slack / now.position.norm());
+      CHECK(std::abs(now.position.cross(now.velocity).norm() -
+                     start.position.cross(start.velocity).norm()) <= slack);
+    }
+    const auto round = exact.at(exact.period());
+    // The perihelion passes at this speed, a rounding of the time too late.
+    CHECK((round.position - start.position).norm() <= 20 * speed * slack);
+  }
+}
+
+TEST_CASE("What has no exact solution here is refused with the reason") {
+  const auto start = make_particle<double>(1, {1, 0, 0}, {0, 2, 0});
+  CHECK(complaint_of([&] { KeplerOrbit<double>(start, 1); }) ==
+        "velocity is (0, 2, 0) m/s; its size must be less than the escape velocity "
+        "1.4142135623730951 m/s; open orbits have no solution here");
+  CHECK(complaint_of([&] { KeplerOrbit<double>(start, 0); }) ==
+        "attraction is 0 m^3/s^2; it must be greater than 0");
+  const auto falling = make_particle<double>(1, {1, 0, 0}, {-0.5, 0, 0});
+  CHECK(complaint_of([&] { KeplerOrbit<double>(falling, 1); }) ==
+        "position is (1, 0, 0) m; the velocity (-0.5, 0, 0) m/s must not point to the centre or "
+        "away from it");
+  CHECK(complaint_of([&] {
+          Projectile<double>(start, {0, 0, 0}, -1);
+        }) == "drag is -1 1/s; it must be 0 or more");
+  CHECK(complaint_of([&] {
+          Oscillator<double>({1, 0}, -1, 0);
+        }) == "rate is -1 rad/s; it must be 0 or more");
+  CHECK(complaint_of([&] {
+          Oscillator<double>({1, 0}, 1, NAN);
+        }) == "damping is nan 1/s; it must be finite");
+}

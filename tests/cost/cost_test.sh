@@ -1,0 +1,159 @@
+#!/usr/bin/env bash
+# cost_test.sh COST PROMISE_KEPT SCRATCH SCHEMA PYTHON: what the program cost answers to good questions and bad ones, and
+# whether its promises hold when they are tried against exact solutions. Nothing here depends on how fast the machine is.
+set -u
+cost=$1
+promise_kept=$2
+scratch=$3
+schema=$4
+python=$5
+failures=0
+
+rm -rf "$scratch"
+mkdir -p "$scratch"
+cd "$scratch" || exit 1
+
+run() { # ARGUMENT...: its output, its errors and its exit code go to `output`, `errors` and `code`
+  output=$("$cost" "$@" 2>errors.txt </dev/null)
+  code=$?
+  errors=$(cat errors.txt)
+  rm errors.txt
+}
+
+verify() { # SENTENCE CONDITION...
+  local sentence=$1
+  shift
+  if "$@"; then
+    echo "passed: $sentence"
+  else
+    failures=$((failures + 1))
+    printf 'error: %s\n  exit code %s\n  it said: %s\n  and: %s\n' "$sentence" "$code" "$output" "$errors"
+  fi
+}
+
+says() { [[ $output == *"$1"* ]]; }
+complains() { [[ $errors == *"$1"* ]]; }
+ends_with() { [ "$code" -eq "$1" ]; }
+is_silent() { [ -z "$output$errors" ]; }
+
+# Promises: each is tried against an exact solution by a program that shares nothing with cost.
+keeps() { # NAME ARGUMENT...
+  local name=$1
+  shift
+  run "$@" --json
+  printf '%s\n' "$output" >"$name.json"
+  verify "$name: it promises something" ends_with 0
+  verify "$name: the promise holds" "$promise_kept" "$name.json"
+}
+keeps ordinary_coarse --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle 0.1
+keeps ordinary_float --inertia 1,2,3 --spin 1,2,0.5 --for 2 --angle 1e-4 --precision float
+keeps ordinary_fine --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle 1e-11
+keeps seldom --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle 1e-6 --rate 1
+keeps other_order --inertia 3,1,2 --spin=-0.5,1,2 --for 10 --angle 1e-8
+keeps rod --inertia 1.7231e-4,6.58e-6,1.7243e-4 --spin 2,60,1 --for 1 --angle 1e-6
+keeps needle --inertia 1,1e-6,1.0000005 --spin 1,200,0.5 --for 1 --angle 1e-6
+keeps ball --inertia 2,2,2 --spin 1,2,3 --for 5 --angle 1e-9
+keeps scene t_handle --for 3 --angle 1e-3
+keeps orbits orbit --for 120 --place 100 --rate 1
+
+# The answer in words.
+run --inertia 1,2,3 --spin 1,2,0.5 --for 5 --angle 1e-6
+for words in "errors of at most 1e-06 rad" "cheapest " "expected error " "times less than wanted" \
+  "against the exact solution" "ns for each simulated second" "in each frame of 1/60 s" "ten times better" "ten times cheaper"; do
+  verify "the answer says \"$words\"" says "$words"
+done
+run satellite --for 2 --angle 0.01 --place 0.01
+verify "a scene is answered" ends_with 0
+verify "against Richardson's extrapolation" says "Richardson's extrapolation of runs with"
+verify "with its bodies" says "bodies"
+run --help
+verify "--help tells the options" says "--inertia A,B,C"
+verify "--help ends well" ends_with 0
+
+# What can't be confirmed is not promised.
+for wish in 1e-17 1e-16; do
+  run --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle $wish
+  verify "$wish rad is refused" says "refused"
+  verify "and ends with 1" ends_with 1
+done
+run --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle 1e-9 --precision float
+verify "what float can't hold is refused" says "no method here could be confirmed to be that accurate"
+verify "with what came nearest" says "nearest "
+verify "and ends with 1" ends_with 1
+run --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle 1e-17 --json
+printf '%s\n' "$output" >refused.json
+verify "JSON says it too" says '"confirmed": false'
+run t_handle --for 1 --angle 1e-15 --json
+printf '%s\n' "$output" >refused_scene.json
+verify "a scene's reference that is not sure enough confirms nothing" says "the reference is not sure enough"
+verify "and ends with 1" ends_with 1
+run --inertia 1e-200,1e-200,1e-200 --spin 1,2,3 --for 1 --angle 0.1 --precision float
+verify "moments that float can't hold are refused in float" says "can't hold these numbers"
+
+# Every answer in JSON is as the schema says.
+cat >validate.py <<'END_OF_SCRIPT'
+import json, pathlib, sys
+from jsonschema import Draft202012Validator
+schema = json.loads(pathlib.Path(sys.argv[1]).read_text())
+Draft202012Validator.check_schema(schema)
+validator = Draft202012Validator(schema)
+answers = sorted(pathlib.Path(".").glob("*.json"))
+wrong = [f"{path}: {error.message}" for path in answers for error in validator.iter_errors(json.loads(path.read_text()))]
+print("\n".join(wrong) or f"{len(answers)} answers are valid")
+broken = json.loads(answers[0].read_text())
+broken["confirmed"] = False
+sys.exit(bool(wrong) or len(answers) < 10 or validator.is_valid(broken))
+END_OF_SCRIPT
+if [ -n "$python" ] && "$python" -c "import jsonschema" 2>/dev/null; then
+  output="" errors="" code=0
+  verify "the answers in JSON are as the schema says" "$python" validate.py "$schema"
+else
+  echo "not tried, for Python's jsonschema is missing: whether the answers in JSON are as the schema says"
+fi
+
+# Mistakes.
+refuses() { # COMPLAINT ARGUMENT...
+  local complaint=$1
+  shift
+  run "$@"
+  verify "refused: $complaint" complains "$complaint"
+  verify "with exit code 2" ends_with 2
+}
+top="--inertia 1,2,3 --spin 1,2,0.5 --for 10"
+# shellcheck disable=SC2086  # lists of words
+{
+  refuses "which scene, or which --inertia and --spin?"
+  refuses "no scene and no file is called t_handel; did you mean t_handle?" t_handel --for 1 --angle 1
+  refuses "for how long?" t_handle --angle 1
+  refuses "how accurate? --angle RAD or --place METRES say it" t_handle --for 1
+  refuses "how accurate? --angle RAD says it" $top
+  refuses "--inertia needs --spin" --inertia 1,2,3 --for 1 --angle 1
+  refuses "--spin needs --inertia" --spin 1,2,3 --for 1 --angle 1
+  refuses "either a scene or --inertia and --spin, not both" t_handle $top --angle 1
+  refuses "--place is for scenes" $top --angle 1 --place 1
+  refuses "--angle is 0 rad; it must be greater than 0 and at most 3 rad" $top --angle 0
+  refuses "--angle is -1 rad; it must be greater than 0 and at most 3 rad" $top --angle=-1
+  refuses "--angle is nan; it must be a number of rad" $top --angle nan
+  refuses "--angle is 1e-6rad; it must be a number of rad" $top --angle 1e-6rad
+  refuses "--place is inf; it must be a number of m" t_handle --for 1 --place inf
+  refuses "--for is 0 s; it must be greater than 0 and at most 1e+06 s" t_handle --for 0 --angle 1
+  refuses "--for is 0.01 s; with 60 states a second it must be a whole number of states, not 0.6" t_handle --for 0.01 --angle 1
+  refuses "and at most 10000000 are looked at: lower --rate" t_handle --for 1e6 --angle 1
+  refuses "--rate is 0 states a second; it must be at least 1 and at most 1e+06 states a second" t_handle --for 1 --angle 1 --rate 0
+  refuses "--rate is 1.5; it must be a whole number of states a second" t_handle --for 2 --angle 1 --rate 1.5
+  refuses "--precision is half; it must be float, double or any" $top --angle 1 --precision half
+  refuses "--longest-run is 0 s; it must be at least 0.001 and at most 600 s" $top --angle 1 --longest-run 0
+  refuses "--inertia is 1,2; it must be three numbers of kg m^2 with commas between them, such as 1,2,3" --inertia 1,2 --spin 1,2,3 --for 1 --angle 1
+  refuses "--inertia is 1,2,3,4; it must be three numbers" --inertia 1,2,3,4 --spin 1,2,3 --for 1 --angle 1
+  refuses "--inertia is 1,2,nan; it must be three numbers" --inertia 1,2,nan --spin 1,2,3 --for 1 --angle 1
+  refuses "--inertia is 1,-2,3 kg m^2; each moment must be greater than 0" --inertia 1,-2,3 --spin 1,2,3 --for 1 --angle 1
+  refuses "--inertia is 0,1,1 kg m^2; each moment must be greater than 0" --inertia 0,1,1 --spin 1,2,3 --for 1 --angle 1
+  refuses "--inertia is 1,2,9 kg m^2; no body has these: the largest must not be more than the sum of the other two" --inertia 1,2,9 --spin 1,2,3 --for 1 --angle 1
+  refuses "--spin is 1,2,1e7 rad/s; each must lie between -1e6 and 1e6" --inertia 1,2,3 --spin 1,2,1e7 --for 1 --angle 1
+  refuses "there is no option --angel; did you mean --angle?" $top --angel 1
+  refuses "one word too many: coin" t_handle coin --for 1 --angle 1
+}
+printf '{"title": ' >bad_scene.txt
+refuses "bad_scene.txt: parse error" bad_scene.txt --for 1 --angle 1
+
+[ "$failures" -eq 0 ]
