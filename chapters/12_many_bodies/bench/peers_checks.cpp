@@ -13,23 +13,24 @@ using namespace tumble::course::bench;
 
 namespace {
 
-Vec3d vector(const Triple &v) { return {v[0], v[1], v[2]}; }
+Vec3d vector(const Triple& v) {
+  return {v[0], v[1], v[2]};
+}
 
 constexpr int seconds = 2;
 
 template <class Bodies>
-Motion after_two_seconds(const Setting &setting, std::size_t n = 0) {
+Motion after_two_seconds(const Setting& setting, std::size_t n = 0) {
   Bodies bodies(setting);
   bodies.run(seconds * setting.rate);
   return bodies.motion(n);
 }
 
 /// Where gravity and damping bring a body: the solution of v' = g − k v.
-Motion exact_flight(const Start &start, double t) {
+Motion exact_flight(const Start& start, double t) {
   const double k = damping_rate, kept = std::exp(-k * t), path = (1 - kept) / k;
   const Vec3d g(0, 0, gravity), v = vector(start.velocity);
-  return {triple_of(
-              (vector(start.position) + path * v + (t - path) / k * g).eval()),
+  return {triple_of((vector(start.position) + path * v + (t - path) / k * g).eval()),
           triple_of((kept * v + path * g).eval()),
           {}};
 }
@@ -37,17 +38,16 @@ Motion exact_flight(const Start &start, double t) {
 /// Steps that kick and damp one after the other are off by |g| k h²/2 in
 /// velocity in each step, and by h²/2 (|g| + k |v|) in position besides. Then
 /// come the roundings, eight in a step.
-template <class Bodies> void check_flight(double unit_roundoff) {
+template <class Bodies>
+void check_flight(double unit_roundoff) {
   const Setting setting{.count = 3};
-  const double h = setting.time_step(), t = seconds, k = damping_rate,
-               g = -gravity;
+  const double h = setting.time_step(), t = seconds, k = damping_rate, g = -gravity;
   for (const std::size_t n : {std::size_t(0), std::size_t(2)}) {
     const Start start = start_of(n);
     const double fastest = vector(start.velocity).norm() + g * t;
     const double farthest = vector(start.position).norm() + fastest * t;
     const double roundings = 8 * t / h * unit_roundoff;
-    const Motion motion = after_two_seconds<Bodies>(setting, n),
-                 exact = exact_flight(start, t);
+    const Motion motion = after_two_seconds<Bodies>(setting, n), exact = exact_flight(start, t);
     CHECK((vector(motion.velocity) - vector(exact.velocity)).norm() <=
           t * h * g * k / 2 + roundings * fastest);
     CHECK((vector(motion.position) - vector(exact.position)).norm() <=
@@ -60,30 +60,28 @@ template <class Bodies> void check_flight(double unit_roundoff) {
 /// others.
 Vec3d true_spin(Scene scene) {
   return vector(
-      after_two_seconds<OurWorld<double>>({.scene = scene, .rate = 480 * 64})
-          .angular_velocity);
+      after_two_seconds<OurWorld<double>>({.scene = scene, .rate = 480 * 64}).angular_velocity);
 }
 
 template <class Bodies>
 double error_of_spin(Scene scene, int rate, bool gyroscopic = true) {
   const Setting setting{.scene = scene, .rate = rate, .gyroscopic = gyroscopic};
-  return (vector(after_two_seconds<Bodies>(setting).angular_velocity) -
-          true_spin(scene))
-      .norm();
+  return (vector(after_two_seconds<Bodies>(setting).angular_velocity) - true_spin(scene)).norm();
 }
 
 /// Halving the time step halves the error of a first-order rule and quarters
 /// that of a second-order one, but for a tenth that higher orders and the
 /// truth's own error may take.
-template <class Bodies> void check_order(Scene scene, int order) {
-  const double ratio =
-      error_of_spin<Bodies>(scene, 240) / error_of_spin<Bodies>(scene, 480);
+template <class Bodies>
+void check_order(Scene scene, int order) {
+  const double ratio = error_of_spin<Bodies>(scene, 240) / error_of_spin<Bodies>(scene, 480);
   CHECK(ratio > 0.9 * std::pow(2, order));
   CHECK(ratio < 1.1 * std::pow(2, order));
 }
 
 /// Without the gyroscopic term no step is short enough.
-template <class Bodies> void check_turning() {
+template <class Bodies>
+void check_turning() {
   check_order<Bodies>(Scene::tumbling, 1);
   check_order<Bodies>(Scene::everything, 1);
   const double off = error_of_spin<Bodies>(Scene::tumbling, 480, false);
@@ -91,11 +89,10 @@ template <class Bodies> void check_turning() {
   CHECK(error_of_spin<Bodies>(Scene::tumbling, 480) < off / 8);
 }
 
-} // namespace
+}  // namespace
 
-TEST_CASE_TEMPLATE(
-    "The plain loop takes our steps: its bodies are where the world's are",
-    Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("The plain loop takes our steps: its bodies are where the world's are", Real,
+                   EVERY_PRECISION) {
   using Plain = PlainBodies<Real, Scene::everything, Rule::splitting>;
   const Setting setting{.count = 150, .threads = 2};
   const double steps = seconds * setting.rate;
@@ -108,50 +105,49 @@ TEST_CASE_TEMPLATE(
   const double roundings = 60 * steps * course::unit_roundoff<Real>;
   for (std::size_t n = 0; n < setting.count; ++n) {
     const Motion ours = world.motion(n), its = plain.motion(n);
-    const auto differ = [](const Triple &a, const Triple &b) {
+    const auto differ = [](const Triple& a, const Triple& b) {
       return (vector(a) - vector(b)).norm();
     };
     const double spin = vector(ours.angular_velocity).norm();
-    REQUIRE(differ(ours.position, its.position) <=
-            roundings * vector(ours.position).norm());
-    REQUIRE(differ(ours.velocity, its.velocity) <=
-            roundings * vector(ours.velocity).norm());
+    REQUIRE(differ(ours.position, its.position) <= roundings * vector(ours.position).norm());
+    REQUIRE(differ(ours.velocity, its.velocity) <= roundings * vector(ours.velocity).norm());
     REQUIRE(differ(ours.angular_velocity, its.angular_velocity) <=
             roundings * spin * (1 + spin * seconds));
   }
 }
 
-TEST_CASE("The plain loop's columns of any count start in different sets of "
-          "the cache") {
+TEST_CASE(
+    "The plain loop's columns of any count start in different sets of "
+    "the cache") {
   for (std::size_t bytes = 4; bytes < 10'000; bytes += 4)
     REQUIRE(column_stride(bytes, Spacing::padded) / cache_line % 2 == 1);
   CHECK(column_stride(1 << 16, Spacing::power_of_two) == 1 << 16);
 }
 
 TEST_CASE("The plain loop's turns without a sine are of second order too") {
-  check_order<PlainBodies<double, Scene::tumbling, Rule::cayley>>(
-      Scene::tumbling, 2);
+  check_order<PlainBodies<double, Scene::tumbling, Rule::cayley>>(Scene::tumbling, 2);
 }
 
 TEST_CASE("The plain loop's explicit rule is of first order") {
-  check_order<PlainBodies<double, Scene::tumbling, Rule::explicit_euler>>(
-      Scene::tumbling, 1);
+  check_order<PlainBodies<double, Scene::tumbling, Rule::explicit_euler>>(Scene::tumbling, 1);
 }
 
-TEST_CASE_TEMPLATE("Our world's bodies fly as gravity and damping tell them",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("Our world's bodies fly as gravity and damping tell them", Real,
+                   EVERY_PRECISION) {
   check_flight<OurWorld<Real>>(course::unit_roundoff<Real>);
 }
 
 #ifdef TUMBLE_HAS_BULLET
-TEST_CASE("Bullet's bodies fly as gravity and damping tell them, stepped by "
-          "either way") {
+TEST_CASE(
+    "Bullet's bodies fly as gravity and damping tell them, stepped by "
+    "either way") {
   check_flight<BulletFunctions>(course::unit_roundoff<btScalar>);
   check_flight<BulletWorld>(course::unit_roundoff<btScalar>);
 }
 
-TEST_CASE("Bullet's bodies turn as torque, damping and the gyroscopic term "
-          "tell them; without it they don't") {
+TEST_CASE(
+    "Bullet's bodies turn as torque, damping and the gyroscopic term "
+    "tell them; without it they don't") {
   check_turning<BulletFunctions>();
   check_turning<BulletWorld>();
 }
@@ -163,8 +159,8 @@ TEST_CASE("Bullet's functions called one by one do what its world does") {
   CHECK((vector(world.position) - vector(functions.position)).norm() <=
         roundings * vector(world.position).norm());
   const double spin = vector(world.angular_velocity).norm();
-  CHECK((vector(world.angular_velocity) - vector(functions.angular_velocity))
-            .norm() <= roundings * spin * (1 + spin * seconds));
+  CHECK((vector(world.angular_velocity) - vector(functions.angular_velocity)).norm() <=
+        roundings * spin * (1 + spin * seconds));
 }
 #endif
 
@@ -173,8 +169,9 @@ TEST_CASE("ODE's bodies fly as gravity and damping tell them") {
   check_flight<OdeWorld>(course::unit_roundoff<double>);
 }
 
-TEST_CASE("ODE's bodies turn as torque, damping and the gyroscopic term tell "
-          "them; without it they don't") {
+TEST_CASE(
+    "ODE's bodies turn as torque, damping and the gyroscopic term tell "
+    "them; without it they don't") {
   check_turning<OdeWorld>();
 }
 #endif
