@@ -1,9 +1,10 @@
 set title "The time per body hardly depends on their number, up to the end of a cache"
+set terminal svg size 480,620 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
+set output name.".svg"
 set xlabel "bodies"
 set ylabel "time per body and step (ns)"
 set logscale xy
 set format x "%.0s%c"
-set key below left Left reverse maxrows 4 samplen 2
 stats "times.tsv" using 1 name "count" nooutput
 stats "times.tsv" using 6 name "fastest" nooutput
 stats "times.tsv" using 2 name "ours" nooutput
