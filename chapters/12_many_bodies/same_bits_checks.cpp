@@ -154,3 +154,23 @@ TEST_CASE_TEMPLATE("Thousands of bodies shared among threads move as one by one,
     CHECK(same_motion(plain.bodies(), packed.bodies()));
   }
 }
+
+TEST_CASE_TEMPLATE("A body that fills a gap in a pack keeps its own top", Real, EVERY_PRECISION) {
+  // The gap is the second place of the second pack: the last body's top, which lies a pack further
+  // on, then belongs between two that lie side by side.
+  constexpr int width = natural_width<Real>;
+  const auto flown = []<class AnyWorld>(AnyWorld world) {
+    const auto ball = mass_properties(Sphere<Real>{1}, 1);
+    for (int n = 0; n <= 2 * width; ++n)
+      if (n == width + 1)
+        world.add("gap", make_particle<Real>(1));
+      else
+        world.add("ball " + std::to_string(n),
+                  make_rigid_body<Real>("ball", ball, {}, {1, 0, 0}, {0, 0, Real(n)}).body);
+    world.add(Magnus<Real>{.strength = Real(0.1)});
+    world.remove(world.find("gap"));
+    for (int step = 0; step < 4; ++step) world.step();
+    return world.bodies();
+  };
+  CHECK(same_motion(flown(World<Real>()), flown(ManyBodies<Real>())));
+}
