@@ -9,7 +9,8 @@ using namespace tumble::course;
 namespace {
 
 std::string time_of(double nanoseconds) {
-  return nanoseconds < 1e3   ? number("%.2g ns", nanoseconds)
+  return nanoseconds < 1e2   ? number("%.2g ns", nanoseconds)
+         : nanoseconds < 1e3 ? number("%.3g ns", nanoseconds)
          : nanoseconds < 1e5 ? number("%.2g µs", nanoseconds / 1e3)
                              : number("%.3g µs", nanoseconds / 1e3);
 }
