@@ -7,7 +7,7 @@ set format y "10^{%T}"
 set termoption enhanced
 set xrange [50:1e6]
 set yrange [1e-15:10]
-set ytics 1e-15, 1e3
+set ytics 1e-15, 1e5
 set key below left Left reverse samplen 1.5 maxrows 3
 is(method, precision) = strcol(1) eq method && strcol(2) eq precision
 plot for [m in "'Odeint rk4' 'Odeint Dormand-Prince 5' 'Odeint Fehlberg 7(8)' 'Odeint Bulirsch-Stoer'"] \
