@@ -119,8 +119,8 @@ Numbers<Real, count> after_step(const Numbers<Real, count>& start,
 }
 //! [after_step]
 
-/// A free top by such a rule, flattened for the same reason, its quaternion normalised afterwards. Neither the energy nor L is
-/// kept, but both to the order of the rule, as long as |ω| h is small.
+/// A free top by such a rule, flattened for the same reason, its quaternion normalised afterwards.
+/// Neither the energy nor L is kept, but both to the order of the rule, as long as |ω| h is small.
 //! [turn_by_runge_kutta]
 template <class Rule, class Real>
 [[gnu::flatten]] void turn_by_runge_kutta(Top<Real>& top, Same<Real> time_step) {
@@ -138,7 +138,8 @@ template <class Rule, class Real>
 /// of what acts on it at that time (s). It has done so when the step begins, and when it ends.
 //! [step_by_runge_kutta]
 template <class Rule, class Body, class Gather, class Real>
-[[gnu::flatten]] void step_by_runge_kutta(Body& body, const Gather& gather, Real time, Real time_step) {
+[[gnu::flatten]] void step_by_runge_kutta(Body& body, const Gather& gather, Real time,
+                                          Real time_step) {
   Body there = body;
   const auto rates_at = [&](const auto& numbers, Real ahead) {
     set_numbers(there, numbers);
