@@ -1,4 +1,4 @@
-set title "Float stops at a millionth, double goes on"
+set title "Float ends long before double does"
 set xlabel "time for a simulated second (ns)"
 set ylabel "error after 10 s (rad)"
 set logscale xy
