@@ -9,7 +9,8 @@ using namespace tumble::course;
 namespace {
 
 std::string time_of(double nanoseconds) {
-  return nanoseconds < 1e3   ? number("%.2g ns", nanoseconds)
+  return nanoseconds < 1e2   ? number("%.2g ns", nanoseconds)
+         : nanoseconds < 1e3 ? number("%.3g ns", nanoseconds)
          : nanoseconds < 1e5 ? number("%.2g µs", nanoseconds / 1e3)
                              : number("%.3g µs", nanoseconds / 1e3);
 }
@@ -46,10 +47,9 @@ void write_runs(const Notebook& notebook, const std::string& table,
 /// A row a problem: who meets the wish at what price.
 void write_prices(const Notebook& notebook, const std::vector<Measurement>& all,
                   const std::vector<std::string>& problems, double wanted) {
-  Table table = notebook.table(
-      "prices_" + power_of_ten(wanted),
-      {"problem", "cheapest", "price of a simulated second", "next", "times", "cheapest that steps",
-       "its step (s)", "times", "cheapest of Odeint", "times"});
+  Table table = notebook.table("prices_" + power_of_ten(wanted),
+                               {"problem", "cheapest", "price of 1 s", "next", "its price",
+                                "cheapest that steps, its step", "its price", "Odeint's"});
   for (const std::string& problem : problems) {
     const auto list = cheapest(all, problem, wanted);
     const auto first = first_of(list, is_ours), step = first_of(list, is_rung),
@@ -62,8 +62,8 @@ void write_prices(const Notebook& notebook, const std::vector<Measurement>& all,
     };
     const auto name = [](const auto& run) { return run ? run->method : std::string("none does"); };
     table.row(problem, name(first), time_of(first->nanoseconds / first->seconds), name(next),
-              price(next), name(step), step ? number("%.2g", step->knob) : std::string("–"),
-              price(step), name(odeint), price(odeint));
+              price(next), name(step) + (step ? number(", %.2g s", step->knob) : std::string()),
+              price(step), price(odeint));
   }
 }
 

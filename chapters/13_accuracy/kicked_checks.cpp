@@ -96,6 +96,17 @@ TEST_CASE("On a driven top two ladders meet, and each rung has its order") {
   check_orders(problem, by_splitting, ladder);
 }
 
+TEST_CASE_TEMPLATE("Explicit Euler drifts with the velocity from before its kick", Real,
+                   EVERY_PRECISION) {
+  const auto orbit = eccentric_orbit<Real>();
+  Particle<Real> particle = orbit.start;
+  orbit.gather(particle, 0);
+  step_explicitly(particle, orbit.gather, 0, Real(0.25));
+  const Vec3<Real> there = orbit.start.position + Real(0.25) * orbit.start.velocity;
+  CHECK(same_bits(particle.position, there));
+  CHECK(particle.velocity != orbit.start.velocity);
+}
+
 //! [gathered]
 TEST_CASE_TEMPLATE("Every step leaves the force and torque gathered for the time that it reaches",
                    Real, EVERY_PRECISION) {
