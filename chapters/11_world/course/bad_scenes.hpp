@@ -105,7 +105,8 @@ inline std::vector<BadScene> bad_scenes() {
             "/turning_method is \"spliting\"; no method is called so; did you mean splitting?"),
       whole(R"("turning_method": "magic", )",
             "/turning_method is \"magic\"; no method is called so; there are splitting, "
-            "axis_by_axis, carrying_momentum, implicit_newton, restoring_momentum, "
+            "splitting_without_sine, axis_by_axis, carrying_momentum, implicit_newton, "
+            "restoring_momentum, "
             "explicit_euler, steady"),
       // Bodies.
       body("3", "/bodies/0 is 3; it must be an object: a body"),
