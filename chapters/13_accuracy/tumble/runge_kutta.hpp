@@ -76,9 +76,10 @@ template <class Real>
   return rates;
 }
 
-/// start + h Σ weight_j rate_j. The weights are known when the program is compiled, so that nothing
-/// is spent on those that are 0.
-template <const auto& weights, class Real, std::size_t count, std::size_t s, std::size_t... j>
+/// start + h Σ weight_j rate_j, with the weights of look i of the rule, or those of the step where
+/// i is the number of looks. They are known when the program is compiled, so that nothing is spent
+/// on those that are 0.
+template <class Rule, std::size_t i, class Real, std::size_t count, std::size_t s, std::size_t... j>
 Numbers<Real, count> led(const Numbers<Real, count>& start, Same<Real> time_step,
                          const std::array<Numbers<Real, count>, s>& rates,
                          std::index_sequence<j...>) {
@@ -86,7 +87,8 @@ Numbers<Real, count> led(const Numbers<Real, count>& start, Same<Real> time_step
   for (std::size_t n = 0; n < count; ++n) {
     Real sum = 0;
     const auto add = [&]<std::size_t k>() {
-      if constexpr (weights[k] != 0) sum += static_cast<Real>(weights[k]) * rates[k][n];
+      constexpr long double weight = i < s ? Rule::rule.looks[i % s][k] : Rule::rule.weights[k];
+      if constexpr (weight != 0) sum += static_cast<Real>(weight) * rates[k][n];
     };
     (add.template operator()<j>(), ...);
     result[n] = start[n] + time_step * sum;
@@ -106,16 +108,14 @@ Numbers<Real, count> after_step(const Numbers<Real, count>& start,
   constexpr std::size_t s = rule.nodes.size();
   std::array<Numbers<Real, count>, s> rates = {first};
   const auto look = [&]<std::size_t i>() {
-    static constexpr auto& looks = rule.looks[i];
-    const auto there = led<looks>(start, time_step, rates, std::make_index_sequence<i>());
+    const auto there = led<Rule, i>(start, time_step, rates, std::make_index_sequence<i>());
     rates[i] = rates_at(there, static_cast<Real>(rule.nodes[i]) * time_step);
   };
   [&]<std::size_t... i>(std::index_sequence<i...>) {
     (look.template operator()<i + 1>(), ...);
   }
   (std::make_index_sequence<s - 1>());
-  static constexpr auto& weights = rule.weights;
-  return led<weights>(start, time_step, rates, std::make_index_sequence<s>());
+  return led<Rule, s>(start, time_step, rates, std::make_index_sequence<s>());
 }
 //! [after_step]
 
