@@ -4,7 +4,7 @@
 #pragma once
 
 #include <tumble/rigid_body.hpp>
-#include <tumble/splitting.hpp>
+#include <tumble/splitting_without_sine.hpp>
 #include <tumble/turning_rules.hpp>
 
 namespace tumble {
