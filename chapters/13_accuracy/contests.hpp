@@ -15,7 +15,7 @@ template <class Body, class Gather, class Truth>
 void measure_all(std::vector<Measurement>& all, const Problem<Body, Gather>& problem,
                  const std::vector<Contestant<Body>>& contestants, const Truth& truth,
                  const Effort& effort) {
-  const bool single = sizeof(typename ScalarOf<Body>::type) == sizeof(float);
+  const bool single = sizeof(typename ScalarOf<Body>::Type) == sizeof(float);
   for (const Contestant<Body>& contestant : contestants)
     for (Measurement& one :
          measured(problem, single ? "float" : "double", contestant, truth, effort))

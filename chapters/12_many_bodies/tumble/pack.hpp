@@ -15,7 +15,7 @@ namespace tumble {
 template <class Real, int width>
 struct PackMask {
   using Bits = std::conditional_t<sizeof(Real) == 4, std::int32_t, std::int64_t>;
-  typedef Bits Lanes __attribute__((vector_size(width * sizeof(Bits))));
+  using Lanes __attribute__((vector_size(width * sizeof(Bits)))) = Bits;
   Lanes lanes;  ///< −1, which is all bits, for yes; 0 for no
 
   bool operator[](int lane) const { return lanes[lane] != 0; }
@@ -30,7 +30,7 @@ struct PackMask {
 //! [pack]
 template <class Real, int width>
 struct Pack {
-  typedef Real Lanes __attribute__((vector_size(width * sizeof(Real))));  // the compilers' own type
+  using Lanes __attribute__((vector_size(width * sizeof(Real)))) = Real;  // the compilers' own type
   Lanes lanes;
 
   Pack() = default;
@@ -76,16 +76,17 @@ template <class Real, int width>
 struct SineCosineConstants<Pack<Real, width>> : SineCosineConstants<Real> {};
 
 template <class Real, int width>
-constexpr Real slowest_speed<Pack<Real, width>> = slowest_speed<Real>;
+inline constexpr Real slowest_speed<Pack<Real, width>> = slowest_speed<Real>;
 
 }  // namespace tumble
 
+/// @cond what is known of numbers elsewhere, said of packs
 /// The rounding of a pack is that of its numbers.
 template <class Real, int width>
 struct std::numeric_limits<tumble::Pack<Real, width>> : std::numeric_limits<Real> {};
 
 template <class Real, int width>
-constexpr Real std::numbers::pi_v<tumble::Pack<Real, width>> = std::numbers::pi_v<Real>;
+inline constexpr Real std::numbers::pi_v<tumble::Pack<Real, width>> = std::numbers::pi_v<Real>;
 
 /// Lets Eigen's vectors hold packs.
 template <class Real, int width>
@@ -93,3 +94,4 @@ struct Eigen::NumTraits<tumble::Pack<Real, width>>
     : Eigen::GenericNumTraits<tumble::Pack<Real, width>> {
   enum { IsInteger = 0, IsComplex = 0, IsSigned = 1, RequireInitialization = 0 };
 };
+/// @endcond

@@ -120,6 +120,7 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
   template <class Packs>
   [[gnu::flatten]] static void visit_row(const Kernel& kernel, Packs* begin, const Packs* end,
                                          const Moment<Packed>& moment) {
+    // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): see what stands behind it
     const Kernel own_kernel = kernel;  // nobody else can change these two meanwhile, so that their
     const Moment<Packed> own_moment = moment;  // numbers can stay in registers
     for (Packs* packs = begin; packs != end; ++packs) visit(own_kernel, *packs, own_moment);

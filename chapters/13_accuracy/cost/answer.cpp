@@ -1,6 +1,6 @@
 #include "answer.hpp"
 
-#include "scene.hpp"
+#include "scene_file.hpp"
 
 namespace tumble::cost {
 namespace {

@@ -36,7 +36,7 @@ template <class Body>
 struct ScalarOf;
 template <template <class> class Body, class Real>
 struct ScalarOf<Body<Real>> {
-  using type = Real;
+  using Type = Real;
 };
 
 /// How thorough to be.
@@ -83,7 +83,7 @@ auto truth_of(const Problem<Body, Gather>& problem) {
 }
 template <class Body, class Gather>
 Contestant<Body> exact_contestant(const Problem<Body, Gather>& problem) {
-  using Real = typename ScalarOf<Body>::type;
+  using Real = typename ScalarOf<Body>::Type;
   return {"exact solution", "exact", false, [problem](double) {
             return exactly_after(problem.gather, problem.start, static_cast<Real>(problem.seconds));
           }};

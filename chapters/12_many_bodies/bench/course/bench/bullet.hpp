@@ -5,7 +5,7 @@
 #include <btBulletDynamicsCommon.h>
 
 #include <cmath>
-#include <course/bench/scene.hpp>
+#include <course/bench/setting.hpp>
 #include <memory>
 #include <vector>
 

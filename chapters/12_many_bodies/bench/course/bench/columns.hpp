@@ -4,7 +4,7 @@
 #pragma once
 
 #include <bit>
-#include <course/bench/scene.hpp>
+#include <course/bench/setting.hpp>
 #include <memory>
 #include <new>
 #include <tumble/quaternion.hpp>

@@ -6,7 +6,7 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <course/bench/scene.hpp>
+#include <course/bench/setting.hpp>
 #include <map>
 #include <memory>
 #include <optional>

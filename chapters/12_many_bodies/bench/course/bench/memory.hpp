@@ -2,7 +2,7 @@
 /// What the machine's memory can do: the least work on the most bytes.
 #pragma once
 
-#include <course/bench/scene.hpp>
+#include <course/bench/setting.hpp>
 #include <course/bench/shares.hpp>
 #include <vector>
 

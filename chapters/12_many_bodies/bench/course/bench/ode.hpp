@@ -5,7 +5,7 @@
 #include <ode/ode.h>
 
 #include <cmath>
-#include <course/bench/scene.hpp>
+#include <course/bench/setting.hpp>
 #include <vector>
 
 namespace tumble::course::bench {

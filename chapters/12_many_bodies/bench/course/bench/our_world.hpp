@@ -2,7 +2,7 @@
 /// The one place where the benchmark knows our own world: what it is, and how it is asked to step.
 #pragma once
 
-#include <course/bench/scene.hpp>
+#include <course/bench/setting.hpp>
 #include <course/random_world.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>

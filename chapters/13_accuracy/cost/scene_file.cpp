@@ -1,4 +1,4 @@
-#include "scene.hpp"
+#include "scene_file.hpp"
 
 #include <chrono>
 #include <cmath>
