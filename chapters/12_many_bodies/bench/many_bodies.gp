@@ -9,7 +9,7 @@ stats "times.tsv" using 1 name "count" nooutput
 stats "times.tsv" using 6 name "fastest" nooutput
 stats "times.tsv" using 2 name "ours" nooutput
 low = fastest_min / 2
-high = ours_max * 8
+high = ours_max * 100
 set yrange [low:high]
 # Where the arrays of the plain loop no longer fit into a level of the cache.
 in_range(bodies) = bodies > count_min && bodies < count_max ? bodies : NaN

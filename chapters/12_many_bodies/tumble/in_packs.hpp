@@ -16,6 +16,9 @@ class InPacks {
  public:
   /// After so many steps the bodies are copied, so that a step that fails can be taken back.
   static constexpr std::int64_t steps_to_repeat = 64;
+  /// With fewer bodies than this for each thread, to wake one would take longer than to do its
+  /// work.
+  static constexpr std::size_t smallest_share = 512;
 
   std::size_t body_count() const { return bodies_.centres.size(); }
   std::size_t top_count() const { return bodies_.tops.size(); }
@@ -84,9 +87,6 @@ class InPacks {
   using Packs = PackedBodies<Real, width>;
   /// A block's particles and tops together fit the smallest cache: some 20 kB.
   static constexpr std::uint32_t packs_in_block = 32;
-  /// With fewer bodies than this for each thread, to wake one would take longer than to do its
-  /// work.
-  static constexpr std::size_t smallest_share = 512;
 
   /// Which part of the packs is one thread's: whole blocks, as many for each as for the others.
   struct Share {
