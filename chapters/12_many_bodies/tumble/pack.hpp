@@ -71,6 +71,7 @@ struct Pack {
 };
 //! [pack]
 
+/// @cond what is known of numbers elsewhere, said of packs
 /// What sine_cosine() needs to know of a pack is what it knows of one of its numbers.
 template <class Real, int width>
 struct SineCosineConstants<Pack<Real, width>> : SineCosineConstants<Real> {};
@@ -80,7 +81,6 @@ inline constexpr Real slowest_speed<Pack<Real, width>> = slowest_speed<Real>;
 
 }  // namespace tumble
 
-/// @cond what is known of numbers elsewhere, said of packs
 /// The rounding of a pack is that of its numbers.
 template <class Real, int width>
 struct std::numeric_limits<tumble::Pack<Real, width>> : std::numeric_limits<Real> {};

@@ -75,6 +75,7 @@ Top<Pack<Real, width>> tops_of(const PackedBodies<Real, width>& bodies, std::uin
   return tops;
 }
 
+/// @cond the base classes say what it does
 /// PackedEffect for one type of effect.
 template <class Real, int width, class Effect>
 class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<Real, width> {
@@ -224,5 +225,6 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
 
   Kernel kernel_;
 };
+/// @endcond
 
 }  // namespace tumble
