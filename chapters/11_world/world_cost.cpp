@@ -22,7 +22,7 @@ void points_under_gravity(World<float>& world) {
   world.add(Gravity<float>{});
 }
 
-void bodies(World<float>& world, const MassProperties<float>& properties, Vec3f spin) {
+void bodies(World<float>& world, const MassProperties<float>& properties, const Vec3f& spin) {
   for (int n = 0; n < count; ++n)
     world.add("body " + std::to_string(n),
               make_rigid_body<float>("body", properties, {{float(n), 0, 0}}, {1, 0, 0}, spin).body);
