@@ -338,7 +338,7 @@ TEST_CASE("Turned by the same angle in every step, |L| and |q| don't drift by ei
       // renormalized() lets 16 roundings of |q|^2 pass and may misjudge it by 4; |q| has half that.
       const long double imaginary = top.orientation.imaginary.cast<long double>().norm();
       CHECK(std::abs(std::hypot(top.orientation.real, imaginary) - 1) <=
-            (16 + 4) / 2 * unit_roundoff<float> * 1.01L);
+            (16 + 4) * (unit_roundoff<float> / 2) * 1.01L);
     }
 }
 
