@@ -1,6 +1,7 @@
 #include <course/bad_scenes.hpp>
 #include <course/checks.hpp>
 #include <course/random_world.hpp>
+#include <course/shipped_scenes.hpp>
 #include <course/tumbling_problems.hpp>
 #include <tumble/scene/read_scene.hpp>
 
@@ -8,14 +9,6 @@ using namespace tumble;
 using namespace tumble::course;
 
 namespace {
-
-std::vector<std::filesystem::path> shipped_scenes() {
-  std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(TUMBLE_SCENES))
-    if (entry.path().stem().extension() != ".schema") paths.push_back(entry.path());
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
 
 std::filesystem::path shipped(const std::string& name) {
   return std::filesystem::path(TUMBLE_SCENES) / (name + ".json");
