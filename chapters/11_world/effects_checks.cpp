@@ -262,7 +262,8 @@ TEST_CASE_TEMPLATE("The order of work is kick, blow, damping, drift", Real, EVER
   world.add(Blow<Real>{});
   world.add(Gravity<Real>{.gravity = {3, 0, 0}});
   world.step();
-  // (0 + 3)² · ½, and the place follows the damped speed. The half is e^(−ln 2), two roundings.
+  // (0 + 3)² · ½ = 4.5, and the place follows the damped speed. The half is e^(−ln 2), two
+  // roundings, the product a third: 3 · 4.5 < 16 units.
   CHECK(std::abs(world.body(ball).centre.position.x() - Real(4.5)) <= 16 * unit_roundoff<Real>);
 }
 

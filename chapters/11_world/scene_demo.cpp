@@ -1,19 +1,12 @@
 // Prints a scene file, and makes two tables: the shipped scenes, and all keys with their units.
 #include <course/record.hpp>
+#include <course/shipped_scenes.hpp>
 #include <cstdio>
 #include <tumble/scene/read_scene.hpp>
 
 namespace {
 
 using namespace tumble;
-
-std::vector<std::filesystem::path> shipped_scenes() {
-  std::vector<std::filesystem::path> paths;
-  for (const auto& entry : std::filesystem::directory_iterator(TUMBLE_SCENES))
-    if (entry.path().stem().extension() != ".schema") paths.push_back(entry.path());
-  std::sort(paths.begin(), paths.end());
-  return paths;
-}
 
 template <class Kinds>
 void write_keys(course::Table& table, const Kinds& kinds) {
@@ -32,7 +25,7 @@ int main(int argument_count, char** arguments) {
 
   course::Table scenes =
       notebook.table("scenes", {"scene", "title", "bodies", "effects that run", "simulated (s)"});
-  for (const std::filesystem::path& path : shipped_scenes()) {
+  for (const std::filesystem::path& path : course::shipped_scenes()) {
     Scene<double> scene = read_scene_file<double>(path);
     scene.world.plan();
     scenes.row(path.stem().string(), scene.title, std::to_string(scene.world.body_count()),

@@ -1,6 +1,7 @@
 #include "options.hpp"
 
 #include <cmath>
+#include <course/shipped_scenes.hpp>
 #include <cstdio>
 #include <cxxopts.hpp>
 #include <limits>
@@ -69,10 +70,8 @@ StepLength rounded_step(const std::string& text, std::string& said) {
 
 std::vector<std::string> names_of_scenes() {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(TUMBLE_SCENES))
-    if (entry.path().extension() == ".json" && entry.path().stem().extension() != ".schema")
-      names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
+  for (const std::filesystem::path& path : course::shipped_scenes())
+    names.push_back(path.stem().string());
   return names;
 }
 

@@ -25,7 +25,8 @@ export function* every_snippet_has_code(book) {
 }
 
 export function* every_directive_is_expanded(book) {
-  // A directive begins with a word. C++ has double braces too, before a quote or a number; and formulas have: of the directives they may hold {{value ...}} alone.
+  // A directive begins with a word. C++ has double braces too, before a quote or a number, and so have formulas: of the
+  // directives these may hold {{value ...}} alone.
   const left = [...own_words_matching(book, /\{\{\s*[a-z].{0,40}/, is_prose),
     ...own_words_matching(book, /\{\{value .{0,40}/, element => element.is_inside(is_formula))];
   for (const {found, ...place} of left) yield {...place, problem: `a directive was not expanded: "${found}"`};
