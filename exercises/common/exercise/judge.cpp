@@ -1,0 +1,109 @@
+// The judge's main: --list names the checks; otherwise one of them is run and its verdict printed.
+#include <exercise/judge.hpp>
+
+#include <csignal>
+#include <cstring>
+#include <map>
+#include <unistd.h>
+
+namespace tumble::exercise {
+
+namespace {
+
+std::vector<Check>& checks() {
+  static std::vector<Check> all;
+  return all;
+}
+
+FILE *questions = nullptr, *replies = nullptr;
+std::map<std::string, double, std::less<>> parameters;
+
+/// The next line of the worker, or nothing if it has ended; a line without end is no reply.
+std::string line_from_worker() {
+  constexpr std::size_t longest = 1 << 20;
+  std::string line;
+  for (int letter; (letter = std::fgetc(replies)) != EOF && line.size() < longest;) {
+    if (letter == '\n') return line;
+    line += static_cast<char>(letter);
+  }
+  throw Verdict{"silent", ""};
+}
+
+/// JSON's own letters for those that would end a text.
+std::string quoted(std::string_view text) {
+  std::string json = "\"";
+  for (const char letter : one_line(text)) {
+    if (letter == '"' || letter == '\\') json += '\\';
+    json += letter;
+  }
+  return json + '"';
+}
+
+Verdict verdict_of(const Check& check) {
+  for (const auto& [run, precision] : {std::pair{check.in_double, ""}, {check.in_float, "in float, "}}) {
+    try {
+      run();
+    } catch (const Verdict& verdict) {
+      return {verdict.status, verdict.status == "failed" ? precision + verdict.message : verdict.message};
+    } catch (const Unreadable& error) {
+      return {"failed", std::string(precision) + "the reply to a question could not be read: " + error.what()};
+    }
+  }
+  return {"passed", ""};
+}
+
+int list() {
+  for (std::size_t i = 0; i < checks().size(); ++i)
+    std::printf("%s%s", i == 0 ? "[" : ",\n", quoted(checks()[i].sentence).c_str());
+  std::printf("]\n");
+  return 0;
+}
+
+}  // namespace
+
+Check::Check(const char* sentence_, void (*in_double_)(), void (*in_float_)())
+    : sentence(sentence_), in_double(in_double_), in_float(in_float_) {
+  checks().push_back(*this);
+}
+
+std::pair<std::string, std::string> reply_to(const std::string& question) {
+  std::fprintf(questions, "%s\n", question.c_str());
+  std::fflush(questions);
+  const std::string line = line_from_worker();
+  const std::size_t space = std::min(line.find(' '), line.size());
+  std::string kind = line.substr(0, space), rest = line.substr(std::min(space + 1, line.size()));
+  if (kind == "todo") throw Verdict{"todo", rest};
+  if (kind == "unreadable") throw Unreadable(rest);
+  if (kind != "value" && kind != "refused" && kind != "threw") throw Unreadable("no reply at all");
+  return {kind, rest};
+}
+
+double parameter(std::string_view name) {
+  const auto found = parameters.find(name);
+  if (found == parameters.end())
+    throw std::logic_error("exercise.json has no parameter called " + std::string(name));
+  return found->second;
+}
+
+}  // namespace tumble::exercise
+
+// judge --list, or: judge NUMBER-OF-CHECK QUESTIONS REPLIES [PARAMETER=VALUE...], the two being file descriptors.
+int main(int argument_count, char** arguments) {
+  using namespace tumble::exercise;
+  if (argument_count == 2 && std::strcmp(arguments[1], "--list") == 0) return list();
+  if (argument_count < 4) return 2;
+  std::signal(SIGPIPE, SIG_IGN);
+  questions = fdopen(std::atoi(arguments[2]), "w");
+  replies = fdopen(std::atoi(arguments[3]), "r");
+  const auto number = static_cast<std::size_t>(std::atoi(arguments[1]));
+  if (questions == nullptr || replies == nullptr || number >= checks().size()) return 2;
+  for (int i = 4; i < argument_count; ++i) {
+    const char* const equals = std::strchr(arguments[i], '=');
+    if (equals == nullptr) return 2;
+    parameters[std::string(arguments[i], static_cast<std::size_t>(equals - arguments[i]))] = std::strtod(equals + 1, nullptr);
+  }
+  const Verdict verdict = verdict_of(checks()[number]);
+  std::printf("{\"status\": %s, \"message\": %s}\n", quoted(verdict.status).c_str(),
+              quoted(verdict.message).c_str());
+  return 0;
+}

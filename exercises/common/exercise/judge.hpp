@@ -1,0 +1,161 @@
+/// @file
+/// What the checks of an exercise are written with. They run in a process of their own, which asks
+/// another one, the worker, what the student's functions return.
+#pragma once
+
+#include <cmath>
+#include <exercise/wire.hpp>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <tumble/require.hpp>
+#include <utility>
+#include <vector>
+
+namespace tumble::exercise {
+
+/// Half the distance from 1 to the next number: the largest relative error of one rounded
+/// operation.
+template <class Real>
+constexpr Real unit_roundoff = std::numeric_limits<Real>::epsilon() / 2;
+
+/// Ends the check with a verdict other than "passed".
+struct Verdict {
+  std::string status, message;
+};
+
+/// Ends the check: its fact doesn't hold, and this sentence teaches why.
+[[noreturn]] inline void fail(const std::string& message) {
+  throw Verdict{"failed", message};
+}
+
+/// Ends the check with the sentence unless the fact holds.
+inline void require(bool fact, const std::string& message) {
+  if (!fact) fail(message);
+}
+
+/// Sends a question to the worker and returns the first word of its reply with the rest.
+std::pair<std::string, std::string> reply_to(const std::string& question);
+
+/// A number that an instructor may choose for each student; exercise.json names it.
+double parameter(std::string_view name);
+
+template <class Real, class... Arguments>
+std::string question(const char* function, const Arguments&... arguments) {
+  std::string line = std::string(function) + (std::is_same_v<Real, float> ? ".float" : ".double");
+  (put(line, arguments), ...);
+  return line;
+}
+
+/// What the student's function returns; or, of a void one, the argument that it changes.
+template <class Result, class Real, class... Arguments>
+Result ask(const char* function, const Arguments&... arguments) {
+  const auto [kind, rest] = reply_to(question<Real>(function, arguments...));
+  if (kind == "refused" || kind == "threw")
+    fail(std::string(function) + " gave up where it should have answered: \"" + rest + "\"");
+  Words words(rest);
+  Result result;
+  get(words, result);
+  if (!words.empty()) throw Unreadable("words are left over");
+  return result;
+}
+
+/// The sentence with which the student's function refuses its arguments, by throwing
+/// std::invalid_argument; it fails the check if it answers.
+template <class Real, class... Arguments>
+std::string ask_refusal(const std::string& otherwise, const char* function,
+                        const Arguments&... arguments) {
+  const auto [kind, rest] = reply_to(question<Real>(function, arguments...));
+  if (kind == "threw")
+    fail(std::string(function) + " threw, but not std::invalid_argument: \"" + rest + "\"");
+  if (kind != "refused") fail(otherwise);
+  if (rest.empty()) fail(std::string(function) + " refused without a sentence that says why");
+  return rest;
+}
+
+/// A number, vector or tensor as a sentence shows it.
+template <class Real>
+std::string shown(Real number) requires std::is_arithmetic_v<Real> {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.5g", double(number));
+  return text;
+}
+template <class Real, int rows, int columns>
+std::string shown(const Eigen::Matrix<Real, rows, columns>& matrix) {
+  std::string text = "(";
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j)
+      text += (j > 0 ? ", " : i == 0 ? "" : columns > 1 ? "; " : ", ") + shown(matrix(i, j));
+  return text + ")";
+}
+
+template <class Real>
+double farthest(Real a, Real b) requires std::is_arithmetic_v<Real> {
+  return std::abs(double(a) - double(b));
+}
+template <class Real, int rows, int columns>
+double farthest(const Eigen::Matrix<Real, rows, columns>& a,
+                const Eigen::Matrix<Real, rows, columns>& b) {
+  double distance = 0;
+  for (Eigen::Index i = 0; i < a.size(); ++i) {
+    const double d = farthest(a.data()[i], b.data()[i]);
+    if (!(d <= distance)) distance = d;  // a NaN gets through too
+    if (std::isnan(d)) return d;
+  }
+  return distance;
+}
+
+/// What the student's code found, on its way to a verdict.
+template <class Value>
+class Found {
+ public:
+  Found(std::string what, std::string unit, const Value& value)
+      : what_(std::move(what)), unit_(unit.empty() ? "" : " " + unit), value_(value) {}
+
+  /// The value that a mistake often made would give, and the sentence meant for whoever made it.
+  Found& mistake(const Value& value, std::string message) {
+    mistakes_.emplace_back(value, std::move(message));
+    return *this;
+  }
+
+  /// Ends the check unless every component is within `tolerance` of the truth.
+  void must_be(const Value& truth, double tolerance) const {
+    if (farthest(value_, truth) <= tolerance) return;
+    const std::string found = what_ + " is " + shown(value_) + unit_;
+    for (const auto& [value, message] : mistakes_)
+      if (farthest(value_, value) <= tolerance && farthest(value, truth) > 2 * tolerance)
+        fail(found + ": " + message);
+    if (std::isnan(farthest(value_, truth))) fail(found + "; it must be a number");
+    std::string right = shown(truth);
+    if (right == shown(value_)) right += ", and it is off by " + shown(farthest(value_, truth));
+    fail(found + "; it must be " + right + unit_);
+  }
+
+ private:
+  std::string what_, unit_;
+  Value value_;
+  std::vector<std::pair<Value, std::string>> mistakes_;
+};
+
+/// A check of the exercise, in both precisions.
+struct Check {
+  Check(const char* sentence, void (*in_double)(), void (*in_float)());
+  const char* sentence;
+  void (*in_double)();
+  void (*in_float)();
+};
+
+}  // namespace tumble::exercise
+
+#define EXERCISE_JOINED_INNER(a, b) a##b
+#define EXERCISE_JOINED(a, b) EXERCISE_JOINED_INNER(a, b)
+
+/// A check: a sentence that states the fact, then a body in which `Real` is the precision.
+#define EXERCISE_CHECK(sentence) EXERCISE_CHECK_NAMED(sentence, EXERCISE_JOINED(check_, __LINE__))
+#define EXERCISE_CHECK_NAMED(sentence, name)                                                      \
+  template <class Real>                                                                           \
+  void name();                                                                                    \
+  static const tumble::exercise::Check EXERCISE_JOINED(name, _registered)(sentence, name<double>, \
+                                                                          name<float>);           \
+  template <class Real>                                                                           \
+  void name()

@@ -1,0 +1,85 @@
+"""Files made by a command, made again only when the command or something that it read has changed."""
+
+import json
+import os
+import subprocess
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+
+class CommandFailed(Exception):
+    """A command that makes a file failed; `output` is what it said."""
+
+    def __init__(self, command, output):
+        super().__init__(output)
+        self.command, self.output = command, output
+
+
+@dataclass
+class Made:
+    """What came of it: the command's output (warnings, for a compiler) and the seconds that it took, 0 for none."""
+    output: str = ""
+    seconds: float = 0.0
+    inputs: list = field(default_factory=list)
+
+
+def make(target, command, inputs=(), dependencies=None, limit=120, run=None):
+    """Makes `target` by `command` unless it is as new as all that it was made of.
+
+    `dependencies` is a file in make's form that the command writes, and names what else it read.
+    `run` starts the command another way than subprocess.run, such as with the rights of another user.
+    """
+    target, record = Path(target), Path(f"{target}.made")
+    command = [str(word) for word in command]
+    known = _read(record)
+    if known and known["command"] == command and target.exists() and _stamps(known["stamps"]) == known["stamps"]:
+        return Made(known["output"], 0.0, list(known["stamps"]))
+    target.parent.mkdir(parents=True, exist_ok=True)
+    record.unlink(missing_ok=True)
+    began = time.monotonic()
+    try:
+        result = (run or subprocess.run)(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                         stderr=subprocess.STDOUT, timeout=limit)
+    except subprocess.TimeoutExpired:
+        raise CommandFailed(command, f"it took more than {limit} seconds") from None
+    output = result.stdout.decode("utf-8", "replace")
+    if result.returncode != 0:
+        raise CommandFailed(command, output)
+    read = list(map(str, inputs)) + (dependencies_in(dependencies) if dependencies else [])
+    stamps = _stamps(dict.fromkeys(read))
+    record.write_text(json.dumps({"command": command, "output": output, "stamps": stamps}), encoding="utf-8")
+    return Made(output, time.monotonic() - began, read)
+
+
+def dependencies_in(file):
+    """The files named in a rule as compilers write them for make."""
+    text = Path(file).read_text(encoding="utf-8", errors="surrogateescape").replace("\\\n", " ")
+    words, word = [], ""
+    for letter in text.partition(": ")[2]:
+        if letter in " \n" and not word.endswith("\\"):
+            words.append(word)
+            word = ""
+        elif letter in " #" and word.endswith("\\"):
+            word = word[:-1] + letter
+        else:
+            word += letter
+    return sorted({each.replace("$$", "$") for each in words + [word] if each})
+
+
+def _read(record):
+    try:
+        return json.loads(record.read_text(encoding="utf-8"))
+    except (FileNotFoundError, ValueError):
+        return None
+
+
+def _stamps(files):
+    stamps = {}
+    for name in files:
+        try:
+            status = os.stat(name)
+            stamps[name] = [status.st_mtime_ns, status.st_size]
+        except OSError:
+            stamps[name] = None
+    return stamps

@@ -1,0 +1,97 @@
+"""The two programs of an exercise: the judge, which holds the checks, and the worker, which holds a student's code."""
+
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+from made import make
+
+
+@dataclass(frozen=True)
+class Worker:
+    program: Path
+    warnings: str
+    seconds: float
+    read: list  # what the compiler read
+
+
+def prepare(toolchain, exercise):
+    """Makes what doesn't depend on a student's code: precompiled header, worker's loop, judge. Returns the judge."""
+    header, command, target, dependencies = toolchain.precompile()
+    header.parent.mkdir(parents=True, exist_ok=True)
+    text = "#include <exercise/precompiled.hpp>\n"
+    if not header.exists() or header.read_text(encoding="utf-8") != text:
+        header.write_text(text, encoding="utf-8")
+    make(target, command, dependencies=dependencies)
+    _compile(toolchain, toolchain.common / "exercise" / "serve.cpp", _shared(toolchain, "serve.o"), "common")
+    _compile(toolchain, toolchain.common / "exercise" / "judge.cpp", _shared(toolchain, "judge.o"), "common")
+    checks = folder_of(toolchain, exercise) / "checks.o"
+    _compile(toolchain, exercise.folder / "checks.cpp", checks, exercise.chapter)
+    judge = checks.with_name("judge")
+    parts = [checks, _shared(toolchain, "judge.o")]
+    make(judge, toolchain.link(parts, judge), inputs=parts)
+    return judge
+
+
+def build_worker(toolchain, exercise, header_folder, folder, run=None):
+    """Compiles a student's header, found in `header_folder`, into a worker in `folder`."""
+    source = folder / "answers.cpp"
+    text = answers_source(exercise)
+    if not source.exists() or source.read_text(encoding="utf-8") != text:
+        folder.mkdir(parents=True, exist_ok=True)
+        source.write_text(text, encoding="utf-8")
+    compiled = folder / "answers.o"
+    command, dependencies = toolchain.compile(source, compiled, exercise.chapter, first_folders=[header_folder])
+    made = make(compiled, command, dependencies=dependencies, run=run)
+    worker = folder / "worker"
+    parts = [compiled, _shared(toolchain, "serve.o")]
+    linked = make(worker, toolchain.link(parts, worker), inputs=parts, run=run)
+    return Worker(worker, made.output, made.seconds + linked.seconds, made.inputs)
+
+
+def build_show(toolchain, exercise, header_folder, folder):
+    """Compiles show.cpp, with which a lab records what the student's code does; it may use every chapter."""
+    compiled = folder / "show.o"
+    folders = toolchain.player_folders
+    command, dependencies = toolchain.compile(exercise.folder / "show.cpp", compiled, list(toolchain.floors)[-1],
+                                              first_folders=[header_folder], last_folders=folders)
+    made = make(compiled, command, dependencies=dependencies)
+    show = folder / "show"
+    make(show, toolchain.link([compiled], show), inputs=[compiled])
+    return show, made.output
+
+
+def prepare_all(toolchain, exercises, jobs):
+    """The judges of many exercises; the precompiled header comes first, then the others side by side."""
+    judges = {exercises[0].path: prepare(toolchain, exercises[0])} if exercises else {}
+    with ThreadPoolExecutor(jobs) as pool:
+        made = pool.map(lambda exercise: (exercise.path, prepare(toolchain, exercise)), exercises[1:])
+        judges.update(made)
+    return judges
+
+
+def answers_source(exercise):
+    """The worker's main: every function of the exercise by name, in both precisions."""
+    offers = "".join(f'          {{"{name}.{real}", answer<&{name}<{real}>>}},\n'
+                     for name in exercise.functions for real in ("float", "double"))
+    return ("#include <exercise/answers.hpp>\n"
+            f"#include <{exercise.header}>\n\n"
+            "int main(int argument_count, char** arguments) {\n"
+            "  using tumble::exercise::answer;\n"
+            "  return tumble::exercise::serve(\n"
+            "      argument_count, arguments,\n"
+            "      {\n" + offers + "      });\n"
+            "}\n")
+
+
+def folder_of(toolchain, exercise):
+    return toolchain.build / exercise.chapter / exercise.name
+
+
+def _shared(toolchain, name):
+    return toolchain.build / "shared" / name
+
+
+def _compile(toolchain, source, target, floor):
+    command, dependencies = toolchain.compile(source, target, floor)
+    make(target, command, dependencies=dependencies)

@@ -1,0 +1,145 @@
+"""Runs one check: a judge that asks and a worker, in which the student's code answers, each a process of its own."""
+
+import json
+import os
+import selectors
+import signal
+import subprocess
+import time
+from dataclasses import dataclass
+
+from limits import Limits, confine
+
+PASSED, FAILED, TODO, BROKEN = "passed", "failed", "not written yet", "broken"
+
+
+@dataclass(frozen=True)
+class Outcome:
+    status: str
+    message: str = ""
+    printed: str = ""    # by the student's code
+    seconds: float = 0.0
+
+
+def run_check(judge, number, worker, parameters=(), limits=Limits(), folder=None):
+    """The outcome of check `number`; `folder` is where the worker runs."""
+    began = time.monotonic()
+    with _Pair(judge, number, worker, parameters, limits, folder) as pair:
+        reason = pair.run()
+    outcome = _outcome(pair, reason, limits)
+    return Outcome(*outcome, printed=pair.printed["worker"].decode("utf-8", "replace"), seconds=time.monotonic() - began)
+
+
+class _Pair:
+    """The two processes, the pipes between them, and what they print."""
+
+    def __init__(self, judge, number, worker, parameters, limits, folder):
+        self.limits, self.printed = limits, {"judge": b"", "worker": b""}
+        self.judged = False  # whether the judge has said all that it had to say
+        question_out, question_in = os.pipe()
+        reply_out, reply_in = os.pipe()
+        pipes = [question_out, question_in, reply_out, reply_in]
+        self.worker = self.judge = None
+        try:
+            self.worker = subprocess.Popen(
+                [str(worker), str(question_out), str(reply_in)], pass_fds=(question_out, reply_in),
+                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, cwd=folder, env={},
+                start_new_session=True, preexec_fn=lambda: confine(limits))
+            self.judge = subprocess.Popen(
+                [str(judge), str(number), str(question_in), str(reply_out)] +
+                [f"{name}={value!r}" for name, value in parameters],
+                pass_fds=(question_in, reply_out), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                stderr=subprocess.STDOUT)
+        except BaseException:
+            self.end()
+            raise
+        finally:
+            for pipe in pipes:
+                os.close(pipe)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.end()
+
+    def run(self):
+        """Lets them talk until the judge is done. Returns why it was cut short: "time", "output" or ""."""
+        deadline = time.monotonic() + self.limits.seconds
+        with selectors.DefaultSelector() as selector:
+            selector.register(self.worker.stdout, selectors.EVENT_READ, "worker")
+            selector.register(self.judge.stdout, selectors.EVENT_READ, "judge")
+            listening = {"worker", "judge"}
+            while "judge" in listening:
+                remaining = deadline - time.monotonic()
+                if remaining <= 0:
+                    return "time"
+                for key, _ in selector.select(remaining):
+                    piece = os.read(key.fd, 1 << 16)
+                    if not piece:
+                        selector.unregister(key.fileobj)
+                        listening.discard(key.data)
+                    self.printed[key.data] += piece
+                    if len(self.printed[key.data]) > self.limits.output:
+                        return "output"
+        self.judged = True
+        return ""
+
+    def end(self):
+        """Ends what still runs, with all that the worker may have started in its session."""
+        if self.judge:
+            try:
+                self.judge.wait(timeout=1 if self.judged else 0)
+            except subprocess.TimeoutExpired:
+                self.judge.kill()
+                self.judge.wait()
+            self.judge.stdout.close()
+        if self.worker:
+            try:
+                self.worker.wait(timeout=0.2 if self.judged else 0)  # no more questions: a sound worker ends by itself
+            except subprocess.TimeoutExpired:
+                pass
+            try:
+                os.killpg(self.worker.pid, signal.SIGKILL)
+            except (ProcessLookupError, PermissionError):
+                pass
+            self.worker.wait()
+            os.set_blocking(self.worker.stdout.fileno(), False)
+            self.printed["worker"] += self.worker.stdout.read(1 << 16) or b""
+            self.worker.stdout.close()
+
+
+def _outcome(pair, reason, limits):
+    """Status and message, from the judge's verdict and from how the worker ended."""
+    if reason == "time":
+        return FAILED, (f"no answer after {limits.seconds:g} seconds. Is there a loop that never ends?")
+    if reason == "output":
+        return FAILED, f"stopped after it had printed more than {limits.output // 1024} KB"
+    try:
+        verdict = json.loads(pair.printed["judge"].decode("utf-8", "replace"))
+        status, message = verdict["status"], verdict["message"]
+    except (ValueError, KeyError, TypeError):
+        said = pair.printed["judge"].decode("utf-8", "replace").strip()
+        return BROKEN, f"the check itself failed, which is no fault of yours: {said or pair.judge.returncode}"
+    if status == "silent":
+        return FAILED, _silence(pair)
+    return {"passed": PASSED, "todo": TODO}.get(status, FAILED), message
+
+
+def _silence(pair):
+    """Why the worker gave no answer."""
+    code, last = pair.worker.returncode, _last_line(pair.printed["worker"])
+    said = f' Its last words: "{last}"' if last else ""
+    if code >= 0:
+        return f"the program ended by itself, with exit code {code}, before it had answered.{said}"
+    names = {signal.SIGSEGV: "it read or wrote where nothing is, such as past the end of a list",
+             signal.SIGABRT: "it gave up, as after a failed assertion or an exception that nobody caught",
+             signal.SIGFPE: "a whole number was divided by zero",
+             signal.SIGXCPU: "it used more time than it may", signal.SIGXFSZ: "it wrote a file larger than it may",
+             signal.SIGKILL: "it was ended from outside"}
+    return f"the program crashed: {names.get(-code, f'signal {-code}')}.{said}"
+
+
+def _last_line(printed):
+    lines = printed.decode("utf-8", "replace").strip().splitlines()
+    return lines[-1][:300] if lines else ""

@@ -1,0 +1,226 @@
+"""./course start, check, watch, hint, next, progress, reset, compare: a student's way through the exercises."""
+
+import argparse
+import difflib
+import os
+import sys
+import time
+from pathlib import Path
+
+from catalogue import find, read_catalogue
+from compiler_says import first_message
+from complaint import Complaint
+from hints import read_hints
+from made import CommandFailed
+from programs import build_worker, folder_of, prepare
+from progress import Progress, bar
+from replay import replay
+from starter import solution_without_marks
+from toolchain import read_toolchain
+from verdict import judge, said
+from watch import Watch
+from workplace import Workplace
+
+
+class Student:
+    def __init__(self, root, toolchain_file=None):
+        self.root = root
+        self.catalogue = read_catalogue(root)
+        self.place = Workplace(root)
+        self.progress = Progress(self.place.folder / "progress.txt")
+        self.toolchain_file = toolchain_file
+
+    def named(self, word):
+        """The exercise of that name; without one, the one last worked on."""
+        if word:
+            return find(self.catalogue, word)
+        for path in reversed(self.progress.standings()):
+            for exercise in self.catalogue:
+                if exercise.path == path and self.place.started(exercise):
+                    return exercise
+        raise Complaint("which exercise? ./course next names the one to begin with")
+
+    def toolchain(self):
+        build = Path(self.toolchain_file).parent
+        return read_toolchain(self.toolchain_file, self.root / "exercises" / "common", build)
+
+    # --- commands --------------------------------------------------------------------------------------------------
+
+    def start(self, arguments):
+        exercise = find(self.catalogue, arguments.word) if arguments.word else self._next()
+        if arguments.key:
+            self.place.take_key(arguments.key)
+        fresh = self.place.start(exercise)
+        self.progress.note(exercise.path, "started")
+        print(f"{exercise.title}, about {exercise.minutes} minutes, {exercise.points} points")
+        print(f"  the task   {self._shown(self.place.folder_of(exercise) / 'task.md')}")
+        print(f"  your copy  {self._shown(self.place.header_of(exercise))}" + ("" if fresh else ", kept as you left it"))
+        prepare(self.toolchain(), exercise)  # so that the first verdict comes as soon as all others
+        print(f"Edit your copy, then ./course check {exercise.name}; or leave ./course watch {exercise.name} running.")
+        return 0
+
+    def check(self, arguments):
+        exercise = self.named(arguments.word)
+        self._require_start(exercise)
+        return 0 if self._check(exercise, arguments.show) else 1
+
+    def watch(self, arguments):
+        exercise = self.named(arguments.word)
+        self._require_start(exercise)
+        watch = Watch(self.place.header_of(exercise), arguments.polling)
+        self._check(exercise)
+        print(f"\nWatching {self._shown(self.place.header_of(exercise))}; end with Ctrl-C.", flush=True)
+        try:
+            while watch.wait():
+                print(f"\n--- saved at {time.strftime('%H:%M:%S')}", flush=True)
+                self._check(exercise)
+                sys.stdout.flush()
+        except KeyboardInterrupt:
+            print()
+        finally:
+            watch.close()
+        return 0
+
+    def hint(self, arguments):
+        exercise = self.named(arguments.word)
+        hints = read_hints(exercise.folder / "hints.md")
+        shown = min(self.progress.standing(exercise.path).hints + 1, len(hints))
+        self.progress.note(exercise.path, "hint", str(shown))
+        print(f"Hint {shown} of {len(hints)} for {exercise.title}\n\n{hints[shown - 1]}")
+        return 0
+
+    def next(self, _):
+        exercise = self._next()
+        print(f"{exercise.title} ({exercise.path}), about {exercise.minutes} minutes, {exercise.points} points")
+        print("You will " + "; ".join(exercise.goals) + ".")
+        print(f"./course start {exercise.name}")
+        return 0
+
+    def show_progress(self, _):
+        standings = self.progress.standings()
+        chapter = points = whole = 0
+        for exercise in self.catalogue:
+            if exercise.chapter != chapter:
+                chapter = exercise.chapter
+                print(chapter)
+            standing = standings.get(exercise.path)
+            best = min(standing.best, exercise.points) if standing else 0
+            points, whole = points + best, whole + exercise.points
+            state = "" if not standing else "solved" if standing.solved else "begun"
+            if standing and standing.hints:
+                state += f", {standing.hints} of 3 hints"
+            print(f"  {exercise.name:<20}{bar(best, exercise.points, 10)} {best:>2} of {exercise.points:<3}{state}".rstrip())
+        solved = sum(1 for exercise in self.catalogue if exercise.path in standings and standings[exercise.path].solved)
+        print(f"\n{bar(points, whole)} {points} of {whole} points, {solved} of {len(self.catalogue)} exercises solved")
+        return 0
+
+    def reset(self, arguments):
+        exercise = self.named(arguments.word)
+        backup = self.place.reset(exercise)
+        self.progress.note(exercise.path, "reset")
+        print(f"{self._shown(self.place.header_of(exercise))} is the starter again; what was there is {backup.name}")
+        return 0
+
+    def compare(self, arguments):
+        exercise = self.named(arguments.word)
+        self._require_start(exercise)
+        solutions = self.root / "solutions" / exercise.path
+        if not (solutions / exercise.header).exists():
+            raise Complaint("this copy of the course holds no solutions, so there is nothing to compare with")
+        if not self.progress.standing(exercise.path).solved:
+            raise Complaint(f"first solve it: ./course check {exercise.name}. ./course hint {exercise.name} helps")
+        mine = self.place.header_of(exercise).read_text(encoding="utf-8", errors="replace")
+        other = solution_without_marks((solutions / exercise.header).read_text(encoding="utf-8"))
+        difference = difflib.unified_diff(mine.splitlines(), other.splitlines(), "yours", "the course's", lineterm="", n=2)
+        text = "\n".join(difference)
+        print(text if text else "Yours is the course's, to the letter.")
+        why = solutions / "why.md"
+        print(f"\n--- {self._shown(why)}\n\n{why.read_text(encoding='utf-8').strip()}")
+        self.progress.note(exercise.path, "compared")
+        return 0
+
+    # --- helpers ---------------------------------------------------------------------------------------------------
+
+    def _check(self, exercise, show=False):
+        """Compiles, judges, prints the verdict; returns whether it is solved."""
+        began = time.monotonic()
+        toolchain, header = self.toolchain(), self.place.header_of(exercise)
+        folder = folder_of(toolchain, exercise) / "mine"
+        print(exercise.title)
+        try:
+            judge_program = prepare(toolchain, exercise)
+            worker = build_worker(toolchain, exercise, header.parent, folder)
+        except CommandFailed as failure:
+            print("\nIt doesn't compile. The compiler's first complaint:\n")
+            print(first_message(failure.output, header))
+            self._times(began, None)
+            return False
+        compiled = time.monotonic() - began
+        verdict = judge(exercise, judge_program, worker.program, self.place.parameters(exercise))
+        warning = first_message(worker.warnings, header, "warning")
+        print("\n".join(said(exercise, verdict)))
+        if warning:
+            print("\nThe compiler wonders:\n" + warning)
+        points = verdict.points(exercise)
+        self.progress.note(exercise.path, "solved" if verdict.solved else "checked", f"{points}/{exercise.points}")
+        self._times(began, compiled, f"{points} of {exercise.points} points {bar(points, exercise.points, 20)}")
+        if verdict.solved or show:
+            replay(toolchain, exercise, header.parent, folder, self._shown)
+        if verdict.solved:
+            self._praise(exercise)
+        return verdict.solved
+
+    def _times(self, began, compiled, points="no points yet"):
+        whole = time.monotonic() - began
+        parts = "" if compiled is None else f", of which {compiled:.1f} s to compile"
+        print(f"\n{points}   ({whole:.1f} s{parts})")
+
+    def _praise(self, exercise):
+        print(f"\nSolved. {exercise.learned}")
+        if (self.root / "solutions" / exercise.path).exists():
+            print(f"The course's own way, and why: ./course compare {exercise.name}")
+        try:
+            print(f"Next: {self._next().title}, ./course start {self._next().name}")
+        except Complaint as complaint:
+            print(complaint)
+
+    def _next(self):
+        standings = self.progress.standings()
+        for exercise in self.catalogue:
+            if not (exercise.path in standings and standings[exercise.path].solved):
+                return exercise
+        raise Complaint("Every exercise is solved. What is left is to invent one." if self.catalogue
+                        else "there are no exercises here")
+
+    def _require_start(self, exercise):
+        if not self.place.started(exercise):
+            raise Complaint(f"{exercise.name} was not started yet: ./course start {exercise.name}")
+
+    def _shown(self, path):
+        return os.path.relpath(path, self.root)
+
+
+def main(words):
+    parser = argparse.ArgumentParser(prog="./course")
+    parser.add_argument("--root", type=Path, required=True)
+    parser.add_argument("--toolchain", type=Path)
+    parser.add_argument("command", choices=("start", "check", "watch", "hint", "next", "progress", "reset", "compare"))
+    parser.add_argument("word", nargs="?", default="", help="an exercise, such as hammer")
+    parser.add_argument("--key", help="start: the word from which your own numbers are drawn, if your teacher gave you one")
+    parser.add_argument("--show", action="store_true", help="check: make the replay of a lab though it isn't solved yet")
+    parser.add_argument("--polling", action="store_true", help="watch: look at the file again and again")
+    arguments = parser.parse_args(words)
+    try:
+        student = Student(arguments.root, arguments.toolchain)
+        method = {"progress": "show_progress"}.get(arguments.command, arguments.command)
+        return getattr(student, method)(arguments)
+    except Complaint as complaint:
+        print(f"course: {complaint}", file=sys.stderr)
+        return 2
+    except CommandFailed as failure:  # what is compiled without any of the student's code
+        print(f"course: the course's own code doesn't compile:\n{failure.output}", file=sys.stderr)
+        return 2
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

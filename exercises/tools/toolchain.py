@@ -1,0 +1,58 @@
+"""The compiler's commands for an exercise, called without CMake: the headers precompiled, -O1, no debugging symbols."""
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+
+from complaint import Complaint
+
+# Unused parameters are no fault in an exercise: in a starter none is used yet.
+OPTIONS = ["-std=c++20", "-O1", "-g0", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion",
+           "-Wno-unused-parameter", "-fmax-errors=3", "-fdiagnostics-color=never"]
+
+
+@dataclass(frozen=True)
+class Toolchain:
+    compiler: str
+    options: list
+    system_folders: list
+    player_folders: list
+    floors: dict
+    common: Path  # where <exercise/...> is found
+    build: Path   # where everything made goes
+
+    def folders_of(self, floor):
+        if floor not in self.floors:
+            raise Complaint(f"there is no chapter {floor}; the chapters are {', '.join(self.floors)}")
+        return self.floors[floor]
+
+    def compile(self, source, target, floor, first_folders=(), last_folders=(), precompiled=True):
+        """The command that compiles one file, and the file in which it names what it has read."""
+        dependencies = f"{target}.d"
+        folders = [*first_folders, self.common, *self.folders_of(floor), *last_folders]
+        command = [self.compiler, *OPTIONS, *self.options, "-MD", "-MF", dependencies]
+        if precompiled:
+            command += ["-include", self.build / "precompiled" / "exercise.hpp"]
+        command += [word for folder in self.system_folders for word in ("-isystem", folder)]
+        command += [f"-I{folder}" for folder in folders if folder not in self.system_folders]
+        return [*command, "-c", source, "-o", target], dependencies
+
+    def precompile(self):
+        """The command for the precompiled header, its target, and the file that names what it read."""
+        header = self.build / "precompiled" / "exercise.hpp"
+        target = f"{header}.gch"
+        command, dependencies = self.compile(header, target, "common", precompiled=False)
+        command[command.index("-c"):command.index("-c") + 1] = ["-x", "c++-header"]
+        return header, command, target, dependencies
+
+    def link(self, objects, target):
+        return [self.compiler, *objects, "-o", target]
+
+
+def read_toolchain(file, common, build):
+    try:
+        said = json.loads(Path(file).read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        raise Complaint(f"{file} is missing; CMake writes it when it configures the build") from None
+    return Toolchain(compiler=said["compiler"], options=said["options"], system_folders=said["system_folders"],
+                     player_folders=said["player_folders"], floors=said["floors"], common=common, build=build)

@@ -1,0 +1,93 @@
+"""A student's own copies in work/, which git ignores: only they are edited, so no update of the course meets them."""
+
+import hashlib
+import random
+import re
+import shutil
+from datetime import datetime
+from pathlib import Path
+
+from complaint import Complaint
+
+
+class Workplace:
+    def __init__(self, root):
+        self.folder = Path(root) / "work"
+
+    def folder_of(self, exercise):
+        return self.folder / exercise.path
+
+    def header_of(self, exercise):
+        return self.folder_of(exercise) / exercise.header
+
+    def started(self, exercise):
+        return self.header_of(exercise).exists()
+
+    def start(self, exercise):
+        """Copies the starter and the task. A copy that is there already is left as it is; says whether it made one."""
+        folder = self.folder_of(exercise)
+        folder.mkdir(parents=True, exist_ok=True)
+        task = (exercise.folder / "task.md").read_text(encoding="utf-8")
+        (folder / "task.md").write_text(with_parameters(task, exercise, self.parameters(exercise)), encoding="utf-8")
+        if self.started(exercise):
+            return False
+        shutil.copyfile(exercise.folder / exercise.header, self.header_of(exercise))
+        return True
+
+    def reset(self, exercise):
+        """The starter again; returns the dated copy of what was there."""
+        header = self.header_of(exercise)
+        if not header.exists():
+            raise Complaint(f"{exercise.name} was not started, so there is nothing to reset")
+        stamp = datetime.now().strftime("%Y-%m-%d_%H-%M-%S")
+        backup = header.with_name(f"{exercise.name}.{stamp}.hpp")
+        count = 1
+        while backup.exists():
+            count += 1
+            backup = header.with_name(f"{exercise.name}.{stamp}_{count}.hpp")
+        header.rename(backup)
+        self.start(exercise)
+        return backup
+
+    @property
+    def key(self):
+        """The word from which this student's parameters are drawn; empty for the usual ones."""
+        try:
+            return (self.folder / "key").read_text(encoding="utf-8").strip()
+        except FileNotFoundError:
+            return ""
+
+    def take_key(self, key):
+        if not re.fullmatch(r"[A-Za-z0-9_.-]+", key):
+            raise Complaint(f'the key is "{key}"; it must be letters, digits and the signs _ . -')
+        self.folder.mkdir(parents=True, exist_ok=True)
+        (self.folder / "key").write_text(key + "\n", encoding="utf-8")
+
+    def parameters(self, exercise):
+        return drawn_parameters(exercise, self.key)
+
+
+def drawn_parameters(exercise, key):
+    """Each parameter's value for the student with this key: the same on every machine."""
+    values = []
+    for parameter in exercise.parameters:
+        value = parameter.usual
+        if key:
+            seed = hashlib.sha256(f"{key} {exercise.path} {parameter.name}".encode()).digest()
+            steps = round((parameter.most - parameter.least) / parameter.step)
+            value = parameter.least + random.Random(seed).randint(0, steps) * parameter.step
+        values.append((parameter.name, float(f"{value:.10g}")))
+    return values
+
+
+def with_parameters(task, exercise, values):
+    """The task with every {{parameter NAME}} replaced by its value and unit."""
+    units = {parameter.name: parameter.unit for parameter in exercise.parameters}
+    shown = {name: f"{value:g} {units[name]}".strip() for name, value in values}
+
+    def value_of(found):
+        name = found.group(1)
+        if name not in shown:
+            raise Complaint(f"{exercise.folder / 'task.md'} names the parameter {name}, which exercise.json does not")
+        return shown[name]
+    return re.sub(r"\{\{parameter ([a-z0-9_]+)\}\}", value_of, task)
