@@ -1,10 +1,10 @@
 // The judge's main: --list names the checks; otherwise one of them is run and its verdict printed.
 #include <exercise/judge.hpp>
 
+#include <unistd.h>
 #include <csignal>
 #include <cstring>
 #include <map>
-#include <unistd.h>
 
 namespace tumble::exercise {
 
@@ -40,13 +40,16 @@ std::string quoted(std::string_view text) {
 }
 
 Verdict verdict_of(const Check& check) {
-  for (const auto& [run, precision] : {std::pair{check.in_double, ""}, {check.in_float, "in float, "}}) {
+  for (const auto& [run, precision] :
+       {std::pair{check.in_double, ""}, {check.in_float, "in float, "}}) {
     try {
       run();
     } catch (const Verdict& verdict) {
-      return {verdict.status, verdict.status == "failed" ? precision + verdict.message : verdict.message};
+      return {verdict.status,
+              verdict.status == "failed" ? precision + verdict.message : verdict.message};
     } catch (const Unreadable& error) {
-      return {"failed", std::string(precision) + "the reply to a question could not be read: " + error.what()};
+      return {"failed", std::string(precision) +
+                            "the reply to a question could not be read: " + error.what()};
     }
   }
   return {"passed", ""};
@@ -87,7 +90,8 @@ double parameter(std::string_view name) {
 
 }  // namespace tumble::exercise
 
-// judge --list, or: judge NUMBER-OF-CHECK QUESTIONS REPLIES [PARAMETER=VALUE...], the two being file descriptors.
+// judge --list, or: judge NUMBER-OF-CHECK QUESTIONS REPLIES [PARAMETER=VALUE...], the two being
+// file descriptors.
 int main(int argument_count, char** arguments) {
   using namespace tumble::exercise;
   if (argument_count == 2 && std::strcmp(arguments[1], "--list") == 0) return list();
@@ -100,7 +104,8 @@ int main(int argument_count, char** arguments) {
   for (int i = 4; i < argument_count; ++i) {
     const char* const equals = std::strchr(arguments[i], '=');
     if (equals == nullptr) return 2;
-    parameters[std::string(arguments[i], static_cast<std::size_t>(equals - arguments[i]))] = std::strtod(equals + 1, nullptr);
+    parameters[std::string(arguments[i], static_cast<std::size_t>(equals - arguments[i]))] =
+        std::strtod(equals + 1, nullptr);
   }
   const Verdict verdict = verdict_of(checks()[number]);
   std::printf("{\"status\": %s, \"message\": %s}\n", quoted(verdict.status).c_str(),

@@ -3,6 +3,7 @@
 /// another one, the worker, what the student's functions return.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <exercise/wire.hpp>
 #include <limits>
@@ -105,6 +106,12 @@ double farthest(const Eigen::Matrix<Real, rows, columns>& a,
   return distance;
 }
 
+/// The size of the largest component.
+template <class Value>
+double largest(const Value& value) {
+  return farthest(value, Value(value - value));
+}
+
 /// What the student's code found, on its way to a verdict.
 template <class Value>
 class Found {
@@ -118,21 +125,31 @@ class Found {
     return *this;
   }
 
+  /// The sentence for whoever got no number at all.
+  Found& not_a_number(std::string message) {
+    nan_message_ = std::move(message);
+    return *this;
+  }
+
   /// Ends the check unless every component is within `tolerance` of the truth.
   void must_be(const Value& truth, double tolerance) const {
     if (farthest(value_, truth) <= tolerance) return;
     const std::string found = what_ + " is " + shown(value_) + unit_;
-    for (const auto& [value, message] : mistakes_)
-      if (farthest(value_, value) <= tolerance && farthest(value, truth) > 2 * tolerance)
+    for (const auto& [value, message] : mistakes_) {
+      // A mistake rounds in its own way, and in proportion to its own size.
+      const double times_larger = largest(truth) > 0 ? largest(value) / largest(truth) : 1;
+      const double near = 4 * tolerance * std::max(1.0, times_larger);
+      if (farthest(value_, value) <= near && farthest(value, truth) > near)
         fail(found + ": " + message);
-    if (std::isnan(farthest(value_, truth))) fail(found + "; it must be a number");
+    }
+    if (std::isnan(farthest(value_, truth))) fail(found + ": " + nan_message_);
     std::string right = shown(truth);
     if (right == shown(value_)) right += ", and it is off by " + shown(farthest(value_, truth));
     fail(found + "; it must be " + right + unit_);
   }
 
  private:
-  std::string what_, unit_;
+  std::string what_, unit_, nan_message_ = "that is no number";
   Value value_;
   std::vector<std::pair<Value, std::string>> mistakes_;
 };

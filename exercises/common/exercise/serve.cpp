@@ -1,6 +1,6 @@
 // The worker's loop. It is compiled once; a student's own file has only functions to compile.
-#include <exercise/answers.hpp>
 #include <unistd.h>
+#include <exercise/answers.hpp>
 
 namespace tumble::exercise {
 

@@ -23,17 +23,20 @@ struct Unreadable : std::runtime_error {
 /// The members of a chapter's struct, in their order, known by their names: so a floor need not
 /// include the floors above it.
 template <class Particle>
-auto fields(Particle& particle) requires requires { particle.inverse_mass; } {
-  return std::tie(particle.position, particle.velocity, particle.force, particle.inverse_mass);
+auto fields(Particle& particle) requires requires {
+  particle.inverse_mass;
 }
+{ return std::tie(particle.position, particle.velocity, particle.force, particle.inverse_mass); }
 template <class Wrench>
-auto fields(Wrench& wrench) requires requires { wrench.about; } {
-  return std::tie(wrench.about, wrench.force, wrench.torque);
+auto fields(Wrench& wrench) requires requires {
+  wrench.about;
 }
+{ return std::tie(wrench.about, wrench.force, wrench.torque); }
 template <class MassProperties>
-auto fields(MassProperties& body) requires requires { body.centre_of_mass; } {
-  return std::tie(body.mass, body.centre_of_mass, body.inertia);
+auto fields(MassProperties& body) requires requires {
+  body.centre_of_mass;
 }
+{ return std::tie(body.mass, body.centre_of_mass, body.inertia); }
 
 inline void put(std::string& line, double number) {
   char word[64];

@@ -1,0 +1,92 @@
+#include "three_suns.hpp"
+
+#include <exercise/judge.hpp>
+
+using namespace tumble;
+using namespace tumble::exercise;
+
+namespace {
+
+/// The worst distance from where a body began, after one period in so many steps.
+template <class Real>
+Real missed_by(int steps) {
+  const auto start = course::three_suns<Real>();
+  const Real time_step = Real(course::period_of_the_eight / steps);
+  const auto end = ask<std::vector<Particle<Real>>, Real>("flown", start, time_step, steps);
+  require(end.size() == 3, "three bodies went in, and " + std::to_string(end.size()) + " came out");
+  Real worst = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Real miss = (end[i].position - start[i].position).norm();
+    if (!(miss <= worst)) worst = miss;
+  }
+  return worst;
+}
+
+}  // namespace
+
+EXERCISE_CHECK("A body pulls straight towards itself, with the product of the masses") {
+  using Vector = Vec3<Real>;
+  const auto on = make_particle(Real(2), Vector(1, 1, 0)),
+             by = make_particle(Real(4), Vector(1, 3, 0));
+  Found("the pull of 4 kg on 2 kg, two metres away along y", "N", ask<Vector, Real>("pull", on, by))
+      .mistake(Vector(0, -2, 0),
+               "it pushes. The way from the one that is pulled leads to the one that pulls")
+      .mistake(Vector(0, 4, 0),
+               "right for one metre of distance. Does the length of r count once too often? "
+               "r / |r|³ falls with the square of the distance")
+      .mistake(Vector(0, 1, 0), "half of what it should be: is one of the masses missing?")
+      .mistake(Vector(0, Real(0.5), 0),
+               "a quarter of what it should be: is one of the masses missing?")
+      .must_be(Vector(0, 2, 0), 16 * unit_roundoff<Real>);
+}
+
+EXERCISE_CHECK("Twice as far away, it pulls a quarter as hard") {
+  using Vector = Vec3<Real>;
+  const Vector direction(Real(0.48), Real(0.6), Real(-0.64));
+  const auto on = make_particle(Real(3));
+  const auto at = [&](Real distance) {
+    return ask<Vector, Real>("pull", on, make_particle(Real(5), Vector(distance * direction)))
+        .norm();
+  };
+  const Real near = at(1), far = at(2);
+  Found("the pull from twice as far, as a part of the pull from near", "", far / near)
+      .mistake(Real(0.5),
+               "it halves. The law is that of the inverse square; is a power of |r| missing?")
+      .mistake(Real(0.125), "an eighth. |r|³ divides r, whose own length makes it the square")
+      .mistake(1, "it is the same from everywhere. Where does the distance come in?")
+      .mistake(2, "it grows with the distance, as a spring's pull would")
+      .must_be(Real(0.25), 16 * unit_roundoff<Real>);
+}
+
+EXERCISE_CHECK("A step leaves the momentum of all three together as it was, and no force behind") {
+  auto bodies = course::three_suns<Real>();
+  for (int n = 0; n < 4; ++n) {
+    bodies = ask<std::vector<Particle<Real>>, Real>("step_all", bodies, Real(0.0625));
+    require(bodies.size() == 3,
+            "three bodies went in, and " + std::to_string(bodies.size()) + " came out");
+    for (const Particle<Real>& body : bodies)
+      require(body.force.isZero(0), "after a step the force " + shown(body.force) +
+                                        " N is left. It would act again in the next: clear it");
+  }
+  const Vec3<Real> momentum = bodies[0].velocity + bodies[1].velocity + bodies[2].velocity;
+  require((bodies[2].velocity - course::three_suns<Real>()[2].velocity).norm() > Real(0.01),
+          "after four steps the velocities are still those of the start. Does every body feel the "
+          "others?");
+  // Velocities and their changes stay below 4 m/s; six roundings a step and body are more than
+  // there are.
+  require(
+      momentum.norm() <= 4 * 3 * 6 * 4 * unit_roundoff<Real>,
+      "the momenta of all three sum to " + shown(momentum) +
+          " N s instead of zero. Is a body moved before the others have felt its pull? First all "
+          "forces, then all steps");
+}
+
+EXERCISE_CHECK(
+    "After one period all three are back where they began, the nearer the shorter the step") {
+  const Real coarse = missed_by<Real>(250), fine = missed_by<Real>(500);
+  // First order: half the step, half the miss. The next order changes the ratio by some percent.
+  require(fine < Real(0.1), "after one period a body is " + shown(fine) +
+                                " m from where it began: they don't follow the figure of eight");
+  require(coarse > Real(1.8) * fine, "with half the step the miss went from " + shown(coarse) +
+                                         " to " + shown(fine) + " m; it must be half or less");
+}

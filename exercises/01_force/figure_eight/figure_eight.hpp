@@ -1,0 +1,28 @@
+/// @file
+/// Lab: three equal suns chase each other along a figure of eight.
+#pragma once
+
+#include <exercise/todo.hpp>
+#include <tumble/force.hpp>
+#include <vector>
+
+/// The pull (N) that the body `by` exerts on the body `on`: m M r / |r|³, r leading from `on` to
+/// `by`. The units are such that the constant of gravity is 1.
+template <class Real>
+tumble::Vec3<Real> pull(const tumble::Particle<Real>& on, const tumble::Particle<Real>& by) {
+  todo("the pull of one body on another");
+}
+
+/// One step of `time_step` seconds of all bodies, each pulled by all others.
+template <class Real>
+void step_all(std::vector<tumble::Particle<Real>>& bodies, Real time_step) {
+  todo("gather the pulls on every body, then step every body");
+}
+
+/// The bodies after `steps` steps.
+template <class Real>
+std::vector<tumble::Particle<Real>> flown(std::vector<tumble::Particle<Real>> bodies,
+                                          Real time_step, int steps) {
+  for (int n = 0; n < steps; ++n) step_all(bodies, time_step);
+  return bodies;
+}

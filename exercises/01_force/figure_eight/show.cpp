@@ -1,0 +1,30 @@
+// Two rounds of the figure of eight, as the student's functions make it.
+#include "three_suns.hpp"
+
+#include <course/player_page.hpp>
+#include <course/recording.hpp>
+#include <figure_eight.hpp>
+#include <iostream>
+#include <tumble/pose.hpp>
+
+int main(int, char** arguments) {
+  using namespace tumble;
+  try {
+    const int frames = 240, steps_per_frame = 16;
+    const double seconds = 2 * course::period_of_the_eight, between = seconds / frames;
+    course::Recording recording("Three suns on a figure of eight", between);
+    for (const char* name : {"first", "second", "third"})
+      recording.add_body(name, {course::Part::sphere(0.08)});
+    auto suns = course::three_suns<double>();
+    for (int frame = 0; frame <= frames; ++frame) {
+      std::vector<Posed> poses;
+      for (const Particled& sun : suns) poses.push_back({.position = sun.position});
+      recording.add_frame(poses);
+      suns = flown(suns, between / steps_per_frame, steps_per_frame);
+    }
+    course::write_player_page(arguments[1], recording.json());
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
+}

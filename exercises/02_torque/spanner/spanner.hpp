@@ -1,0 +1,16 @@
+/// @file
+/// Exercise: how hard must one pull at a spanner?
+#pragma once
+
+#include <cmath>
+#include <exercise/todo.hpp>
+#include <stdexcept>
+#include <tumble/require.hpp>
+
+/// The force (N) that gives a bolt `torque` N m, pulled at the end of a spanner of `length` m, at
+/// `angle` rad to the spanner.
+/// @throws std::invalid_argument if no pull does it: along the spanner, or without a spanner.
+template <class Real>
+Real pull_needed(Real torque, Real length, Real angle) {
+  todo("refuse what cannot be, then solve the torque for the force");
+}

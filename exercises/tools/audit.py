@@ -1,0 +1,193 @@
+"""The course's own checker of its exercises: what an exercise promises, it must keep.
+
+  audit.py --root ROOT --toolchain FILE [--write] [--only WORD] [--jobs N]
+
+Every starter is made from its solution and warning-free, and fails every check; every solution passes them all, warning-free, in
+both precisions; every wrong answer is caught by the check that it names, with its message.
+--write makes the starters anew.
+"""
+
+import argparse
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+from catalogue import exercise_folders
+from compiler_says import first_message
+from complaint import Complaint
+from exercise import read_exercise
+from hints import read_hints
+from made import CommandFailed
+from programs import build_worker, folder_of, prepare
+from run_check import PASSED, TODO
+from starter import starter_of
+from toolchain import read_toolchain
+from verdict import judge
+from workplace import drawn_parameters, with_parameters
+from wrong_answers import read_wrong_answers
+
+KEYS = ("", "one", "another")  # the usual numbers, and those of two students
+
+
+@dataclass(frozen=True)
+class Places:
+    """Where an exercise keeps what students don't get."""
+    root: Path
+
+    def solution(self, exercise):
+        return self.root / "solutions" / exercise.path
+
+    def wrong(self, exercise):
+        return self.root / "tests" / "exercises" / exercise.path / "wrong"
+
+
+def look_at_files(root, exercise):
+    """What can be said without a compiler: a list of complaints."""
+    places, complaints = Places(root), []
+
+    def attempt(action):
+        try:
+            return action()
+        except Complaint as complaint:
+            complaints.append(str(complaint))
+        except FileNotFoundError as error:
+            complaints.append(f"{exercise.path}: {error.filename} is missing")
+        return None
+    if (root / "chapters" / exercise.name).exists() or any(
+            exercise.name == chapter.name.partition("_")[2] for chapter in (root / "chapters").glob("[0-9][0-9]_*")):
+        complaints.append(f"{exercise.path} is called as a chapter is; ./course check could not tell them apart")
+    for name in exercise.prerequisites:
+        there = root / ("exercises" if "/" in name else "chapters") / name
+        if not there.is_dir():
+            complaints.append(f"{exercise.path}: prerequisites names {name}, which is not there")
+    attempt(lambda: read_hints(exercise.folder / "hints.md"))
+    attempt(lambda: with_parameters((exercise.folder / "task.md").read_text(encoding="utf-8"), exercise,
+                                    drawn_parameters(exercise, "")))
+    attempt(lambda: (exercise.folder / "checks.cpp").stat())
+    if attempt(lambda: (places.solution(exercise) / "why.md").read_text(encoding="utf-8").strip()) == "":
+        complaints.append(f"{exercise.path}: why.md is empty")
+    solution = places.solution(exercise) / exercise.header
+    made = attempt(lambda: starter_of(solution.read_text(encoding="utf-8"), str(solution)))
+    found = attempt(lambda: (exercise.folder / exercise.header).read_text(encoding="utf-8"))
+    if made is not None and found is not None and made != found:
+        complaints.append(f"{exercise.path}: the starter is not the one that its solution makes; audit.py --write makes it")
+    attempt(lambda: read_wrong_answers(exercise, places.wrong(exercise)))
+    return complaints
+
+
+def look_at_behaviour(root, toolchain, exercise):
+    """What only running it can tell."""
+    places, complaints = Places(root), []
+    try:
+        judge_program = prepare(toolchain, exercise)
+    except CommandFailed as failure:
+        return [f"{exercise.path}: checks.cpp doesn't compile:\n{first_message(failure.output, 'checks.cpp')}"]
+    said = _sentences(judge_program)
+    if said != [check.sentence for check in exercise.checks]:
+        return [f"{exercise.path}: checks.cpp says {said}, and exercise.json {[c.sentence for c in exercise.checks]}; they must "
+                "be the same, in the same order"]
+
+    def verdict(header_folder, name, key=""):
+        worker = build_worker(toolchain, exercise, header_folder, folder_of(toolchain, exercise) / name)
+        if worker.warnings.strip():
+            complaints.append(f"{exercise.path}: the compiler warns of {name}:\n"
+                              f"{first_message(worker.warnings, exercise.header, 'warning')}")
+        return judge(exercise, judge_program, worker.program, drawn_parameters(exercise, key))
+    try:
+        for check, outcome in zip(exercise.checks, verdict(exercise.folder, "starter").outcomes):
+            if outcome.status == PASSED:
+                complaints.append(f'{exercise.path}: the unsolved starter passes "{check.sentence}"')
+        for key in KEYS[:None if exercise.parameters else 1]:
+            for check, outcome in zip(exercise.checks, verdict(places.solution(exercise), "solution", key).outcomes):
+                if outcome.status != PASSED:
+                    complaints.append(f'{exercise.path}: the solution fails "{check.sentence}": {outcome.message}')
+        for wrong in read_wrong_answers(exercise, places.wrong(exercise)):
+            folder = folder_of(toolchain, exercise) / "wrong" / wrong.name
+            folder.mkdir(parents=True, exist_ok=True)
+            _put(wrong.file, folder / exercise.header)
+            outcomes = dict(zip((check.sentence for check in exercise.checks), verdict(folder, f"wrong/{wrong.name}").outcomes))
+            outcome = outcomes[wrong.caught_by]
+            if outcome.status in (PASSED, TODO):
+                complaints.append(f'{exercise.path}: "{wrong.caught_by}" doesn\'t catch {wrong.name}')
+            elif wrong.message not in outcome.message:
+                complaints.append(f'{exercise.path}: {wrong.name} gets the message "{outcome.message}"; it must hold "{wrong.message}"')
+    except CommandFailed as failure:
+        complaints.append(f"{exercise.path} doesn't compile: {' '.join(failure.command[-3:])}\n"
+                          f"{first_message(failure.output, exercise.header)}")
+    return complaints
+
+
+def _put(source, target):
+    """Copies a file unless it is there already, so that nothing is compiled again for a new time stamp."""
+    text = source.read_bytes()
+    if not target.exists() or target.read_bytes() != text:
+        target.write_bytes(text)
+
+
+def _sentences(judge_program):
+    import json
+    import subprocess
+    return json.loads(subprocess.run([judge_program, "--list"], capture_output=True, check=True).stdout)
+
+
+def write_starters(root):
+    for folder in exercise_folders(root):
+        exercise = read_exercise(folder)
+        solution = Places(root).solution(exercise) / exercise.header
+        (folder / exercise.header).write_text(starter_of(solution.read_text(encoding="utf-8"), str(solution)), encoding="utf-8")
+
+
+def audit(root, toolchain, folders, jobs=1):
+    """All complaints about the exercises in these folders."""
+    complaints, sound = [], []
+    for folder in folders:
+        try:
+            exercise = read_exercise(folder)
+        except Complaint as complaint:
+            complaints.append(str(complaint))
+            continue
+        found = look_at_files(root, exercise)
+        complaints += found
+        if not found:
+            sound.append(exercise)
+    names = [exercise.name for exercise in sound]
+    complaints += [f"two exercises are called {name}" for name in sorted(set(names)) if names.count(name) > 1]
+    if toolchain and sound:
+        try:
+            prepare(toolchain, sound[0])  # the precompiled header, before anything happens side by side
+        except CommandFailed:
+            pass  # the complaint comes below
+        with ThreadPoolExecutor(jobs) as pool:
+            for found in pool.map(lambda exercise: look_at_behaviour(root, toolchain, exercise), sound):
+                complaints += found
+    return complaints
+
+
+def main(words):
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--root", type=Path, required=True)
+    parser.add_argument("--toolchain", type=Path, help="without it, only what needs no compiler is looked at")
+    parser.add_argument("--write", action="store_true")
+    parser.add_argument("--only", default="", help="an exercise, such as hammer")
+    parser.add_argument("--jobs", type=int, default=1)
+    arguments = parser.parse_args(words)
+    if arguments.write:
+        write_starters(arguments.root)
+    folders = [folder for folder in exercise_folders(arguments.root) if arguments.only in ("", folder.name)]
+    if not folders:
+        print("no exercise to look at", file=sys.stderr)
+        return 2
+    toolchain = None
+    if arguments.toolchain:
+        build = arguments.toolchain.parent / "audit"
+        toolchain = read_toolchain(arguments.toolchain, arguments.root / "exercises" / "common", build)
+    complaints = audit(arguments.root, toolchain, folders, arguments.jobs)
+    for complaint in complaints:
+        print(f"error: {complaint}", file=sys.stderr)
+    print(f"looked at {len(folders)} exercises, {len(complaints)} complaints")
+    return 1 if complaints else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,28 @@
+// caught by: A step leaves the momentum of all three together as it was, and no force behind
+// message: Is a body moved before the others have felt its pull?
+#pragma once
+#include <tumble/force.hpp>
+#include <vector>
+
+template <class Real>
+tumble::Vec3<Real> pull(const tumble::Particle<Real>& on, const tumble::Particle<Real>& by) {
+  const tumble::Vec3<Real> r = by.position - on.position;
+  return mass_of(on) * mass_of(by) / (r.norm() * r.squaredNorm()) * r;
+}
+
+template <class Real>
+void step_all(std::vector<tumble::Particle<Real>>& bodies, Real time_step) {
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    for (std::size_t j = 0; j < bodies.size(); ++j)
+      if (i != j) add_force(bodies[i], pull(bodies[i], bodies[j]));
+    step(bodies[i], time_step);
+    clear_force(bodies[i]);
+  }
+}
+
+template <class Real>
+std::vector<tumble::Particle<Real>> flown(std::vector<tumble::Particle<Real>> bodies,
+                                          Real time_step, int steps) {
+  for (int n = 0; n < steps; ++n) step_all(bodies, time_step);
+  return bodies;
+}
