@@ -93,7 +93,7 @@ def look_at_behaviour(root, toolchain, exercise):
         if worker.warnings.strip():
             complaints.append(f"{exercise.path}: the compiler warns of {name}:\n"
                               f"{first_message(worker.warnings, exercise.header, 'warning')}")
-        return judge(exercise, judge_program, worker.program, drawn_parameters(exercise, key))
+        return judge(exercise, judge_program, worker.programs, drawn_parameters(exercise, key))
     try:
         for check, outcome in zip(exercise.checks, verdict(exercise.folder, "starter").outcomes):
             if outcome.status == PASSED:

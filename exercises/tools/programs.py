@@ -7,12 +7,15 @@ from pathlib import Path
 from made import make
 
 
+PRECISIONS = ("double", "float")
+
+
 @dataclass(frozen=True)
 class Worker:
-    program: Path
+    """A student's code as a program for each precision: two, so that they compile side by side."""
+    programs: dict  # by precision
     warnings: str
-    seconds: float
-    read: list  # what the compiler read
+    read: list      # what the compiler read
 
 
 def prepare(toolchain, exercise):
@@ -35,18 +38,23 @@ def prepare(toolchain, exercise):
 
 def build_worker(toolchain, exercise, header_folder, folder, run=None):
     """Compiles a student's header, found in `header_folder`, into a worker in `folder`."""
-    source = folder / "answers.cpp"
-    text = answers_source(exercise)
+    folder.mkdir(parents=True, exist_ok=True)
+    with ThreadPoolExecutor(len(PRECISIONS)) as pool:
+        made = list(pool.map(lambda real: _build_answers(toolchain, exercise, real, header_folder, folder, run), PRECISIONS))
+    return Worker({real: folder / f"worker_{real}" for real in PRECISIONS}, made[0].output, made[0].inputs)
+
+
+def _build_answers(toolchain, exercise, real, header_folder, folder, run):
+    source = folder / f"answers_{real}.cpp"
+    text = answers_source(exercise, real)
     if not source.exists() or source.read_text(encoding="utf-8") != text:
-        folder.mkdir(parents=True, exist_ok=True)
         source.write_text(text, encoding="utf-8")
-    compiled = folder / "answers.o"
+    compiled, worker = folder / f"answers_{real}.o", folder / f"worker_{real}"
     command, dependencies = toolchain.compile(source, compiled, exercise.chapter, first_folders=[header_folder])
     made = make(compiled, command, dependencies=dependencies, run=run)
-    worker = folder / "worker"
     parts = [compiled, _shared(toolchain, "serve.o")]
-    linked = make(worker, toolchain.link(parts, worker), inputs=parts, run=run)
-    return Worker(worker, made.output, made.seconds + linked.seconds, made.inputs)
+    make(worker, toolchain.link(parts, worker), inputs=parts, run=run)
+    return made
 
 
 def build_show(toolchain, exercise, header_folder, folder):
@@ -70,10 +78,9 @@ def prepare_all(toolchain, exercises, jobs):
     return judges
 
 
-def answers_source(exercise):
-    """The worker's main: every function of the exercise by name, in both precisions."""
-    offers = "".join(f'          {{"{name}.{real}", answer<&{name}<{real}>>}},\n'
-                     for name in exercise.functions for real in ("float", "double"))
+def answers_source(exercise, real):
+    """The worker's main: every function of the exercise by name."""
+    offers = "".join(f'          {{"{name}", answer<&{name}<{real}>>}},\n' for name in exercise.functions)
     return ("#include <exercise/answers.hpp>\n"
             f"#include <{exercise.header}>\n\n"
             "int main(int argument_count, char** arguments) {\n"

@@ -21,19 +21,25 @@ class Outcome:
     seconds: float = 0.0
 
 
-def run_check(judge, number, worker, parameters=(), limits=Limits(), folder=None):
-    """The outcome of check `number`; `folder` is where the worker runs."""
-    began = time.monotonic()
-    with _Pair(judge, number, worker, parameters, limits, folder) as pair:
-        reason = pair.run()
-    outcome = _outcome(pair, reason, limits)
-    return Outcome(*outcome, printed=pair.printed["worker"].decode("utf-8", "replace"), seconds=time.monotonic() - began)
+def run_check(judge, number, workers, parameters=(), limits=Limits(), folder=None):
+    """The outcome of check `number` in both precisions; `workers` has a program for each. `folder` is where they run."""
+    began, printed = time.monotonic(), ""
+    for precision, worker in workers.items():
+        with _Pair(judge, number, precision, worker, parameters, limits, folder) as pair:
+            reason = pair.run()
+        status, message = _outcome(pair, reason, limits)
+        printed = printed or pair.printed["worker"].decode("utf-8", "replace")
+        if status != PASSED:
+            if status == FAILED and precision == "float":
+                message = f"in float, {message}"
+            break
+    return Outcome(status, message, printed, time.monotonic() - began)
 
 
 class _Pair:
     """The two processes, the pipes between them, and what they print."""
 
-    def __init__(self, judge, number, worker, parameters, limits, folder):
+    def __init__(self, judge, number, precision, worker, parameters, limits, folder):
         self.limits, self.printed = limits, {"judge": b"", "worker": b""}
         self.judged = False  # whether the judge has said all that it had to say
         question_out, question_in = os.pipe()
@@ -46,7 +52,7 @@ class _Pair:
                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, cwd=folder, env={},
                 start_new_session=True, preexec_fn=lambda: confine(limits))
             self.judge = subprocess.Popen(
-                [str(judge), str(number), str(question_in), str(reply_out)] +
+                [str(judge), str(number), precision, str(question_in), str(reply_out)] +
                 [f"{name}={value!r}" for name, value in parameters],
                 pass_fds=(question_in, reply_out), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                 stderr=subprocess.STDOUT)

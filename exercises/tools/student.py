@@ -156,7 +156,7 @@ class Student:
             self._times(began, None)
             return False
         compiled = time.monotonic() - began
-        verdict = judge(exercise, judge_program, worker.program, self.place.parameters(exercise))
+        verdict = judge(exercise, judge_program, worker.programs, self.place.parameters(exercise))
         warning = first_message(worker.warnings, header, "warning")
         print("\n".join(said(exercise, verdict)))
         if warning:

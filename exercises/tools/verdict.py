@@ -20,10 +20,10 @@ class Verdict:
         return sum(check.points for check, outcome in zip(exercise.checks, self.outcomes) if outcome.status == PASSED)
 
 
-def judge(exercise, judge_program, worker, parameters, limits=Limits(), folder=None):
+def judge(exercise, judge_program, workers, parameters, limits=Limits(), folder=None):
     """Runs every check. After one that took too long, the others still get their turn."""
     numbers = range(len(exercise.checks))
-    return Verdict([run_check(judge_program, number, worker, parameters, limits, folder) for number in numbers])
+    return Verdict([run_check(judge_program, number, workers, parameters, limits, folder) for number in numbers])
 
 
 def said(exercise, verdict, width=100):

@@ -12,7 +12,7 @@ template <class Real>
 Real missed_by(int steps) {
   const auto start = course::three_suns<Real>();
   const Real time_step = Real(course::period_of_the_eight / steps);
-  const auto end = ask<std::vector<Particle<Real>>, Real>("flown", start, time_step, steps);
+  const auto end = ask<std::vector<Particle<Real>>>("flown", start, time_step, steps);
   require(end.size() == 3, "three bodies went in, and " + std::to_string(end.size()) + " came out");
   Real worst = 0;
   for (std::size_t i = 0; i < 3; ++i) {
@@ -28,7 +28,7 @@ EXERCISE_CHECK("A body pulls straight towards itself, with the product of the ma
   using Vector = Vec3<Real>;
   const auto on = make_particle(Real(2), Vector(1, 1, 0)),
              by = make_particle(Real(4), Vector(1, 3, 0));
-  Found("the pull of 4 kg on 2 kg, two metres away along y", "N", ask<Vector, Real>("pull", on, by))
+  Found("the pull of 4 kg on 2 kg, two metres away along y", "N", ask<Vector>("pull", on, by))
       .mistake(Vector(0, -2, 0),
                "it pushes. The way from the one that is pulled leads to the one that pulls")
       .mistake(Vector(0, 4, 0),
@@ -45,8 +45,7 @@ EXERCISE_CHECK("Twice as far away, it pulls a quarter as hard") {
   const Vector direction(Real(0.48), Real(0.6), Real(-0.64));
   const auto on = make_particle(Real(3));
   const auto at = [&](Real distance) {
-    return ask<Vector, Real>("pull", on, make_particle(Real(5), Vector(distance * direction)))
-        .norm();
+    return ask<Vector>("pull", on, make_particle(Real(5), Vector(distance * direction))).norm();
   };
   const Real near = at(1), far = at(2);
   Found("the pull from twice as far, as a part of the pull from near", "", far / near)
@@ -61,7 +60,7 @@ EXERCISE_CHECK("Twice as far away, it pulls a quarter as hard") {
 EXERCISE_CHECK("A step leaves the momentum of all three together as it was, and no force behind") {
   auto bodies = course::three_suns<Real>();
   for (int n = 0; n < 4; ++n) {
-    bodies = ask<std::vector<Particle<Real>>, Real>("step_all", bodies, Real(0.0625));
+    bodies = ask<std::vector<Particle<Real>>>("step_all", bodies, Real(0.0625));
     require(bodies.size() == 3,
             "three bodies went in, and " + std::to_string(bodies.size()) + " came out");
     for (const Particle<Real>& body : bodies)

@@ -5,7 +5,7 @@ using namespace tumble::exercise;
 
 EXERCISE_CHECK("What falls near the Moon's ground gains 1.62 m/s downward in every second") {
   using Vector = Vec3<Real>;
-  const auto gravity = ask<Vector, Real>("gravity");
+  const auto gravity = ask<Vector>("gravity");
   Found("the acceleration", "m/s²", gravity)
       .mistake(Vector(0, 0, Real(-9.81)), "that is the Earth's. Change the one number in gravity()")
       .mistake(Vector(0, 0, Real(1.62)),
@@ -20,7 +20,7 @@ EXERCISE_CHECK("What falls near the Moon's ground gains 1.62 m/s downward in eve
 EXERCISE_CHECK("The same throw rises six times as high as on Earth") {
   // Stepped with h, a throw of speed v reaches v²/2g less at most h v, and never more than v²/2g.
   const Real speed = Real(parameter("speed")), time_step = Real(1) / 1024;
-  const auto height = ask<Real, Real>("highest_point", speed, time_step);
+  const auto height = ask<Real>("highest_point", speed, time_step);
   const Real moon = speed * speed / Real(2 * 1.62), earth = speed * speed / Real(2 * 9.81);
   Found("the highest point of a throw with " + shown(speed) + " m/s", "m", height)
       .mistake(earth, "so high it rises on Earth. The gravity that it feels is not yet the Moon's")

@@ -11,7 +11,7 @@ template <class Real>
 Particle<Real> stepped(Particle<Real> ball, int steps, Real time_step) {
   for (int n = 0; n < steps; ++n) {
     const Vec3<Real> force = ball.force;
-    ball = ask<Particle<Real>, Real>("step_without_lag", ball, time_step);
+    ball = ask<Particle<Real>>("step_without_lag", ball, time_step);
     ball.force = force;  // a constant force, whether the step clears it or not
   }
   return ball;

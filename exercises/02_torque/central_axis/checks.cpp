@@ -15,7 +15,7 @@ Wrench<Real> some_wrench() {
 
 template <class Real>
 Vec3<Real> axis_point(const Wrench<Real>& wrench) {
-  return ask<Vec3<Real>, Real>("point_on_central_axis", wrench);
+  return ask<Vec3<Real>>("point_on_central_axis", wrench);
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ EXERCISE_CHECK("Twice the force with twice the torque has the same axis") {
 
 EXERCISE_CHECK("A couple has no force and no axis, and is refused") {
   Wrench<Real> couple{.torque = Vec3<Real>(0, 0, 5)};
-  ask_refusal<Real>(
+  ask_refusal(
       "a couple got the answer of a point. Its torque is the same about every point and parallel "
       "to no force: "
       "throw std::invalid_argument",

@@ -11,7 +11,7 @@ constexpr Real right_angle = std::numbers::pi_v<Real> / 2;
 
 template <class Real>
 Real pull(Real torque, Real length, Real angle) {
-  return ask<Real, Real>("pull_needed", torque, length, angle);
+  return ask<Real>("pull_needed", torque, length, angle);
 }
 
 }  // namespace
@@ -63,15 +63,14 @@ EXERCISE_CHECK("A pull along the spanner is refused, and so is a spanner of no l
   const std::string otherwise =
       "std::invalid_argument is what it should throw, with a sentence that names the value and the "
       "rule";
-  ask_refusal<Real>(
-      "a pull along the spanner, at 0 rad, got an answer. No pull can do it; " + otherwise,
-      "pull_needed", Real(40), Real(0.25), Real(0));
-  ask_refusal<Real>("a spanner of 0 m got an answer; " + otherwise, "pull_needed", Real(40),
-                    Real(0), right_angle<Real>);
-  ask_refusal<Real>("a spanner of -0.25 m got an answer; " + otherwise, "pull_needed", Real(40),
-                    Real(-0.25), right_angle<Real>);
+  ask_refusal("a pull along the spanner, at 0 rad, got an answer. No pull can do it; " + otherwise,
+              "pull_needed", Real(40), Real(0.25), Real(0));
+  ask_refusal("a spanner of 0 m got an answer; " + otherwise, "pull_needed", Real(40), Real(0),
+              right_angle<Real>);
+  ask_refusal("a spanner of -0.25 m got an answer; " + otherwise, "pull_needed", Real(40),
+              Real(-0.25), right_angle<Real>);
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
-  ask_refusal<Real>(
+  ask_refusal(
       "a length that is no number got an answer: every comparison with NaN is false, so ask "
       "\"unless it is "
       "greater than 0\"; " +

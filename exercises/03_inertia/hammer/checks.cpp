@@ -19,12 +19,12 @@ Hammer<Real> usual_hammer() {
 
 template <class Real>
 Real about_grip(const Hammer<Real>& h) {
-  return ask<Real, Real>("moment_about_grip", h.m, h.l, h.M);
+  return ask<Real>("moment_about_grip", h.m, h.l, h.M);
 }
 
 template <class Real>
 MassProperties<Real> whole(const Hammer<Real>& h) {
-  return ask<MassProperties<Real>, Real>("hammer", h.m, h.l, h.M);
+  return ask<MassProperties<Real>>("hammer", h.m, h.l, h.M);
 }
 
 template <class Real>
@@ -37,7 +37,7 @@ EXERCISE_CHECK(
   const auto [m, l, M] = usual_hammer<Real>();
   const Real truth = (m * l / 2 + M * l) / (m + M);
   Found("the height of the centre of mass of a hammer with a head of " + shown(M) + " kg", "m",
-        ask<Real, Real>("height_of_centre", m, l, M))
+        ask<Real>("height_of_centre", m, l, M))
       .mistake(l * 3 / 4,
                "that is halfway between the parts, as if they were equally heavy. Weigh each by "
                "its mass")

@@ -20,7 +20,7 @@ MassProperties<Real> odd_body() {
 template <class Real>
 Vec3<Real> after_blow(const MassProperties<Real>& body, const Vec3<Same<Real>>& blow,
                       const Vec3<Same<Real>>& at, const Vec3<Same<Real>>& point) {
-  return ask<Vec3<Real>, Real>("velocity_after_blow", body, blow, at, point);
+  return ask<Vec3<Real>>("velocity_after_blow", body, blow, at, point);
 }
 
 /// The inverse of a tensor with moments near 10 multiplies roundings by less than 10; all
@@ -75,7 +75,7 @@ EXERCISE_CHECK("A blow at the sweet spot leaves the grip at rest") {
   for (const double m : {1.0, 0.85}) {
     const Real mass = Real(m), length = Real(1.2), grip = Real(0.5),
                moment = mass * length * length / 12;
-    const Real found = ask<Real, Real>("sweet_spot", mass, moment, grip);
+    const Real found = ask<Real>("sweet_spot", mass, moment, grip);
     MassProperties<Real> bat{.mass = mass};
     bat.inertia.diagonal() << Real(0.001), moment, moment;  // along x
     const Vec3<Real> blow(0, 2, 0);

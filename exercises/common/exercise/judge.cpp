@@ -39,18 +39,13 @@ std::string quoted(std::string_view text) {
   return json + '"';
 }
 
-Verdict verdict_of(const Check& check) {
-  for (const auto& [run, precision] :
-       {std::pair{check.in_double, ""}, {check.in_float, "in float, "}}) {
-    try {
-      run();
-    } catch (const Verdict& verdict) {
-      return {verdict.status,
-              verdict.status == "failed" ? precision + verdict.message : verdict.message};
-    } catch (const Unreadable& error) {
-      return {"failed", std::string(precision) +
-                            "the reply to a question could not be read: " + error.what()};
-    }
+Verdict verdict_of(void (*run)()) {
+  try {
+    run();
+  } catch (const Verdict& verdict) {
+    return verdict;
+  } catch (const Unreadable& error) {
+    return {"failed", std::string("the reply to a question could not be read: ") + error.what()};
   }
   return {"passed", ""};
 }
@@ -90,24 +85,26 @@ double parameter(std::string_view name) {
 
 }  // namespace tumble::exercise
 
-// judge --list, or: judge NUMBER-OF-CHECK QUESTIONS REPLIES [PARAMETER=VALUE...], the two being
-// file descriptors.
+// judge --list, or: judge NUMBER-OF-CHECK PRECISION QUESTIONS REPLIES [PARAMETER=VALUE...];
+// questions and replies are file descriptors.
 int main(int argument_count, char** arguments) {
   using namespace tumble::exercise;
   if (argument_count == 2 && std::strcmp(arguments[1], "--list") == 0) return list();
-  if (argument_count < 4) return 2;
+  if (argument_count < 5) return 2;
   std::signal(SIGPIPE, SIG_IGN);
-  questions = fdopen(std::atoi(arguments[2]), "w");
-  replies = fdopen(std::atoi(arguments[3]), "r");
   const auto number = static_cast<std::size_t>(std::atoi(arguments[1]));
+  questions = fdopen(std::atoi(arguments[3]), "w");
+  replies = fdopen(std::atoi(arguments[4]), "r");
   if (questions == nullptr || replies == nullptr || number >= checks().size()) return 2;
-  for (int i = 4; i < argument_count; ++i) {
+  for (int i = 5; i < argument_count; ++i) {
     const char* const equals = std::strchr(arguments[i], '=');
     if (equals == nullptr) return 2;
     parameters[std::string(arguments[i], static_cast<std::size_t>(equals - arguments[i]))] =
         std::strtod(equals + 1, nullptr);
   }
-  const Verdict verdict = verdict_of(checks()[number]);
+  const Check& check = checks()[number];
+  const bool in_float = std::strcmp(arguments[2], "float") == 0;
+  const Verdict verdict = verdict_of(in_float ? check.in_float : check.in_double);
   std::printf("{\"status\": %s, \"message\": %s}\n", quoted(verdict.status).c_str(),
               quoted(verdict.message).c_str());
   return 0;

@@ -41,17 +41,17 @@ std::pair<std::string, std::string> reply_to(const std::string& question);
 /// A number that an instructor may choose for each student; exercise.json names it.
 double parameter(std::string_view name);
 
-template <class Real, class... Arguments>
+template <class... Arguments>
 std::string question(const char* function, const Arguments&... arguments) {
-  std::string line = std::string(function) + (std::is_same_v<Real, float> ? ".float" : ".double");
+  std::string line = function;
   (put(line, arguments), ...);
   return line;
 }
 
 /// What the student's function returns; or, of a void one, the argument that it changes.
-template <class Result, class Real, class... Arguments>
+template <class Result, class... Arguments>
 Result ask(const char* function, const Arguments&... arguments) {
-  const auto [kind, rest] = reply_to(question<Real>(function, arguments...));
+  const auto [kind, rest] = reply_to(question(function, arguments...));
   if (kind == "refused" || kind == "threw")
     fail(std::string(function) + " gave up where it should have answered: \"" + rest + "\"");
   Words words(rest);
@@ -63,10 +63,10 @@ Result ask(const char* function, const Arguments&... arguments) {
 
 /// The sentence with which the student's function refuses its arguments, by throwing
 /// std::invalid_argument; it fails the check if it answers.
-template <class Real, class... Arguments>
+template <class... Arguments>
 std::string ask_refusal(const std::string& otherwise, const char* function,
                         const Arguments&... arguments) {
-  const auto [kind, rest] = reply_to(question<Real>(function, arguments...));
+  const auto [kind, rest] = reply_to(question(function, arguments...));
   if (kind == "threw")
     fail(std::string(function) + " threw, but not std::invalid_argument: \"" + rest + "\"");
   if (kind != "refused") fail(otherwise);

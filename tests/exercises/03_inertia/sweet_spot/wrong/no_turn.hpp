@@ -8,7 +8,7 @@ template <class Real>
 tumble::Vec3<Real> velocity_after_blow(const tumble::MassProperties<Real>& body,
                                        const tumble::Vec3<Real>& blow, const tumble::Vec3<Real>& at,
                                        const tumble::Vec3<Real>& point) {
-  const tumble::Vec3<Real> spin = inverse_inertia("bat", body.inertia) * at.cross(blow);
+  const tumble::Vec3<Real> spin = tumble::inverse_inertia("bat", body.inertia) * at.cross(blow);
   return blow / body.mass + 0 * spin.cross(point);
 }
 
