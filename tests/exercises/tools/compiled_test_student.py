@@ -1,0 +1,172 @@
+"""A student's whole way: start, fail, ask, solve, compare, and all of it without solutions/ as well."""
+
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+from fixture import ROOT, FixtureCourse
+
+SOLVED = """#pragma once
+template <class Real> Real doubled(Real number) { return number + number; }
+template <class Real> Real halved(Real number) { return number / 2; }
+"""
+
+
+class Way(FixtureCourse):
+    def says(self, *words, code=0):
+        found, text = self.student(*words)
+        self.assertEqual(found, code, text)
+        return text
+
+    def write(self, text):
+        self.mine.write_text(text, encoding="utf-8")
+
+    def test_from_start_to_compare(self):
+        self.assertIn("./course start doubled", self.says("next"))
+        self.assertIn("which exercise?", self.says("check", code=2))
+        self.assertIn("was not started yet: ./course start doubled", self.says("check", "doubled", code=2))
+        self.assertIn("your copy  work/01_force/doubled/doubled.hpp", self.says("start", "doubled"))
+        self.assertEqual((self.mine.parent / "task.md").read_text(encoding="utf-8"), "Double 2 m.\n")
+
+        text = self.says("check", code=1)
+        self.assertIn(" . Twice two is four", text)
+        self.assertIn("not written yet: twice the number", text)
+        self.assertIn(" x Half of two is one", text)
+        self.assertIn("half of 2 m is 2 m; it must be 1 m", text)
+        self.assertIn("0 of 3 points", text)
+        self.assertIn("first solve it", self.says("compare", code=2))
+
+        self.write(SOLVED.replace("number + number", "number * number * number"))
+        text = self.says("check", str(self.mine), code=1)
+        self.assertIn("twice 2 m is 8 m: that is the third power", text)
+        self.assertIn("1 of 3 points", text)
+
+        self.write(SOLVED)
+        text = self.says("check", "01_force/doubled")
+        self.assertIn("Solved. How to double.", text)
+        self.assertIn("Every exercise is solved", text)
+        self.assertIn("[##########]  3 of 3  solved", self.says("progress"))
+        text = self.says("compare")
+        self.assertIn("+  return 2 * number;", text)
+        self.assertNotIn("[solution]", text)
+        self.assertIn("Why: because.", text)
+
+    def test_three_hints_each_saying_more(self):
+        self.says("start", "doubled")
+        self.assertIn("Hint 1 of 3", self.says("hint"))
+        self.assertIn("Add it to itself.", self.says("hint"))
+        self.assertIn("number + number", self.says("hint"))
+        self.assertIn("Hint 3 of 3", self.says("hint"))
+        self.assertIn("begun, 3 of 3 hints", self.says("progress"))
+
+    def test_without_solutions_all_works_but_compare(self):
+        shutil.rmtree(self.root / "solutions")
+        shutil.rmtree(self.root / "tests")
+        self.says("start", "doubled")
+        self.write(SOLVED)
+        self.assertNotIn("compare", self.says("check"))
+        self.assertIn("holds no solutions", self.says("compare", code=2))
+        self.says("hint")
+        self.says("reset")
+
+    def test_the_compilers_first_error_is_shown_with_the_students_line(self):
+        self.says("start", "doubled")
+        self.write(SOLVED.replace("number / 2", "numbre / 2"))
+        text = self.says("check", code=1)
+        self.assertIn("doubled.hpp:3: error: ‘numbre’ was not declared", text)
+        self.assertNotIn("answers_double.cpp", text)
+        self.assertLess(len(text.splitlines()), 12)
+
+    def test_a_warning_is_shown_and_is_no_failure(self):
+        self.says("start", "doubled")
+        self.write(SOLVED.replace("{ return number / 2", "{ int unused = 1; return number / 2"))
+        self.assertIn("The compiler wonders:\ndoubled.hpp:3: warning: unused variable", self.says("check"))
+
+    def test_accidents_are_explained(self):
+        self.says("start", "doubled")
+        for code, expected in (
+                ("for (;;) {}", "no answer after 5 seconds. Is there a loop that never ends?"),
+                ("int* p = nullptr; *p = 1; return number;", "the program crashed: it read or wrote where nothing is"),
+                ("throw std::runtime_error(\"no idea\");", "doubled gave up where it should have answered: \"no idea\""),
+                ("std::exit(0);", "ended by itself, with exit code 0, before it had answered"),
+                ("Eigen::VectorXd v(2); return Real(v(3));", "failed assertion"),
+                ("std::vector<double> v(1ul << 40); return Real(v.size());", "bad_alloc"),
+                ("return number / 0;", "twice 2 m is inf m; it must be 4 m"),
+                ("return std::numeric_limits<Real>::quiet_NaN();", "twice 2 m is nan m: that is no number")):
+            with self.subTest(code):
+                self.write(SOLVED.replace("return number + number;", code))
+                text = " ".join(self.says("check", code=1).split())
+                self.assertIn(expected, text)
+                self.assertIn("+ Half of two is one", text)
+
+    def test_what_the_code_prints_is_shown(self):
+        self.says("start", "doubled")
+        self.write("#include <cstdio>\n" + SOLVED.replace("return number + number", 'std::puts("hello"); return number + number'))
+        self.assertIn("  | hello", self.says("check"))
+
+    def test_a_key_draws_other_numbers(self):
+        self.says("start", "doubled", "--key", "k3")
+        task = (self.mine.parent / "task.md").read_text(encoding="utf-8")
+        self.assertIn(f"twice {task.split()[1]} m is", self.says_after_writing("return 100 * number;"))
+
+    def says_after_writing(self, code):
+        self.write(SOLVED.replace("return number + number;", code))
+        return self.says("check", code=1)
+
+    def test_unknown_words_get_the_nearest_one(self):
+        text = self.says("start", "dubled", code=2)
+        self.assertIn("no exercise is called dubled\nDid you mean doubled?\nThe exercises are: doubled", text)
+
+    def test_reset_brings_the_starter_back_and_keeps_a_copy(self):
+        self.says("start", "doubled")
+        self.write(SOLVED)
+        self.assertIn("is the starter again; what was there is doubled.2", self.says("reset"))
+        self.assertIn("todo", self.mine.read_text(encoding="utf-8"))
+        self.assertEqual([file.read_text(encoding="utf-8") for file in self.mine.parent.glob("doubled.2*.hpp")], [SOLVED])
+
+    def test_a_pull_never_meets_a_students_file(self):
+        """Everything that the commands write is below work/, which git ignores, or in the build."""
+        self.says("start", "doubled")
+        self.write(SOLVED)
+        before = self.files()
+        for words in (("check",), ("hint",), ("progress",), ("compare",), ("reset",)):
+            self.says(*words)
+        self.assertEqual(self.files(), before)
+        self.assertIn("/work/\n", (ROOT / ".gitignore").read_text(encoding="utf-8"))
+
+    def files(self):
+        return {str(file): file.stat().st_mtime_ns for folder in ("exercises/01_force", "solutions", "tests")
+                for file in (self.root / folder).rglob("*") if file.is_file()}
+
+    def test_watch_gives_a_verdict_at_every_save_until_it_is_interrupted(self):
+        self.says("start", "doubled")
+        for polling in ([], ["--polling"]):
+            with self.subTest(polling):
+                shutil.copyfile(self.exercise_folder / "doubled.hpp", self.mine)
+                process = subprocess.Popen(
+                    [sys.executable, "-B", str(ROOT / "exercises" / "tools" / "student.py"), "--root", str(self.root),
+                     "--toolchain", str(self.toolchain_file), "watch", "doubled", *polling],
+                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                try:
+                    self.wait_for(process, b"Watching")
+                    beside = self.mine.with_suffix(".new")
+                    beside.write_text(SOLVED, encoding="utf-8")
+                    os.replace(beside, self.mine)
+                    self.wait_for(process, b"Solved.")
+                    process.send_signal(signal.SIGINT)
+                    self.assertEqual(process.wait(timeout=30), 0)
+                finally:
+                    process.kill()
+                    process.wait()
+                    process.stdout.close()
+
+    def wait_for(self, process, word):
+        seen, deadline = b"", time.monotonic() + 120
+        while word not in seen:
+            self.assertLess(time.monotonic(), deadline, seen)
+            piece = os.read(process.stdout.fileno(), 4096)
+            self.assertTrue(piece, seen)
+            seen += piece

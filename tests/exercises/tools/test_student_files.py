@@ -1,0 +1,156 @@
+"""What is kept between two commands: a student's copies, their progress, and what was made."""
+
+import os
+import sys
+import tempfile
+import threading
+import time
+import unittest
+from pathlib import Path
+
+from complaint import Complaint
+from made import CommandFailed, dependencies_in, make
+from progress import Progress, bar
+from test_texts import exercise
+from watch import Watch
+from workplace import Workplace
+
+
+class InAFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="with a blank ")
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+
+class ProgressFile(InAFolder):
+    def test_the_best_points_stay(self):
+        progress = Progress(self.folder / "work" / "progress.txt")
+        for word, detail in (("started", ""), ("checked", "3/6"), ("hint", "2"), ("solved", "6/6"), ("checked", "1/6")):
+            progress.note("03_inertia/hammer", word, detail)
+        standing = progress.standing("03_inertia/hammer")
+        self.assertEqual((standing.best, standing.solved, standing.hints), (6, True, 2))
+
+    def test_the_last_worked_on_comes_last(self):
+        progress = Progress(self.folder / "progress.txt")
+        for name in ("01_force/a", "01_force/b", "01_force/a"):
+            progress.note(name, "started")
+        self.assertEqual(list(progress.standings()), ["01_force/b", "01_force/a"])
+
+    def test_it_survives_damage(self):
+        file = self.folder / "progress.txt"
+        file.write_bytes(b"\xff\xfe nonsense\n2026-01-01T00:00:00 01_force/a solved 2/2\n2026-01-01T00:00:00 01_fo")
+        progress = Progress(file)
+        progress.note("01_force/b", "solved", "3/3")
+        self.assertEqual(set(progress.standings()), {"01_force/a", "01_force/b"})
+
+    def test_without_a_file_nothing_is_done(self):
+        self.assertEqual(Progress(self.folder / "none").standings(), {})
+
+    def test_bars(self):
+        self.assertEqual([bar(0, 4, 4), bar(1, 4, 4), bar(4, 4, 4), bar(0, 0, 4)], ["[....]", "[#...]", "[####]", "[....]"])
+
+
+class Copies(InAFolder):
+    def setUp(self):
+        super().setUp()
+        there = self.folder / "exercises" / "03_inertia" / "hammer"
+        there.mkdir(parents=True)
+        (there / "hammer.hpp").write_text("starter", encoding="utf-8")
+        (there / "task.md").write_text("{{parameter mass}}", encoding="utf-8")
+        self.exercise, self.place = exercise(folder=there), Workplace(self.folder)
+
+    def test_start_copies_once_and_never_overwrites(self):
+        self.assertTrue(self.place.start(self.exercise))
+        self.place.header_of(self.exercise).write_text("mine", encoding="utf-8")
+        self.assertFalse(self.place.start(self.exercise))
+        self.assertEqual(self.place.header_of(self.exercise).read_text(encoding="utf-8"), "mine")
+        self.assertEqual((self.place.folder_of(self.exercise) / "task.md").read_text(encoding="utf-8"), "1 kg")
+
+    def test_reset_keeps_dated_copies_however_quickly_they_follow(self):
+        self.place.start(self.exercise)
+        for text in ("first", "second", "third"):
+            self.place.header_of(self.exercise).write_text(text, encoding="utf-8")
+            self.place.reset(self.exercise)
+        backups = sorted(self.place.folder_of(self.exercise).glob("hammer.2*.hpp"))
+        self.assertEqual({backup.read_text(encoding="utf-8") for backup in backups}, {"first", "second", "third"})
+        self.assertEqual(self.place.header_of(self.exercise).read_text(encoding="utf-8"), "starter")
+
+    def test_reset_of_nothing_is_refused(self):
+        with self.assertRaises(Complaint):
+            self.place.reset(self.exercise)
+
+    def test_a_key_is_kept_and_a_strange_one_refused(self):
+        self.place.take_key("autumn-ada")
+        self.assertEqual(Workplace(self.folder).key, "autumn-ada")
+        with self.assertRaises(Complaint):
+            self.place.take_key("../x y")
+
+
+class MadeFiles(InAFolder):
+    def test_a_target_is_made_again_only_for_a_reason(self):
+        source, target = self.folder / "source", self.folder / "out" / "target"
+        source.write_text("a", encoding="utf-8")
+        command = [sys.executable, "-c", f"import shutil; shutil.copy({str(source)!r}, {str(target)!r}); print('said')"]
+        self.assertGreater(make(target, command, inputs=[source]).seconds, 0)
+        again = make(target, command, inputs=[source])
+        self.assertEqual((again.seconds, again.output), (0, "said\n"))
+        source.write_text("longer", encoding="utf-8")
+        self.assertGreater(make(target, command, inputs=[source]).seconds, 0)
+        self.assertEqual(target.read_text(encoding="utf-8"), "longer")
+        self.assertGreater(make(target, command + ["another"], inputs=[source]).seconds, 0)
+        target.unlink()
+        self.assertGreater(make(target, command + ["another"], inputs=[source]).seconds, 0)
+
+    def test_a_failure_is_not_remembered_as_made(self):
+        command = [sys.executable, "-c", "print('bad'); raise SystemExit(1)"]
+        for _ in range(2):
+            with self.assertRaises(CommandFailed) as caught:
+                make(self.folder / "target", command)
+            self.assertEqual(caught.exception.output, "bad\n")
+
+    def test_what_takes_too_long_is_ended(self):
+        with self.assertRaises(CommandFailed):
+            make(self.folder / "target", [sys.executable, "-c", "import time; time.sleep(60)"], limit=0.2)
+
+    def test_dependencies_with_blanks(self):
+        file = self.folder / "d"
+        file.write_text("a.o: a\\ b/c.hpp \\\n d.hpp e$$f.hpp\n", encoding="utf-8")
+        self.assertEqual(dependencies_in(file), ["a b/c.hpp", "d.hpp", "e$f.hpp"])
+
+
+class Watching(InAFolder):
+    def saved(self, polling, save):
+        file = self.folder / "hammer.hpp"
+        file.write_text("before", encoding="utf-8")
+        watch = Watch(file, polling)
+        self.addCleanup(watch.close)
+        self.assertFalse(watch.wait(0.05))
+        timer = threading.Timer(0.1, save, [file])
+        timer.start()
+        self.addCleanup(timer.join)
+        self.assertTrue(watch.wait(30))
+        self.assertFalse(watch.wait(0.3))
+
+    @staticmethod
+    def in_place(file):
+        file.write_text("after, and longer", encoding="utf-8")
+
+    @staticmethod
+    def by_renaming(file):  # as many editors do
+        beside = file.with_suffix(".new")
+        beside.write_text("after, and longer", encoding="utf-8")
+        os.replace(beside, file)
+
+    def test_any_way_of_saving_is_seen(self):
+        for polling in (False, True):
+            for save in (self.in_place, self.by_renaming):
+                with self.subTest(polling=polling, save=save.__name__):
+                    self.saved(polling, save)
+
+    def test_a_file_that_goes_away_and_comes_back_is_waited_for(self):
+        def come_back(file):
+            file.unlink()
+            time.sleep(0.3)
+            file.write_text("after, and longer", encoding="utf-8")
+        self.saved(False, come_back)

@@ -1,0 +1,112 @@
+"""Hints, wrong answers, the compiler's message, and the parameters that are put into a task."""
+
+import tempfile
+import unittest
+from pathlib import Path
+
+from compiler_says import first_message
+from complaint import Complaint
+from exercise import Check, Exercise, Parameter
+from hints import read_hints
+from workplace import drawn_parameters, with_parameters
+from wrong_answers import read_wrong_answers
+
+
+def exercise(**changes):
+    usual = dict(chapter="03_inertia", name="hammer", folder=Path("there"), title="t", goals=("g",), prerequisites=(),
+                 minutes=1, difficulty="write", functions=("f",), checks=(Check("It holds", 1),),
+                 parameters=(Parameter("mass", "kg", 1, 0.5, 2, 0.5),), learned="l")
+    return Exercise(**{**usual, **changes})
+
+
+class InAFolder(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def file(self, name, text):
+        (self.folder / name).write_text(text, encoding="utf-8")
+        return self.folder / name
+
+    def complaint(self, action):
+        with self.assertRaises(Complaint) as caught:
+            action()
+        return str(caught.exception)
+
+
+class Hints(InAFolder):
+    def test_three_are_read(self):
+        self.assertEqual(read_hints(self.file("h.md", "## 1\n\na\n\n## 2\nb\nb\n## 3\nc\n")), ["a", "b\nb", "c"])
+
+    def test_two_are_too_few(self):
+        said = self.complaint(lambda: read_hints(self.file("h.md", "## 1\na\n## 2\nb\n")))
+        self.assertIn("has the headings 1, 2; it must have ## 1, ## 2 and ## 3", said)
+
+    def test_each_says_more(self):
+        self.assertIn("hint 2 is empty", self.complaint(lambda: read_hints(self.file("h.md", "## 1\na\n## 2\n\n## 3\nb\n"))))
+        self.assertIn("hint 3 says what an earlier one has said",
+                      self.complaint(lambda: read_hints(self.file("h.md", "## 1\na\n## 2\nb\n## 3\na\n"))))
+
+    def test_a_missing_file_is_named(self):
+        self.assertIn("h.md is missing", self.complaint(lambda: read_hints(self.folder / "h.md")))
+
+
+class WrongAnswers(InAFolder):
+    def test_each_names_its_check_and_its_message(self):
+        self.file("a.hpp", "// caught by: It\n// holds\n// message: too\n// large\ncode\n")
+        self.file("b.hpp", "// caught by: It holds\n// message: small\ncode\n")
+        answers = read_wrong_answers(exercise(), self.folder)
+        self.assertEqual([(answer.caught_by, answer.message) for answer in answers],
+                         [("It holds", "too large"), ("It holds", "small")])
+
+    def test_one_is_too_few(self):
+        self.file("a.hpp", "// caught by: It holds\n// message: m\n")
+        self.assertIn("has 1 wrong answers", self.complaint(lambda: read_wrong_answers(exercise(), self.folder)))
+
+    def test_a_check_that_is_none_is_named(self):
+        for name in ("a.hpp", "b.hpp"):
+            self.file(name, "// caught by: It flies\n// message: m\n")
+        self.assertIn('"It flies", which is no check of', self.complaint(lambda: read_wrong_answers(exercise(), self.folder)))
+
+    def test_the_head_is_required(self):
+        for name in ("a.hpp", "b.hpp"):
+            self.file(name, "code\n")
+        self.assertIn("must begin with", self.complaint(lambda: read_wrong_answers(exercise(), self.folder)))
+
+
+class Parameters(InAFolder):
+    def test_without_a_key_they_are_the_usual_ones(self):
+        self.assertEqual(drawn_parameters(exercise(), ""), [("mass", 1)])
+
+    def test_a_key_draws_from_the_steps_and_always_the_same(self):
+        drawn = {key: drawn_parameters(exercise(), key)[0][1] for key in map(str, range(60))}
+        self.assertEqual(set(drawn.values()), {0.5, 1.0, 1.5, 2.0})
+        self.assertEqual(drawn["7"], drawn_parameters(exercise(), "7")[0][1])
+        self.assertEqual(drawn_parameters(exercise(), "autumn-ada"), [("mass", 1.5)])  # on every machine and for ever
+
+    def test_they_stand_in_the_task_with_their_unit(self):
+        self.assertEqual(with_parameters("of {{parameter mass}}.", exercise(), [("mass", 1.5)]), "of 1.5 kg.")
+
+    def test_an_unknown_one_is_named(self):
+        self.assertIn("names the parameter length",
+                      self.complaint(lambda: with_parameters("{{parameter length}}", exercise(), [("mass", 1)])))
+
+
+class CompilerSays(unittest.TestCase):
+    def test_an_error_in_the_students_file_is_shown_with_its_line(self):
+        output = ("In file included from a.cpp:2:\nwork/hammer.hpp: In function f:\n"
+                  "work/hammer.hpp:16:5: error: no such thing\n   16 |  x\n      |  ^\nother\n"
+                  "work/hammer.hpp:20:5: error: second\n")
+        self.assertEqual(first_message(output, "work/hammer.hpp"), "hammer.hpp:16: error: no such thing\n   16 |  x\n      |  ^")
+
+    def test_an_error_elsewhere_leads_back_to_it(self):
+        output = ("work/hammer.hpp:16:5:   required from here\n/usr/include/eigen3/Eigen/Core:120:9: error: YOU_MIXED_SIZES\n")
+        self.assertEqual(first_message(output, "work/hammer.hpp"),
+                         "Core:120: error: YOU_MIXED_SIZES\nwhich hammer.hpp:16 leads to")
+
+    def test_the_linkers_words_are_passed_on(self):
+        self.assertIn("undefined reference", first_message("x.o: undefined reference to f\n", "hammer.hpp"))
+
+    def test_no_warning_is_an_empty_text(self):
+        self.assertEqual(first_message("", "hammer.hpp", "warning"), "")
