@@ -69,7 +69,7 @@ called_nothing() { [ -z "$called" ]; }
 
 fresh debian 12
 course
-verify "alone it prints a menu of five lines" [ "$(wc -l <<<"$output")" -eq 5 ]
+verify "alone it prints a menu of six lines" [ "$(wc -l <<<"$output")" -eq 6 ]
 course chekc
 verify "a word that is no command ends with an error" ends_with 2
 verify "the nearest command is offered" says "Did you mean check?"
@@ -96,6 +96,32 @@ for word in chapters/01_force/tumble/force.hpp /a/b/chapters/01_force/force_chec
 done
 checks=3 course check 1
 verify "a failed check ends with an error" ends_with 2
+
+mkdir -p "$scratch/tree/exercises/01_force/moon" "$scratch/tree/work"
+touch "$scratch/tree/exercises/01_force/moon/exercise.json"
+stand_in python3 <<<'echo "python3 ${*@Q}"; exit 7'
+for word in moon 01_force/moon work/01_force/moon/moon.hpp /a/b/work/01_force/moon/moon.hpp; do
+  course check "$word"
+  verify "check takes $word for the exercise" says "toolchain.json' 'check' '$word'"
+done
+verify "and ends as its verdict does" ends_with 7
+course check moon --show
+verify "and passes --show on" says "'check' 'moon' '--show'"
+course check moom
+verify "the nearest exercise is offered too" says "Did you mean moon?"
+course check
+verify "without an exercise in hand, check asks for a chapter" says "which chapter?"
+touch "$scratch/tree/work/progress.txt"
+course check
+verify "with one in hand, check is about that" says "toolchain.json' 'check'"
+for command in start watch hint next progress reset compare; do
+  course $command moon --key "a b"
+  verify "$command gives its words to the students' tool" says "'$command' 'moon' '--key' 'a b'"
+done
+rm "$scratch/called"
+course hint moon
+verify "what needs no compiler configures nothing" called_nothing
+rm -r "$scratch/tree/exercises" "$scratch/tree/work" "$scratch/bin/python3"
 
 course simulate "a scene.json" --csv "a file.csv" --no-install --all
 verify "simulate gives its options to the simulator, in the caller's folder" \
