@@ -37,9 +37,12 @@ def prepare(toolchain, exercise):
 
 
 def build_worker(toolchain, exercise, header_folder, folder, run=None):
-    """Compiles a student's header, found in `header_folder`, into a worker in `folder`."""
+    """Compiles a student's header, found in `header_folder`, into a worker in `folder`.
+
+    `run` starts the compiler another way; then one precision follows the other.
+    """
     folder.mkdir(parents=True, exist_ok=True)
-    with ThreadPoolExecutor(len(PRECISIONS)) as pool:
+    with ThreadPoolExecutor(1 if run else len(PRECISIONS)) as pool:
         made = list(pool.map(lambda real: _build_answers(toolchain, exercise, real, header_folder, folder, run), PRECISIONS))
     return Worker({real: folder / f"worker_{real}" for real in PRECISIONS}, made[0].output, made[0].inputs)
 

@@ -1,0 +1,88 @@
+"""What a grader hands on: text for a person, JSON, JUnit's XML, Gradescope's results.json, and marks as CSV."""
+
+import csv
+import json
+import textwrap
+from xml.etree import ElementTree
+
+
+def text(results):
+    lines = []
+    for result in results:
+        lines.append(f"{result['submission']}: {result['points']} of {result['of']} points ({result['seconds']:.1f} s)")
+        for exercise in result["exercises"]:
+            points = sum(check["points"] for check in exercise["checks"])
+            lines.append(f"  {exercise['exercise']}: {points} of {sum(check['of'] for check in exercise['checks'])}")
+            if exercise["reason"]:
+                lines += _indented(exercise["reason"], "    ")
+            for check in exercise["checks"] if not exercise["reason"] else []:
+                sign = {"passed": "+", "not written yet": "."}.get(check["status"], "x")
+                lines.append(f"    {sign} {check['sentence']}  {check['points']} of {check['of']}")
+                lines += _indented(check["message"], "        ")
+            lines += [f"    ! look at it: it {flag}" for flag in exercise["flags"]]
+    return "\n".join(lines)
+
+
+def as_json(results):
+    return json.dumps(results, indent=1, ensure_ascii=False)
+
+
+def junit(results):
+    suites = ElementTree.Element("testsuites")
+    for result in results:
+        for exercise in result["exercises"]:
+            failures = [check for check in exercise["checks"] if check["status"] != "passed"]
+            suite = ElementTree.SubElement(suites, "testsuite", name=f"{result['submission']}.{exercise['exercise']}",
+                                           tests=str(len(exercise["checks"])), failures=str(len(failures)), errors="0", skipped="0")
+            for check in exercise["checks"]:
+                case = ElementTree.SubElement(suite, "testcase", classname=exercise["exercise"].replace("/", "."),
+                                              name=_printable(check["sentence"]))
+                if check["status"] != "passed":
+                    said = _printable(exercise["reason"] or check["message"])
+                    ElementTree.SubElement(case, "failure", message=said, type=check["status"]).text = said
+    return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(suites, encoding="unicode")
+
+
+def gradescope(results):
+    """One submission, in the form that Gradescope publishes for results.json of an autograder."""
+    result, = results
+    tests = []
+    for part, exercise in enumerate(result["exercises"], 1):
+        for number, check in enumerate(exercise["checks"], 1):
+            said = exercise["reason"] or check["message"]
+            if check["status"] == "not written yet":
+                said = f"not written yet: {said}"
+            tests.append({"score": check["points"], "max_score": check["of"],
+                          "status": "passed" if check["status"] == "passed" else "failed",
+                          "name": f"{exercise['title']}: {check['sentence']}", "name_format": "text",
+                          "number": f"{part}.{number}", "output": said, "output_format": "text",
+                          "tags": [exercise["exercise"]], "visibility": "visible"})
+    flags = [f"{exercise['exercise']} {flag}" for exercise in result["exercises"] for flag in exercise["flags"]]
+    return json.dumps({"score": result["points"], "execution_time": round(result["seconds"]), "output": "",
+                       "visibility": "visible", "stdout_visibility": "hidden", "tests": tests,
+                       "extra_data": {"flags": flags}}, indent=1, ensure_ascii=False)
+
+
+def write_marks(file, results):
+    """student, submission, points, of, and the points of each exercise."""
+    paths = [exercise["exercise"] for exercise in results[0]["exercises"]] if results else []
+    with open(file, "w", newline="", encoding="utf-8") as out:
+        table = csv.writer(out)
+        table.writerow(["student", "submission", "points", "of", *paths, "to look at"])
+        for result in results:
+            each = [sum(check["points"] for check in exercise["checks"]) for exercise in result["exercises"]]
+            flags = "; ".join(f"{exercise['exercise']} {flag}" for exercise in result["exercises"] for flag in exercise["flags"])
+            table.writerow([result["student"], result["submission"], result["points"], result["of"], *each, flags])
+
+
+def _indented(said, indent):
+    return [line for part in said.splitlines() for line in
+            textwrap.wrap(part, 110, initial_indent=indent, subsequent_indent=indent)]
+
+
+def _printable(said):
+    """Without the letters that XML has no way to hold."""
+    return "".join(letter for letter in said if letter in "\t\n" or " " <= letter <= "\ud7ff" or "\ue000" <= letter <= "\ufffd")
+
+
+FORMATS = {"text": text, "json": as_json, "junit": junit, "gradescope": gradescope}
