@@ -142,7 +142,7 @@ def _silence(pair):
              signal.SIGABRT: "it gave up, as after a failed assertion or an exception that nobody caught",
              signal.SIGFPE: "a whole number was divided by zero",
              signal.SIGXCPU: "it used more time than it may", signal.SIGXFSZ: "it wrote a file larger than it may",
-             signal.SIGKILL: "it was ended from outside"}
+             signal.SIGPIPE: "it wrote to a pipe that nobody reads", signal.SIGKILL: "it was ended from outside"}
     return f"the program crashed: {names.get(-code, f'signal {-code}')}.{said}"
 
 

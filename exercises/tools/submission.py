@@ -55,9 +55,10 @@ def _bytes_of(folder, place):
         if way.is_symlink():
             raise Complaint(f"{way.relative_to(folder)} is a symbolic link; hand in the file itself")
     descriptor = os.open(place, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
+    if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+        os.close(descriptor)
+        raise Complaint(f"{place.name} is no file")
     with open(descriptor, "rb") as file:
-        if not stat.S_ISREG(os.fstat(descriptor).st_mode):
-            raise Complaint(f"{place.name} is no file")
         data = file.read(LARGEST + 1)
     if len(data) > LARGEST:
         raise Complaint(f"{place.name} is larger than {LARGEST // 1024} KB")

@@ -1,0 +1,14 @@
+// earns: 0
+// because: an include names a header of the course or of C++, by its plain name
+#pragma once
+#include "../../../solutions/01_force/doubled/doubled.hpp"
+
+template <class Real>
+Real doubled(Real number) {
+  return 2 * number;
+}
+
+template <class Real>
+Real halved(Real number) {
+  return number / 2;
+}
