@@ -14,7 +14,7 @@ LARGEST = 256 * 1024  # bytes; the course's own solutions have two thousand
 SUSPICIOUS = (
     (r"\b(?:fork|vfork|clone|execl|execv|execve|execvp|system|popen|posix_spawn)\s*\(", "starts another program"),
     (r"\b(?:socket|connect|dlopen|ptrace|mmap|syscall|kill)\s*\(", "calls the system"),
-    (r"\b(?:fopen|freopen|fdopen|ofstream|ifstream|fstream|filesystem)\b", "opens files"),
+    (r"\b(?:fopen|freopen|fdopen|mkstemp|tmpfile|ofstream|ifstream|fstream|filesystem)\b", "opens files"),
     (r"\b(?:write|dup|dup2)\s*\(", "writes past the language's own output"),
     (r"\b(?:exit|_exit|_Exit|quick_exit|abort|atexit|signal|longjmp)\s*\(", "ends the program or catches its end"),
     (r"\basm\b|__asm__|incbin", "holds assembly"),

@@ -1,13 +1,18 @@
 // earns: 1
 // because: it wrote a file larger than it may
 #pragma once
-#include <fstream>
+#include <unistd.h>
+
+#include <cstdlib>
 #include <string>
 
 template <class Real>
 Real doubled(Real number) {
-  std::ofstream out("/tmp/tumble_hostile_fills_disk");
-  for (;;) out << std::string(1 << 20, 'x') << std::flush;
+  char name[] = "/tmp/tumble_hostile_XXXXXX";
+  const int file = mkstemp(name);
+  unlink(name);
+  const std::string much(1 << 20, 'x');
+  while (write(file, much.data(), much.size()) > 0) continue;
   return number;
 }
 

@@ -3,7 +3,7 @@
 #pragma once
 // clang-format off
 #define SOLUTION "@ROOT@/solutions/01_force/doubled/doubled.hpp"
-%: /* hidden */ include SOLUTION
+# /* hidden */ include SOLUTION
 // clang-format on
 
 template <class Real>
