@@ -1,7 +1,8 @@
 # shellcheck shell=bash disable=SC2154
-# A student's way through the exercises. Sourced by ../course, which sets root, word and passed_on.
+# A student's way through the exercises. Sourced by ../course, which sets root, caller, word and passed_on.
 
 exercise_packages="python3:python3"
+toolchain=$root/build/default/exercises/toolchain.json
 
 # is_exercise WORD: whether it names an exercise, or a file of one. No exercise is called as a chapter is.
 is_exercise() {
@@ -23,13 +24,19 @@ exercise_names() {
 
 # exercise COMMAND WORD...: what tools for students answer. Only what compiles needs the build.
 exercise() {
-  case $1 in
-    start | check | watch)
-      ensure "$base_packages $exercise_packages" "$speed_packages"
-      [ -f build/default/configured ] || echo "Once, the build has to be configured:"
-      configure default || exit 1
-      ;;
-    *) ensure "$exercise_packages" "" ;;
-  esac
-  exec python3 -B exercises/tools/student.py --root "$root" --toolchain "$root/build/default/exercises/toolchain.json" "$@"
+  case $1 in start | check | watch) configure_exercises ;; *) ensure "$exercise_packages" "" ;; esac
+  exec python3 -B exercises/tools/student.py --root "$root" --toolchain "$toolchain" "$@"
+}
+
+# instructor COMMAND WORD...: their folders are the caller's. What is printed is theirs to read by a program.
+instructor() {
+  configure_exercises >&2
+  cd -- "$caller" || exit 1
+  exec python3 -B "$root/exercises/tools/$1.py" --root "$root" --toolchain "$toolchain" "${@:2}"
+}
+
+configure_exercises() {
+  ensure "$base_packages $exercise_packages" "$speed_packages"
+  [ -f build/default/configured ] || echo "Once, the build has to be configured:"
+  configure default || exit 1
 }

@@ -30,8 +30,14 @@ def solution_without_marks(solution, name="the solution"):
     return _split(solution, name)[1]
 
 
+def regions_of(solution, name="the solution"):
+    """The code of each region: what a student shall write."""
+    return _split(solution, name)[2]
+
+
 def _split(solution, name):
-    starter, shown, regions = [], [], 0
+    """The starter, the solution as it is shown, and the regions' code."""
+    starter, shown, regions = [], [], []
     opened, part = None, ""  # the line of the open region, and the part of it that we are in
     for count, line in enumerate(solution.splitlines(), 1):
         where = f"{name}:{count}: "
@@ -41,6 +47,8 @@ def _split(solution, name):
                 raise Complaint(f"{where}{line.strip()} is no mark; the marks are [solution], [starter] and [end]")
             if part != "starter":
                 shown.append(line)
+            if part == "solution":
+                regions[-1] += line + "\n"
             if part == "":
                 starter.append(line)
             elif part == "starter":
@@ -50,7 +58,8 @@ def _split(solution, name):
         if word == "solution":
             if opened:
                 raise Complaint(f"{where}a region inside the one of line {opened}; regions must not be nested")
-            opened, part, said, regions = count, "solution", sentence, regions + 1
+            opened, part, said = count, "solution", sentence
+            regions.append("")
             if said:
                 starter.append(f"{indent}todo({json.dumps(said, ensure_ascii=False)});")
             continue
@@ -72,9 +81,9 @@ def _split(solution, name):
             opened, part = None, ""
     if opened:
         raise Complaint(f"{name}:{opened}: [solution] without [end]")
-    if regions == 0:
+    if not regions:
         raise Complaint(f"{name} has no [solution] region, so its starter would be solved")
-    return _joined(starter), _joined(shown)
+    return _joined(starter), _joined(shown), regions
 
 
 def _uncommented(line, where):

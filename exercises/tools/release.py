@@ -1,0 +1,149 @@
+"""./course release DIR: a student's copy of the course, without solutions, wrong answers and notes for instructors.
+
+It builds and tests on its own. MANIFEST.json lists its exercises and the SHA-256 of each file. --bundle adds the headers of Eigen and
+doctest with their licences, for machines on which nothing can be installed. Nothing is written if anything of a solution is left in it.
+"""
+
+import argparse
+import hashlib
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from catalogue import read_catalogue
+from complaint import Complaint
+from starter import regions_of
+
+LEFT_OUT = re.compile(r"(solutions|work|build|third_party)/|tests/exercises/(?!CMakeLists|tools/(run|test_))|"
+                      r"(.*/)?(instructor[^/]*|node_modules|__pycache__)(/|$)|MANIFEST\.json$")
+LICENCES = {"eigen3.txt": "/usr/share/doc/libeigen3-dev/copyright", "doctest.txt": "/usr/share/doc/doctest-dev/copyright",
+            "MPL-2.0.txt": "/usr/share/common-licenses/MPL-2.0"}
+LEAST = 16  # letters and signs of a region that can be recognised
+
+
+def course_files(root):
+    """What belongs to the course: what git knows, or all that is there where there is no git."""
+    if (root / ".git").exists():
+        listed = subprocess.run(["git", "-C", str(root), "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+                                capture_output=True, check=True).stdout.decode()
+        names = [name for name in listed.split("\0") if name and (root / name).exists()]
+    else:
+        names = [str(file.relative_to(root)) for file in root.rglob("*") if file.is_file() or file.is_symlink()]
+    return sorted(set(names))
+
+
+def released_files(root):
+    return [name for name in course_files(root) if not LEFT_OUT.match(name)]
+
+
+def what_is_left_of_solutions(root, folder, catalogue):
+    """Complaints about everything in the folder that gives a solution away. Hints may: they are there to be asked for."""
+    regions = []
+    for exercise in catalogue:
+        solution = root / "solutions" / exercise.path / exercise.header
+        if not solution.exists():
+            raise Complaint(f"{solution} is missing, so nobody can tell whether anything of it is left in the release")
+        for region in regions_of(solution.read_text(encoding="utf-8"), str(solution)):
+            bare = _bare(region)
+            if len(bare) >= LEAST:
+                regions.append((exercise.path, bare))
+    complaints = []
+    for file in sorted(folder.rglob("*")):
+        name = str(file.relative_to(folder))
+        if {"solutions", "wrong"} & set(Path(name).parts):
+            complaints.append(f"{name} lies where solutions and wrong answers do")
+        if not file.is_file() or name.startswith(("chapters/", "common/", "third_party/")) or file.name == "hints.md":
+            continue
+        text = file.read_text(encoding="utf-8", errors="replace")
+        if file.suffix in (".hpp", ".cpp") and re.search(r"//!\s*\[solution\]", text):
+            complaints.append(f"{name} holds the mark of a solution")
+        bare = _bare(text)
+        complaints += [f"{name} holds a part of the solution of {path}" for path, region in regions if region in bare]
+    return complaints
+
+
+def _bare(text):
+    """Without comments and blanks: how it is laid out doesn't matter."""
+    return re.sub(r"\s+", "", re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.DOTALL))
+
+
+def bundle(folder, toolchain_file):
+    """third_party/, in which CMake looks first."""
+    said = json.loads(Path(toolchain_file).read_text(encoding="utf-8"))
+    eigen = next((Path(place) for place in said["system_folders"] if (Path(place) / "Eigen" / "Core").exists()), None)
+    doctest = next((place for place in map(Path, ("/usr", "/usr/local")) if (place / "include/doctest/doctest.h").exists()), None)
+    if not eigen or not doctest:
+        raise Complaint(f"the headers of {'doctest' if eigen else 'Eigen'} were not found, so they can't be bundled")
+    third = folder / "third_party"
+    # Eigen's CMake files find its headers from where they lie themselves.
+    shutil.copytree(eigen / "Eigen", third / "include" / "eigen3" / "Eigen")
+    shutil.copytree(eigen.parents[1] / "share" / "eigen3" / "cmake", third / "share" / "eigen3" / "cmake")
+    (third / "include" / "doctest").mkdir(parents=True)
+    shutil.copyfile(doctest / "include" / "doctest" / "doctest.h", third / "include" / "doctest" / "doctest.h")
+    shutil.copytree(doctest / "lib" / "cmake" / "doctest", third / "lib" / "cmake" / "doctest")
+    (third / "licences").mkdir()
+    for name, source in LICENCES.items():
+        if not Path(source).exists():
+            raise Complaint(f"{source} is missing; nothing is bundled without its licence")
+        shutil.copyfile(source, third / "licences" / name)
+
+
+def write_manifest(folder, catalogue):
+    files = {str(file.relative_to(folder)): hashlib.sha256(file.read_bytes()).hexdigest()
+             for file in sorted(folder.rglob("*")) if file.is_file()}
+    exercises = [{"exercise": exercise.path, "title": exercise.title, "points": exercise.points, "minutes": exercise.minutes}
+                 for exercise in catalogue]
+    (folder / "MANIFEST.json").write_text(json.dumps({"exercises": exercises, "files": files}, indent=1, ensure_ascii=False) + "\n",
+                                          encoding="utf-8")
+    return len(files)
+
+
+def release(root, target, toolchain_file=None):
+    """Makes the release, complete or not at all; with a toolchain's file, bundled. Returns how many files it holds."""
+    if target.exists() and (not target.is_dir() or any(target.iterdir())):
+        raise Complaint(f"{target} is there already and not empty; name a folder that is not there yet")
+    if target.resolve().is_relative_to(root.resolve()):
+        raise Complaint(f"{target} lies inside the course; a release of it would hold itself")
+    catalogue = read_catalogue(root)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=target.parent, prefix=".release-") as scratch:
+        folder = Path(scratch) / "course"
+        for name in released_files(root):
+            (folder / name).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy2(root / name, folder / name, follow_symlinks=False)
+        if toolchain_file:
+            bundle(folder, toolchain_file)
+        complaints = what_is_left_of_solutions(root, folder, catalogue)
+        if complaints:
+            raise Complaint("nothing is released, for a solution shows:\n  " + "\n  ".join(complaints))
+        count = write_manifest(folder, catalogue)
+        if target.exists():
+            target.rmdir()
+        os.replace(folder, target)
+    return count
+
+
+def main(words):
+    parser = argparse.ArgumentParser(prog="./course release", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--root", type=Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--toolchain", type=Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("folder", type=Path, metavar="DIR")
+    parser.add_argument("--bundle", action="store_true", help="add the headers of Eigen and doctest, with their licences")
+    arguments = parser.parse_args(words)
+    try:
+        count = release(arguments.root, arguments.folder, arguments.toolchain if arguments.bundle else None)
+    except Complaint as complaint:
+        print(f"course: {complaint}", file=sys.stderr)
+        return 2
+    print(f"{count} files are in {arguments.folder}; MANIFEST.json lists them.")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
