@@ -23,7 +23,7 @@ LEFT_OUT = re.compile(r"(solutions|work|build|third_party)/|tests/exercises/(?!C
                       r"(.*/)?(instructor[^/]*|node_modules|__pycache__)(/|$)|MANIFEST\.json$")
 LICENCES = {"eigen3.txt": "/usr/share/doc/libeigen3-dev/copyright", "doctest.txt": "/usr/share/doc/doctest-dev/copyright",
             "MPL-2.0.txt": "/usr/share/common-licenses/MPL-2.0"}
-LEAST = 16  # letters and signs of a region that can be recognised
+LEAST = 12  # letters and signs of a region that can be recognised
 
 
 def course_files(root):

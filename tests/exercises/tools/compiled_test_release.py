@@ -1,0 +1,106 @@
+"""A release gives nothing away, says what it holds, and works on its own."""
+
+import hashlib
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from complaint import Complaint
+from fixture import ROOT, TOOLCHAIN, FixtureCourse
+from release import release
+
+
+class OfTheFixture(FixtureCourse):
+    def setUp(self):
+        super().setUp()
+        for name in ("chapters", "exercises/common", "exercises/tools"):
+            (self.root / name).unlink()
+        shutil.copytree(ROOT / "chapters" / "01_force", self.root / "chapters" / "01_force")
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.target = Path(folder.name) / "for students"
+
+    def test_a_student_gets_the_exercise_and_nothing_of_its_answers(self):
+        (self.exercise_folder / "instructor.md").write_text("Ask why.", encoding="utf-8")
+        (self.root / "work").mkdir()
+        (self.root / "work" / "mine.hpp").write_text("mine", encoding="utf-8")
+        release(self.root, self.target)
+        names = {str(file.relative_to(self.target)) for file in self.target.rglob("*") if file.is_file()}
+        self.assertIn("exercises/01_force/doubled/doubled.hpp", names)
+        self.assertIn("exercises/01_force/doubled/hints.md", names)
+        self.assertIn("chapters/01_force/tumble/force.hpp", names)
+        for name in names:
+            self.assertFalse(any(word in name for word in ("solutions", "wrong", "instructor", "work", "build")), name)
+        manifest = json.loads((self.target / "MANIFEST.json").read_text(encoding="utf-8"))
+        self.assertEqual(manifest["exercises"], [{"exercise": "01_force/doubled", "title": "Twice as much", "points": 3, "minutes": 1}])
+        self.assertEqual(set(manifest["files"]), names - {"MANIFEST.json"})
+        for name, digest in manifest["files"].items():
+            self.assertEqual(hashlib.sha256((self.target / name).read_bytes()).hexdigest(), digest)
+
+    def refused(self, expected):
+        with self.assertRaises(Complaint) as caught:
+            release(self.root, self.target)
+        self.assertIn(expected, str(caught.exception))
+        self.assertEqual(list(self.target.parent.iterdir()), [])
+
+    def test_a_solution_that_is_left_stops_it_however_it_is_laid_out(self):
+        for name, text in (("doubled.hpp", "Real f() {\n return\n   2*number ; // so\n}"), ("task.md", "Write `return 2 * number;`."),
+                           ("checks.cpp", "/* the answer */ return 2 * number;")):
+            with self.subTest(name):
+                file = self.exercise_folder / name
+                before = file.read_text(encoding="utf-8")
+                file.write_text(before + text, encoding="utf-8")
+                self.refused(f"exercises/01_force/doubled/{name} holds a part of the solution of 01_force/doubled")
+                file.write_text(before, encoding="utf-8")
+
+    def test_a_mark_or_a_folder_of_solutions_stops_it(self):
+        (self.root / "chapters" / "solutions").mkdir()
+        (self.root / "chapters" / "solutions" / "x.txt").write_text("x", encoding="utf-8")
+        self.refused("chapters/solutions/x.txt lies where solutions")
+        shutil.rmtree(self.root / "chapters" / "solutions")
+        (self.exercise_folder / "other.hpp").write_text("//! [solution] x\n", encoding="utf-8")
+        self.refused("other.hpp holds the mark of a solution")
+
+    def test_without_the_solutions_nobody_can_tell(self):
+        shutil.rmtree(self.root / "solutions")
+        self.refused("nobody can tell whether anything of it is left")
+
+    def test_what_is_there_is_never_overwritten(self):
+        self.target.mkdir()
+        (self.target / "precious").write_text("x", encoding="utf-8")
+        with self.assertRaises(Complaint):
+            release(self.root, self.target)
+        self.assertEqual([file.name for file in self.target.iterdir()], ["precious"])
+        with self.assertRaises(Complaint):
+            release(self.root, self.root / "inside")
+
+
+@unittest.skipUnless(TOOLCHAIN, "TUMBLE_TOOLCHAIN names no toolchain.json")
+class OfTheCourse(unittest.TestCase):
+    def test_bundled_it_configures_tests_and_judges_on_its_own(self):
+        with tempfile.TemporaryDirectory(prefix="a release ") as folder:
+            target = Path(folder) / "tumble"
+            release(ROOT, target, TOOLCHAIN)
+            build = target / "build" / "default"
+            self.run_in(target, "cmake", "-S", ".", "-B", str(build), "-DCMAKE_BUILD_TYPE=Release")
+            cache = (build / "CMakeCache.txt").read_text(encoding="utf-8")
+            for package in ("Eigen3", "doctest"):
+                self.assertIn(f"{package}_DIR:PATH={target}/third_party/", cache)
+            tests = self.run_in(target, "ctest", "--test-dir", str(build), "-L", "exercises", "--output-on-failure")
+            self.assertIn("100% tests passed", tests)
+            student = [sys.executable, "-B", "exercises/tools/student.py", "--root", str(target),
+                       "--toolchain", str(build / "exercises" / "toolchain.json")]
+            self.run_in(target, *student, "start", "moon")
+            self.assertIn("that is the Earth's", self.run_in(target, *student, "check", code=1))
+            self.assertTrue((target / "third_party" / "licences" / "eigen3.txt").stat().st_size > 0)
+
+    def run_in(self, folder, *command, code=0):
+        result = subprocess.run(command, cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                timeout=600)
+        text = result.stdout.decode("utf-8", "replace")
+        self.assertEqual(result.returncode, code, text)
+        return text
