@@ -132,7 +132,7 @@ def main(words):
     if arguments.similarity:
         export_for_similarity(arguments.similarity, arguments.folders, exercises)
     if os.geteuid() != 0:
-        print("Not run as root: the students' code had your own rights. See the handbook for what that means.", file=sys.stderr)
+        print("Not run as root, so the students' code had your own rights; exercises/instructor.md says what that means.", file=sys.stderr)
     return 0
 
 

@@ -118,6 +118,9 @@ for command in start watch hint next progress reset compare; do
   course $command moon --key "a b"
   verify "$command gives its words to the students' tool" says "'$command' 'moon' '--key' 'a b'"
 done
+course grade "a class/ada" --format json
+verify "grade gives its words to its own tool" says "grade.py' '--root'"
+verify "and all of them" says "'a class/ada' '--format' 'json'"
 rm "$scratch/called"
 course hint moon
 verify "what needs no compiler configures nothing" called_nothing

@@ -1,0 +1,38 @@
+"""The zip for Gradescope, unpacked and run where Gradescope would."""
+
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+import unittest
+import zipfile
+from pathlib import Path
+
+from catalogue import find, read_catalogue
+from fixture import ROOT, TOOLCHAIN
+from gradescope_format import mistakes_in
+from package import package
+
+
+@unittest.skipUnless(TOOLCHAIN, "TUMBLE_TOOLCHAIN names no toolchain.json")
+class Gradescope(unittest.TestCase):
+    def test_it_grades_a_submission_as_gradescope_runs_it(self):
+        with tempfile.TemporaryDirectory(prefix="autograder") as folder:
+            autograder = Path(folder)
+            file = autograder / "autograder.zip"
+            package(ROOT, [find(read_catalogue(ROOT), "moon")], file)
+            with zipfile.ZipFile(file) as packed:
+                names = packed.namelist()
+                self.assertFalse([name for name in names if "solutions/" in name or "/wrong/" in name])
+                for entry in packed.infolist():  # as unzip does, with the rights that are noted in the zip
+                    os.chmod(packed.extract(entry, autograder / "source"), entry.external_attr >> 16)
+            (autograder / "submission").mkdir()
+            shutil.copyfile(ROOT / "solutions" / "01_force" / "moon" / "moon.hpp", autograder / "submission" / "moon.hpp")
+            for script in ("setup.sh", "run_autograder"):
+                result = subprocess.run([str(autograder / "source" / script)], cwd="/", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                        stderr=subprocess.STDOUT, env={**os.environ, "AUTOGRADER": str(autograder)}, timeout=900)
+                self.assertEqual(result.returncode, 0, result.stdout.decode())
+            results = json.loads((autograder / "results" / "results.json").read_text(encoding="utf-8"))
+            self.assertEqual(mistakes_in(results), [])
+            self.assertEqual((results["score"], len(results["tests"])), (2, 2))
