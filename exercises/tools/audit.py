@@ -8,6 +8,8 @@ both precisions; every wrong answer is caught by the check that it names, with i
 """
 
 import argparse
+import json
+import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
@@ -92,7 +94,7 @@ def look_at_behaviour(root, toolchain, exercise):
         worker = build_worker(toolchain, exercise, header_folder, folder_of(toolchain, exercise) / name)
         if worker.warnings.strip():
             complaints.append(f"{exercise.path}: the compiler warns of {name}:\n"
-                              f"{first_message(worker.warnings, exercise.header, 'warning')}")
+                              f"{first_message(worker.warnings, exercise.header, 'warning') or worker.warnings[:300]}")
         return judge(exercise, judge_program, worker.programs, drawn_parameters(exercise, key))
     try:
         for check, outcome in zip(exercise.checks, verdict(exercise.folder, "starter").outcomes):
@@ -111,7 +113,8 @@ def look_at_behaviour(root, toolchain, exercise):
             if outcome.status in (PASSED, TODO):
                 complaints.append(f'{exercise.path}: "{wrong.caught_by}" doesn\'t catch {wrong.name}')
             elif wrong.message not in outcome.message:
-                complaints.append(f'{exercise.path}: {wrong.name} gets the message "{outcome.message}"; it must hold "{wrong.message}"')
+                complaints.append(f'{exercise.path}: {wrong.name} gets the message "{outcome.message}"; it must hold '
+                                  f'"{wrong.message}"')
     except CommandFailed as failure:
         complaints.append(f"{exercise.path} doesn't compile: {' '.join(failure.command[-3:])}\n"
                           f"{first_message(failure.output, exercise.header)}")
@@ -126,8 +129,6 @@ def _put(source, target):
 
 
 def _sentences(judge_program):
-    import json
-    import subprocess
     return json.loads(subprocess.run([judge_program, "--list"], capture_output=True, check=True).stdout)
 
 
