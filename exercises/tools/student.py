@@ -68,9 +68,9 @@ class Student:
         exercise = self.named(arguments.word)
         self._require_start(exercise)
         watch = Watch(self.place.header_of(exercise), arguments.polling)
-        self._check(exercise)
-        print(f"\nWatching {self._shown(self.place.header_of(exercise))}; end with Ctrl-C.", flush=True)
         try:
+            self._check(exercise)
+            print(f"\nWatching {self._shown(self.place.header_of(exercise))}; end with Ctrl-C.", flush=True)
             while watch.wait():
                 print(f"\n--- saved at {time.strftime('%H:%M:%S')}", flush=True)
                 self._check(exercise)
@@ -217,6 +217,8 @@ def main(words):
     except Complaint as complaint:
         print(f"course: {complaint}", file=sys.stderr)
         return 2
+    except KeyboardInterrupt:
+        return 130
     except CommandFailed as failure:  # what is compiled without any of the student's code
         print(f"course: the course's own code doesn't compile:\n{failure.output}", file=sys.stderr)
         return 2
