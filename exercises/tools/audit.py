@@ -90,31 +90,35 @@ def look_at_behaviour(root, toolchain, exercise):
         return [f"{exercise.path}: checks.cpp says {said}, and exercise.json {[c.sentence for c in exercise.checks]}; they must "
                 "be the same, in the same order"]
 
-    def verdict(header_folder, name, key=""):
+    keys = KEYS if exercise.parameters else KEYS[:1]
+
+    def verdicts(header_folder, name):
+        """The outcome by sentence, for the numbers of one student after the other."""
         worker = build_worker(toolchain, exercise, header_folder, folder_of(toolchain, exercise) / name)
         if worker.warnings.strip():
             complaints.append(f"{exercise.path}: the compiler warns of {name}:\n"
                               f"{first_message(worker.warnings, exercise.header, 'warning') or worker.warnings[:300]}")
-        return judge(exercise, judge_program, worker.programs, drawn_parameters(exercise, key))
+        for key in keys:
+            outcomes = judge(exercise, judge_program, worker.programs, drawn_parameters(exercise, key)).outcomes
+            yield dict(zip(said, outcomes))
     try:
-        for check, outcome in zip(exercise.checks, verdict(exercise.folder, "starter").outcomes):
+        for sentence, outcome in next(verdicts(exercise.folder, "starter")).items():
             if outcome.status == PASSED:
-                complaints.append(f'{exercise.path}: the unsolved starter passes "{check.sentence}"')
-        for key in KEYS[:None if exercise.parameters else 1]:
-            for check, outcome in zip(exercise.checks, verdict(places.solution(exercise), "solution", key).outcomes):
-                if outcome.status != PASSED:
-                    complaints.append(f'{exercise.path}: the solution fails "{check.sentence}": {outcome.message}')
+                complaints.append(f'{exercise.path}: the unsolved starter passes "{sentence}"')
+        for outcomes in verdicts(places.solution(exercise), "solution"):
+            complaints += [f'{exercise.path}: the solution fails "{sentence}": {outcome.message}'
+                           for sentence, outcome in outcomes.items() if outcome.status != PASSED]
         for wrong in read_wrong_answers(exercise, places.wrong(exercise)):
             folder = folder_of(toolchain, exercise) / "wrong" / wrong.name
             folder.mkdir(parents=True, exist_ok=True)
             _put(wrong.file, folder / exercise.header)
-            outcomes = dict(zip((check.sentence for check in exercise.checks), verdict(folder, f"wrong/{wrong.name}").outcomes))
-            outcome = outcomes[wrong.caught_by]
-            if outcome.status in (PASSED, TODO):
-                complaints.append(f'{exercise.path}: "{wrong.caught_by}" doesn\'t catch {wrong.name}')
-            elif wrong.message not in outcome.message:
-                complaints.append(f'{exercise.path}: {wrong.name} gets the message "{outcome.message}"; it must hold '
-                                  f'"{wrong.message}"')
+            for outcomes in verdicts(folder, f"wrong/{wrong.name}"):
+                outcome = outcomes[wrong.caught_by]
+                if outcome.status in (PASSED, TODO):
+                    complaints.append(f'{exercise.path}: "{wrong.caught_by}" doesn\'t catch {wrong.name}')
+                elif wrong.message not in outcome.message:
+                    complaints.append(f'{exercise.path}: {wrong.name} gets the message "{outcome.message}"; it must hold '
+                                      f'"{wrong.message}"')
     except CommandFailed as failure:
         complaints.append(f"{exercise.path} doesn't compile: {' '.join(failure.command[-3:])}\n"
                           f"{first_message(failure.output, exercise.header)}")

@@ -47,7 +47,7 @@ def _grade_one(arguments, exercises, folder, user):
             "exercises": [exercise.path for exercise in exercises], "user": user, "seconds": arguments.seconds,
             "key": f"{arguments.seed}-{student}" if arguments.seed else "",
             "private": str(arguments.private) if arguments.private else None}
-    most = sum(120 + 2 * (arguments.seconds + 2) * len(exercise.checks) for exercise in exercises)
+    most = sum(120 + 2 * (4 * arguments.seconds + 2) * len(exercise.checks) for exercise in exercises)
     try:
         result = subprocess.run([sys.executable, "-B", str(Path(__file__).with_name("grade_one.py"))],
                                 input=json.dumps(task).encode(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=most)
@@ -100,7 +100,7 @@ def main(words):
     parser.add_argument("--keep", choices=("all", "best", "last"), default="all", help="of resubmissions, such as ada@1 and ada@2")
     parser.add_argument("--marks", type=Path, help="a table of points as CSV")
     parser.add_argument("--similarity", type=Path, help="a folder for programs that look for copied code")
-    parser.add_argument("--seconds", type=float, default=5, help="for one check")
+    parser.add_argument("--seconds", type=float, default=5, help="of computing, for one check")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     arguments = parser.parse_args(words)
     try:

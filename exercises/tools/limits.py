@@ -1,5 +1,6 @@
 """What a student's program may use: time, memory, files, output, processes."""
 
+import math
 import os
 import resource
 from dataclasses import dataclass
@@ -9,7 +10,7 @@ MEBIBYTE = 1 << 20
 
 @dataclass(frozen=True)
 class Limits:
-    seconds: float = 5            # of the wall's clock, for one check
+    seconds: float = 2            # of computing, for one check; of the wall's clock, four times as many
     memory: int = 1024 * MEBIBYTE  # of address space
     file: int = 16 * MEBIBYTE     # the largest file that it may write
     output: int = MEBIBYTE        # what it may print
@@ -19,8 +20,8 @@ class Limits:
 
 def confine(limits):
     """Called in the new process before its program begins."""
-    seconds = int(limits.seconds) + 1
-    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds))
+    seconds = math.ceil(limits.seconds)
+    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
     resource.setrlimit(resource.RLIMIT_AS, (limits.memory, limits.memory))
     resource.setrlimit(resource.RLIMIT_FSIZE, (limits.file, limits.file))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
