@@ -219,6 +219,9 @@ def main(words):
         return 2
     except KeyboardInterrupt:
         return 130
+    except BrokenPipeError:  # whoever read what is printed has read enough
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 141
     except CommandFailed as failure:  # what is compiled without any of the student's code
         print(f"course: the course's own code doesn't compile:\n{failure.output}", file=sys.stderr)
         return 2
