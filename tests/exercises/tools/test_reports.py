@@ -1,0 +1,59 @@
+"""What is handed on, and the judge of Gradescope's format, which must find mistakes."""
+
+import copy
+import json
+import unittest
+from xml.etree import ElementTree
+
+from grade import counted
+from gradescope_format import mistakes_in
+from reports import gradescope, junit, text
+
+RESULT = {"student": "ada", "submission": "ada@1", "points": 2, "of": 6, "seconds": 1.6, "exercises": [
+    {"exercise": "03_inertia/hammer", "title": "A hammer", "reason": "", "flags": ["opens files"], "checks": [
+        {"sentence": "It is heavy", "points": 2, "of": 2, "status": "passed", "message": ""},
+        {"sentence": "It is <long> & thin", "points": 0, "of": 1, "status": "failed", "message": "it is \x07 short"},
+        {"sentence": "It flies", "points": 0, "of": 1, "status": "not written yet", "message": "the flight"}]},
+    {"exercise": "01_force/moon", "title": "The Moon", "reason": "moon.hpp is empty", "flags": [], "checks": [
+        {"sentence": "It falls", "points": 0, "of": 2, "status": "not run", "message": ""}]}]}
+
+
+class Reports(unittest.TestCase):
+    def test_gradescopes_fields_are_those_published(self):
+        results = json.loads(gradescope([RESULT]))
+        self.assertEqual(mistakes_in(results), [])
+        self.assertEqual((results["score"], results["execution_time"]), (2, 2))
+        self.assertEqual([test["output"] for test in results["tests"]],
+                         ["", "it is \x07 short", "not written yet: the flight", "moon.hpp is empty"])
+        self.assertEqual(sum(test["max_score"] for test in results["tests"]), 6)
+        self.assertEqual(results["extra_data"], {"flags": ["03_inertia/hammer opens files"]})
+
+    def test_the_judge_of_that_format_finds_mistakes(self):
+        sound = json.loads(gradescope([RESULT]))
+        for change in (lambda results: results["tests"][0].update(status="ok"),
+                       lambda results: results["tests"][0].update(visibility="public"),
+                       lambda results: results["tests"][0].update(score=3),
+                       lambda results: results["tests"][0].update(score="2"),
+                       lambda results: results["tests"][0].update(tags=[1]),
+                       lambda results: results["tests"][0].update(points=1),
+                       lambda results: results.update(score=True),
+                       lambda results: results.update(stdout_visibility="no"),
+                       lambda results: (results.pop("score"), results.pop("tests"))):
+            results = copy.deepcopy(sound)
+            change(results)
+            self.assertNotEqual(mistakes_in(results), [])
+
+    def test_junit_counts_and_holds_no_letter_that_xml_forbids(self):
+        suites = ElementTree.fromstring(junit([RESULT]))
+        self.assertEqual([(suite.get("tests"), suite.get("failures")) for suite in suites], [("3", "2"), ("1", "1")])
+        self.assertEqual(suites.find(".//failure").get("message"), "it is  short")
+
+    def test_the_text_names_reasons_and_what_to_look_at(self):
+        said = text([RESULT])
+        for expected in ("ada@1: 2 of 6 points", "    moon.hpp is empty", "! look at it: it opens files", "    x It is <long>", "    . It flies"):
+            self.assertIn(expected, said)
+
+    def test_the_best_or_the_last_counts(self):
+        results = [{"student": "ada", "submission": f"ada@{number}", "points": points} for number, points in ((3, 1), (1, 5), (2, 5))]
+        self.assertEqual([result["submission"] for result in counted(results, "best")], ["ada@1"])
+        self.assertEqual([result["submission"] for result in counted(results, "last")], ["ada@3"])
