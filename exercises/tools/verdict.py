@@ -3,7 +3,8 @@
 import textwrap
 from dataclasses import dataclass
 
-from run_check import BROKEN, FAILED, PASSED, TODO, Limits, run_check
+from limits import Limits
+from run_check import BROKEN, FAILED, PASSED, TODO, run_check
 
 SIGNS = {PASSED: "+", FAILED: "x", TODO: ".", BROKEN: "?"}
 

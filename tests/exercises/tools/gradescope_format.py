@@ -16,8 +16,9 @@ def mistakes_in(results):
     if "score" not in results and not results.get("tests"):
         mistakes.append("results has neither score nor tests")
     for test in results.get("tests", []):
-        mistakes += _mistakes("a test", test, TEST)
-        if test.get("score", 0) > test.get("max_score", 0):
+        found = _mistakes("a test", test, TEST)
+        mistakes += found
+        if not found and test.get("score", 0) > test.get("max_score", 0):
             mistakes.append(f"a test has {test['score']} of {test['max_score']} points")
         if not all(isinstance(tag, str) for tag in test.get("tags", [])):
             mistakes.append(f"tags is {test['tags']}")
