@@ -1,6 +1,5 @@
 """What is read of a submission, and what a person should look at."""
 
-import unittest
 
 from submission import read_header, student_of
 from test_texts import InAFolder, exercise
