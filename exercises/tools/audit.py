@@ -3,7 +3,7 @@
   audit.py --root ROOT --toolchain FILE [--write] [--only WORD] [--jobs N]
 
 Every starter is made from its solution and warning-free, and fails every check; every solution passes them all, warning-free, in
-both precisions; every wrong answer is caught by the check that it names, with its message.
+both precisions, and a lab's makes its replay; every wrong answer is caught by the check that it names, with its message.
 --write makes the starters anew.
 """
 
@@ -22,6 +22,7 @@ from exercise import read_exercise
 from hints import read_hints
 from made import CommandFailed
 from programs import build_worker, folder_of, prepare
+from replay import has_replay, make_replay
 from run_check import PASSED, TODO
 from starter import starter_of
 from toolchain import read_toolchain
@@ -108,6 +109,8 @@ def look_at_behaviour(root, toolchain, exercise):
         for outcomes in verdicts(places.solution(exercise), "solution"):
             complaints += [f'{exercise.path}: the solution fails "{sentence}": {outcome.message}'
                            for sentence, outcome in outcomes.items() if outcome.status != PASSED]
+        if has_replay(exercise):
+            complaints += _look_at_replay(toolchain, exercise, places.solution(exercise))
         for wrong in read_wrong_answers(exercise, places.wrong(exercise)):
             folder = folder_of(toolchain, exercise) / "wrong" / wrong.name
             folder.mkdir(parents=True, exist_ok=True)
@@ -123,6 +126,19 @@ def look_at_behaviour(root, toolchain, exercise):
         complaints.append(f"{exercise.path} doesn't compile: {' '.join(failure.command[-3:])}\n"
                           f"{first_message(failure.output, exercise.header)}")
     return complaints
+
+
+def _look_at_replay(toolchain, exercise, header_folder):
+    folder = folder_of(toolchain, exercise) / "solution"
+    page = folder / "replay.html"
+    page.unlink(missing_ok=True)
+    failure, warnings = make_replay(toolchain, exercise, header_folder, folder, page)
+    if failure:
+        return [f"{exercise.path}: the replay of the solution was not made: {failure}"]
+    if warnings.strip():
+        return [f"{exercise.path}: the compiler warns of show.cpp:\n{warnings[:1000]}"]
+    return [] if page.exists() and "player-recording" in page.read_text(encoding="utf-8") else [
+        f"{exercise.path}: show.cpp wrote no page that replays anything"]
 
 
 def _put(source, target):

@@ -6,25 +6,23 @@ from limits import Limits, confine
 from made import CommandFailed
 from programs import build_show
 
+LIMITS = Limits(seconds=20)
 
-def replay(toolchain, exercise, header_folder, folder, shown):
-    """Makes the page beside the student's copy, for an exercise that has a show.cpp, and says where it is."""
-    if not (exercise.folder / "show.cpp").exists():
-        return None
-    page = header_folder / f"{exercise.name}.html"
-    limits = Limits(seconds=20)
+
+def has_replay(exercise):
+    return (exercise.folder / "show.cpp").exists()
+
+
+def make_replay(toolchain, exercise, header_folder, folder, page):
+    """Writes the page. Returns why it could not, or an empty text; and the compiler's warnings."""
     try:
-        program, _ = build_show(toolchain, exercise, header_folder, folder)
+        program, warnings = build_show(toolchain, exercise, header_folder, folder)
         result = subprocess.run([str(program), str(page)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                stderr=subprocess.STDOUT, timeout=limits.seconds, preexec_fn=lambda: confine(limits))
+                                stderr=subprocess.STDOUT, timeout=4 * LIMITS.seconds, preexec_fn=lambda: confine(LIMITS))
     except subprocess.TimeoutExpired:
-        print("\nThe replay was not made: its program took too long.")
-        return None
+        return "its program took too long", ""
     except CommandFailed as failure:
-        print(f"\nThe replay was not made: its program doesn't compile with your code.\n{failure.output[:1000]}")
-        return None
+        return f"its program doesn't compile with this code:\n{failure.output[:1000]}", ""
     if result.returncode != 0:
-        print(f"\nThe replay was not made: {result.stdout.decode('utf-8', 'replace').strip()[:500]}")
-        return None
-    print(f"\nSee it move: open {shown(page)} in a browser.")
-    return page
+        return result.stdout.decode("utf-8", "replace").strip()[:500] or f"its program ended with {result.returncode}", warnings
+    return "", warnings

@@ -14,7 +14,7 @@ from hints import read_hints
 from made import CommandFailed
 from programs import build_worker, folder_of, prepare
 from progress import Progress, bar
-from replay import replay
+from replay import has_replay, make_replay
 from starter import solution_without_marks
 from toolchain import read_toolchain
 from verdict import judge, said
@@ -164,8 +164,10 @@ class Student:
         points = verdict.points(exercise)
         self.progress.note(exercise.path, "solved" if verdict.solved else "checked", f"{points}/{exercise.points}")
         self._times(began, compiled, f"{points} of {exercise.points} points {bar(points, exercise.points, 20)}")
-        if verdict.solved or show:
-            replay(toolchain, exercise, header.parent, folder, self._shown)
+        if has_replay(exercise) and (verdict.solved or show):
+            page = header.with_suffix(".html")
+            failure, _ = make_replay(toolchain, exercise, header.parent, folder, page)
+            print(f"\nThe replay was not made: {failure}" if failure else f"\nSee it move: open {self._shown(page)} in a browser.")
         if verdict.solved:
             self._praise(exercise)
         return verdict.solved

@@ -15,10 +15,19 @@ int main(int, char** arguments) {
     course::Recording recording("Three suns on a figure of eight", between);
     for (const char* name : {"first", "second", "third"})
       recording.add_body(name, {course::Part::sphere(0.08)});
+    // The curve itself, as beads where the first sun will be.
+    std::vector<course::Part> beads;
     auto suns = course::three_suns<double>();
+    for (int n = 0; n < 96; ++n) {
+      beads.push_back(course::Part::sphere(0.012).at(Posed{.position = suns[0].position}));
+      suns = flown(suns, course::period_of_the_eight / 96 / 32, 32);
+    }
+    recording.add_body("the curve", beads);
+    suns = course::three_suns<double>();
     for (int frame = 0; frame <= frames; ++frame) {
       std::vector<Posed> poses;
       for (const Particled& sun : suns) poses.push_back({.position = sun.position});
+      poses.emplace_back();  // of the curve, which stays
       recording.add_frame(poses);
       suns = flown(suns, between / steps_per_frame, steps_per_frame);
     }
