@@ -44,12 +44,16 @@ void turn_about_axis(Top<Real>& top, Same<Real> angle) {
 /// `vector`, which a turn has made from `before`, with the length that it had. The length has only
 /// been rounded, so a correction to first order will do: v (b² − v²)/(2 v²). It is a small number
 /// to add; to multiply by a number next to 1 would round the same way every time.
+///
+/// What is not small is no rounding: squares that have left the range of Real, or 0/0. It is left.
 //! [with_length_of]
 template <class Real>
 Vec3<Real> with_length_of(const Vec3<Real>& before, const Vec3<Real>& vector) {
+  using std::abs;
   const Real square = vector.squaredNorm();
   const Real correction = (before.squaredNorm() - square) / (2 * square);
-  return vector + select(square > 0, correction, Real(0)) * vector;
+  const Real largest = 256 * std::numeric_limits<Real>::epsilon();
+  return vector + select(abs(correction) <= largest, correction, Real(0)) * vector;
 }
 //! [with_length_of]
 
