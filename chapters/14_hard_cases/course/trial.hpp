@@ -78,17 +78,17 @@ HardCase<Real> endless_step_case() {
           }};
 }
 
-/// A body so slow that a step turns it by a ten-millionth of a radian: after 100 000 steps it shall
-/// have come as far as it should, to a thousandth. Its L is `momentum_body` in direction.
+/// A steady spin, so slow that a step turns by a ten-millionth of a radian: after 20 000 steps the
+/// body shall have come as far as it should, to a thousandth.
 template <class Real>
-HardCase<Real> crawling_case(const std::string& name, const Vec3<Real>& momentum_body) {
-  return {name, [momentum_body](const TurningRung<Real>& rung) {
+HardCase<Real> crawling_case() {
+  return {"1e-7 rad a step", [](const TurningRung<Real>& rung) {
             Top<Real> top = top_of<Real>(tumbling_problems[0]);
-            top.angular_momentum_body = momentum_body;
+            top.angular_momentum_body = {0, 0, 1};
             const Real step = Real(1e-7) / angular_velocity_body(top).norm();
             const double part = 1e-3;
-            return judged(watched<Real>(top, rung.turn, 100'000, 100'000, step),
-                          {part, part, part * 1e-2});
+            return judged(watched<Real>(top, rung.turn, 20'000, 20'000, step),
+                          {part, part, part * 2e-3});
           }};
 }
 
@@ -105,8 +105,7 @@ std::vector<HardCase<Real>> hard_cases() {
           problem_case<Real>(tumbling_problems[3], {1e-4, any, any}),
           long_step_case<Real>(),
           endless_step_case<Real>(),
-          crawling_case<Real>("1e-7 rad, steady", {0, 0, 1}),
-          crawling_case<Real>("1e-7 rad, tumbling", {1, 2, 3})};
+          crawling_case<Real>()};
 }
 
 }  // namespace tumble::course
