@@ -129,9 +129,9 @@ void far_away(Notebook& notebook) {
     }
     table.row(n / 60.0, gone[0], gone[1], gone[2], gone[3]);
   }
-  std::printf("In float, at 60 steps a second:\n  distance    spacing   slowest speed\n");
+  std::printf("In float, at 60 steps a second:\n    distance      spacing   slowest speed\n");
   for (const float place : {1.0f, 1e3f, 10e3f, 100e3f, 1e6f, 10e6f})
-    std::printf("%7.0f km  %9.2g m  %9.2g m/s\n", double(place) / 1e3, double(spacing_at(place)),
+    std::printf("%9.0f m  %9.2g m  %9.2g m/s\n", double(place), double(spacing_at(place)),
                 double(slowest_drift_at(place, h)));
   expect(particles[3].position.x() == places[3], "beyond a certain place nothing moves");
   notebook.value("digits_km", std::to_string(digits_needed(1e3, 1e-3)));

@@ -71,10 +71,24 @@ int tabulated(const Notebook& notebook, const char* name, const char* title,
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  const Notebook notebook(argument_count, arguments);
+  Notebook notebook(argument_count, arguments);
   std::printf(". right   E, L, P: wrong in energy, angular momentum, phase   D: it diverged\n");
   const int surprises =
       tabulated<double>(notebook, "in_double", "in double", &Expected::in_double) +
       tabulated<float>(notebook, "in_float", "in float", &Expected::in_single);
+  // What the page counts, in double: columns A, D and the disc at 100 rad a step.
+  int on_a = 0, on_a_exploding_on_d = 0, on_all = 0, finite_and_wrong = 0;
+  for (const Expected& each : expected) {
+    const std::string_view found = each.in_double;
+    on_a += found[0] == '.';
+    on_a_exploding_on_d += found[0] == '.' && found[3] == 'D';
+    on_all += found == ".......";
+    finite_and_wrong += found[5] == '.' && found.substr(0, 4).find('.') == std::string_view::npos;
+  }
+  notebook.value("rungs", std::to_string(expected.size()));
+  notebook.value("on_a", std::to_string(on_a));
+  notebook.value("on_a_exploding_on_d", std::to_string(on_a_exploding_on_d));
+  notebook.value("on_all", std::to_string(on_all));
+  notebook.value("finite_and_wrong", std::to_string(finite_and_wrong));
   expect(surprises == 0, "each rung passes and fails as the chapter says");
 }
