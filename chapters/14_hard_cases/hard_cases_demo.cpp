@@ -22,7 +22,7 @@ constexpr std::array<Expected, 21> expected = {{
     {"implicit midpoint", "PPP.P..", "PP..P.."},
     {"Lie midpoint", "..P.P..", "EE..PD."},
     {"augmented second order", "EEEDP..", "EEEDPD."},
-    {"splitting by axes", "..P.P..", "..E.P.."},
+    {"splitting by axes", "..P.P..", "..EEP.."},
     {"splitting", ".......", "......."},
     {"Runge-Kutta", "..LDDD.", "..LDDD."},
     {"Lie Runge-Kutta", "..EDPD.", ".EEDDD."},
