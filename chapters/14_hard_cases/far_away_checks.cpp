@@ -11,7 +11,7 @@ using namespace tumble::course;
 //! [spacing]
 TEST_CASE_TEMPLATE("A coordinate can be told from one that is a spacing away, and from none nearer",
                    Real, EVERY_PRECISION) {
-  for (const Real place : {Real(1), Real(-1000), Real(1e7), Real(3), Real(1e-6)}) {
+  for (const Real place : {Real(1), Real(-1000), Real(-1024), Real(1e7), Real(3), Real(1e-6)}) {
     const Real spacing = spacing_at(place), out = std::copysign(spacing, place);
     CHECK(place + out != place);
     CHECK(place + out / 2 * (1 - unit_roundoff<Real>)*(1 - 2 * unit_roundoff<Real>) == place);

@@ -1,6 +1,5 @@
 // Where the rungs that claim no bound stop, and what they say.
 #include <course/checks.hpp>
-#include <course/rungs.hpp>
 #include <course/tumbling_problems.hpp>
 #include <tumble/guarded_turn.hpp>
 
@@ -25,6 +24,7 @@ std::string stopped(const TurningRung<Real>& rung, Top<Real>& top, Real time_ste
     }
     REQUIRE(is_finite(top.angular_momentum_body));
     REQUIRE(std::isfinite(norm(top.orientation)));
+    REQUIRE(can_drift(top, time_step));
   }
   return "";
 }
@@ -37,7 +37,7 @@ TEST_CASE_TEMPLATE("A rung that blows up is stopped with its name and the limit,
   const std::string limit = " rad in a step; at most " +
                             text_of(2 * SineCosineConstants<Real>::limit) + " rad can be turned";
   for (const char* name : {"explicit", "Runge-Kutta", "Dormand-Prince 5"}) {
-    const TurningRung<Real>& rung = rung_called<Real>(name);
+    const TurningRung<Real>& rung = turning_rung<Real>(name);
     Top<Real> top = top_of<Real>(tumbling_problems[3]);  // the needle, 3.3 rad a step
     const std::string what = stopped(rung, top, Real(1) / 60, 1000);
     CAPTURE(std::string(name));
@@ -55,7 +55,7 @@ TEST_CASE_TEMPLATE("A rung that blows up is stopped with its name and the limit,
 //! [same]
 TEST_CASE_TEMPLATE("Up to the limit a guarded rung is the rung itself, to the bit", Real,
                    EVERY_PRECISION) {
-  for (const TurningRung<Real>& rung : rungs<Real>()) {
+  for (const TurningRung<Real>& rung : turning_ladder<Real>) {
     CAPTURE(std::string(rung.name));
     Top<Real> guarded = top_of<Real>(tumbling_problems[0]), plain = guarded;
     for (int n = 0; n < 10; ++n) {
@@ -76,7 +76,7 @@ TEST_CASE_TEMPLATE("The guard lets the largest turn through, and nothing beyond 
     // L of any size: its square need not be a number.
     const Top<Real> ball{.angular_momentum_body = {0, 0, size},
                          .inverse_moments = Vec3<Real>::Constant(1 / size)};
-    const TurningRung<Real>& rung = rung_called<Real>("splitting");
+    const TurningRung<Real>& rung = turning_rung<Real>("splitting");
     Top<Real> top = ball;
     turn_or_stop(rung, top, limit);
     CHECK(std::abs(norm(top.orientation) - 1) <= 10 * unit_roundoff<Real>);
@@ -88,3 +88,30 @@ TEST_CASE_TEMPLATE("The guard lets the largest turn through, and nothing beyond 
   }
 }
 //! [limit]
+
+//! [own]
+TEST_CASE_TEMPLATE("A guarded rung is stopped before a turn too large and after one that is none",
+                   Real, EVERY_PRECISION) {
+  const TurningRung<Real> brake = {
+      "brake", {}, [](Top<Real>& top, Real) { top.angular_momentum_body.setZero(); }};
+  Top<Real> top{.angular_momentum_body = {0, 0, 3 * SineCosineConstants<Real>::limit},
+                .inverse_moments = {1, 1, 1}};
+  CHECK(stopped(brake, top, Real(1), 1).find("'brake' would turn by up to ") == 0);
+  top.angular_momentum_body = {0, 0, 2};
+  CHECK(stopped(brake, top, Real(1), 1).empty());
+  const std::string complaint =
+      " finds no finite turn for a top that turns by up to 2 rad in a step";
+  for (const TurningRung<Real>&broken :
+       {TurningRung<Real>{"lost",
+                          {},
+                          [](Top<Real>&lost, Real) {
+                            lost.angular_momentum_body.x() = std::numeric_limits<Real>::quiet_NaN();
+                          }},
+        TurningRung<Real>{"astray", {}, [](Top<Real>&astray, Real) {
+                            astray.orientation.real = std::numeric_limits<Real>::infinity();
+                          }}}) {
+    top.angular_momentum_body = {0, 0, 2};
+    CHECK(stopped(broken, top, Real(1), 1) == "'" + std::string(broken.name) + "'" + complaint);
+  }
+}
+//! [own]
