@@ -22,8 +22,8 @@ void energies(const Notebook& notebook, const char* name, const TumblingProblem&
   std::array<Topd, 5> tops;
   tops.fill(top_of<double>(problem));
   const double start = kinetic_energy(tops[0]);
-  Table table = notebook.table(name, {"time (s)", "|L| restored", "linearly implicit",
-                                      "momentum carried", "by axes", "ours"});
+  Table table =
+      notebook.table(name, {"time (s)", "restored", "linear", "carried", "by axes", "ours"});
   for (int n = 0; n <= 300; ++n) {
     std::array<double, 5> energy;
     for (std::size_t rule = 0; rule < 5; ++rule) {

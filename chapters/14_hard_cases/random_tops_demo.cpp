@@ -64,9 +64,9 @@ template <class Real>
 class Trial {
  public:
   Trial(const Notebook& notebook, const char* precision)
-      : table_(notebook.table("random_" + std::string(precision),
+      : table_(notebook.table("random_in_" + std::string(precision),
                               {"rung", "tops", "L unexplained", "energy unexplained"})) {
-    std::printf("%-30s %8s  %s\n", precision, "tops", "unexplained L, energy");
+    std::printf("in %-27s %8s  unexplained: L   energy\n", precision, "tops");
   }
 
   template <class Number, class Turn>
@@ -78,7 +78,7 @@ class Trial {
     expect(!claims.momentum || worst.momentum <= rounding<Real>,
            "those of L close where it is kept");
     expect(claims.momentum || worst.momentum > 0.1, "and where it is not, they don't");
-    std::printf("%-30s %8d  %7.1e  %7.1e\n", std::string(name).c_str(), count, worst.momentum,
+    std::printf("%-30s %8d      %7.1e  %7.1e\n", std::string(name).c_str(), count, worst.momentum,
                 worst.energy);
     table_.row(name, std::to_string(count), number("%.0e", worst.momentum),
                number("%.0e", worst.energy));
@@ -120,6 +120,7 @@ void try_bounded(const Notebook& notebook, const char* precision) {
 //! [stopped]
 template <class Real>
 void try_unbounded(Table& table, const char* precision, int count) {
+  std::printf("\nguarded, in %-18s %8s  stopped\n", precision, "tops");
   for (const TurningRung<Real>& rung : rungs<Real>()) {
     if (rung.claims.bounded) continue;
     Dice dice(14);
@@ -141,7 +142,7 @@ void try_unbounded(Table& table, const char* precision, int count) {
     expect(stopped == 0 || sentence.find("'" + std::string(rung.name) + "' ") == 0,
            "who stops says its name");
     table.row(rung.name, precision, std::to_string(count), std::to_string(stopped), sentence);
-    std::printf("%-30s %8d  %d stopped\n", std::string(rung.name).c_str(), count, stopped);
+    std::printf("%-30s %8d  %7d\n", std::string(rung.name).c_str(), count, stopped);
   }
 }
 //! [stopped]
@@ -150,11 +151,11 @@ void try_unbounded(Table& table, const char* precision, int count) {
 
 int main(int argument_count, char** arguments) {
   Notebook notebook(argument_count, arguments);
-  try_bounded<double>(notebook, "in_double");
-  try_bounded<float>(notebook, "in_float");
+  try_bounded<double>(notebook, "double");
+  std::printf("\n");
+  try_bounded<float>(notebook, "float");
   Table table =
       notebook.table("stopped", {"rung", "precision", "tops", "stopped", "the last says"});
-  std::printf("\nThe others\n");
   try_unbounded<double>(table, "double", wanted_count() / 100);
   try_unbounded<float>(table, "float", wanted_count() / 100);
   notebook.value("tops", std::to_string(wanted_count()));

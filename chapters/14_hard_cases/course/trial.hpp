@@ -46,8 +46,7 @@ struct HardCase {
 /// One of the problems A to D.
 template <class Real>
 HardCase<Real> problem_case(const TumblingProblem& problem, const Limits& limits) {
-  return {std::string(1, problem.letter) + " " + std::string(problem.name),
-          [&problem, limits](const TurningRung<Real>& rung) {
+  return {std::string(1, problem.letter), [&problem, limits](const TurningRung<Real>& rung) {
             return judged(watched<Real>(problem, rung.turn), limits);
           }};
 }
@@ -69,7 +68,7 @@ HardCase<Real> long_step_case() {
 /// Problem A at 100 rad a step, where nothing can be right any more: it shall stay finite.
 template <class Real>
 HardCase<Real> endless_step_case() {
-  return {"100 rad a step", [](const TurningRung<Real>& rung) {
+  return {"100 rad", [](const TurningRung<Real>& rung) {
             const Top<Real> top = top_of<Real>(tumbling_problems[0]);
             const Real step = 100 / angular_velocity_body(top).norm();
             const Motion motion = watched<Real>(top, rung.turn, 1000, 0, step);
@@ -82,7 +81,7 @@ HardCase<Real> endless_step_case() {
 /// body shall have come as far as it should, to a thousandth.
 template <class Real>
 HardCase<Real> crawling_case() {
-  return {"1e-7 rad a step", [](const TurningRung<Real>& rung) {
+  return {"crawl", [](const TurningRung<Real>& rung) {
             Top<Real> top = top_of<Real>(tumbling_problems[0]);
             top.angular_momentum_body = {0, 0, 1};
             const Real step = Real(1e-7) / angular_velocity_body(top).norm();
