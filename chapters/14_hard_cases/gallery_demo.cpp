@@ -109,8 +109,7 @@ void chain(Notebook& notebook) {
     table.row(double(n), double(lost), double(lost_of_ours));
   }
   expect(lost == 40, "one NaN reaches every bead");
-  std::printf("Naive: after 40 steps %d of 40 beads are nowhere. The world stops instead:\n%s\n\n",
-              lost, sentence.c_str());
+  notebook.value("stopped", sentence);
 }
 
 /// How far a particle in float gets that should go at a steady speed, far from the origin.
