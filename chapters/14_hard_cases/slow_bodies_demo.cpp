@@ -72,8 +72,8 @@ double cost(ManyBodies<float>& world) {
 int main(int argument_count, char** arguments) {
   Notebook notebook(argument_count, arguments);
   const float slowest = slowest_speed<float>, smallest = std::numeric_limits<float>::min();
-  const std::array<float, 7> speeds = {1,           1e-6f,  1e-12f,      2 * slowest,
-                                       slowest / 2, 1e-20f, smallest / 4};
+  const std::array<float, 7> speeds = {1,      1e-6f,  2 * slowest, slowest / 2,
+                                       1e-12f, 1e-20f, smallest / 4};
   std::vector<ManyBodies<float>> worlds;
   for (const bool naive : {false, true})
     for (const float speed : speeds) worlds.push_back(boxes(speed, naive));
