@@ -19,8 +19,12 @@ namespace tumble {
 template <class Real, class Keeping = OneByOne<Real>>
 class World {
  public:
+  /// @throws std::invalid_argument if the step is negative or longer than an hour. One of no time
+  /// does nothing.
   explicit World(const StepLength& step = {}, TurningMethod method = TurningMethod::splitting)
-      : step_(step), time_step_(time_step_of<Real>(step)), method_(method) {}
+      : step_(step), time_step_(time_step_of<Real>(step)), method_(method) {
+    require_step_length(step, 0);
+  }
 
   // --- Bodies -----------------------------------------------------------------------------------
 
