@@ -305,25 +305,28 @@ TEST_CASE_TEMPLATE("A world turns by the rule that was chosen", Real, EVERY_PREC
   const RigidBody<Real> box = make_rigid_body<Real>("box", mass_properties(Box<Real>{{1, 2, 3}}, 2),
                                                     {}, Vec3<Real>::Zero(), {1, 2, 3})
                                   .body;
-  const auto turned = [&](TurningMethod method) {
-    World<Real> world(steps_per_second(10), method);
-    const BodyHandle handle = world.add("box", box);
-    world.step();
-    return world.body(handle).top;
-  };
-  const auto expect = [&](TurningMethod method, void (*rule)(Top<Real>&, Same<Real>)) {
+  const auto expect = [&]<class Rule>(const Rule& chosen, void (*rule)(Top<Real>&, Same<Real>)) {
+    CAPTURE(Rule::name);
+    World<Real> from_the_start(steps_per_second(10), chosen), later(steps_per_second(10));
+    later.turn_by(chosen);
     Top<Real> top = box.top;
     rule(top, Real(0.1));
-    CHECK(same_bits(turned(method).orientation.imaginary, top.orientation.imaginary));
-    CHECK(same_bits(turned(method).angular_momentum_body, top.angular_momentum_body));
+    for (World<Real>* world : {&from_the_start, &later}) {
+      const BodyHandle handle = world->add("box", box);
+      world->step();
+      const Top<Real> turned = world->body(handle).top;
+      CHECK(world->turning_method() == Rule::name);
+      CHECK(same_bits(turned.orientation.imaginary, top.orientation.imaginary));
+      CHECK(same_bits(turned.angular_momentum_body, top.angular_momentum_body));
+    }
   };
-  expect(TurningMethod::splitting, &turn_by_splitting<Real>);
-  expect(TurningMethod::splitting_without_sine, &turn_by_splitting_without_sine<Real>);
-  expect(TurningMethod::axis_by_axis, &turn_axis_by_axis<Real>);
-  expect(TurningMethod::carrying_momentum, &turn_carrying_momentum<Real>);
-  expect(TurningMethod::implicit_newton, &turn_implicitly<Real>);
-  expect(TurningMethod::restoring_momentum, &turn_restoring_momentum<Real>);
-  expect(TurningMethod::explicit_euler, &turn_explicitly<Real>);
-  expect(TurningMethod::steady, &turn_steadily<Real>);
+  expect(Splitting{}, &turn_by_splitting<Real>);
+  expect(SplittingWithoutSine{}, &turn_by_splitting_without_sine<Real>);
+  expect(AxisByAxis{}, &turn_axis_by_axis<Real>);
+  expect(CarryingMomentum{}, &turn_carrying_momentum<Real>);
+  expect(ImplicitNewton{}, &turn_implicitly<Real>);
+  expect(RestoringMomentum{}, &turn_restoring_momentum<Real>);
+  expect(ExplicitEuler{}, &turn_explicitly<Real>);
+  expect(Steady{}, &turn_steadily<Real>);
 }
 //! [methods]
