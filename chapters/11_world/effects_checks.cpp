@@ -300,6 +300,36 @@ TEST_CASE_TEMPLATE("A torque that is no number stops the step and is named", Rea
   CHECK(said.find("'ball' at 0 s (step 0): steady torque gives a torque of (0, inf, 0) N m") == 0);
 }
 
+namespace {
+
+/// Turns nothing: a rule that somebody wrote who knows double alone.
+struct Frozen {
+  static constexpr std::string_view name = "frozen";
+  void operator()(Topd&, double) const {}
+};
+
+}  // namespace
+
+TEST_CASE("A rule of the user's own turns a world, alone and in a list") {
+  const auto turned = [](const auto& choose) {
+    World<double> world;
+    choose(world);
+    const BodyHandle box =
+        world.add("box", make_rigid_body<double>("box", mass_properties(Box<double>{{1, 2, 3}}, 2),
+                                                 {}, Vec3d::Zero(), {1, 2, 3})
+                             .body);
+    const Vec3d before = world.body(box).top.orientation.imaginary;
+    world.step();
+    CHECK(table_of(world.plan()).find(world.turning_method()) != std::string::npos);
+    return !same_bits(before, world.body(box).top.orientation.imaginary);
+  };
+  using List = TurningRules<Steady, Frozen, Splitting>;
+  CHECK_FALSE(turned([](auto& world) { world.turn_by(Frozen{}); }));
+  CHECK_FALSE(turned([](auto& world) { List::choose(world, 1); }));
+  CHECK(turned([](auto& world) { List::choose(world, 0); }));
+  CHECK(turned([](auto& world) { List::choose(world, 2); }));
+}
+
 //! [methods]
 TEST_CASE_TEMPLATE("A world turns by the rule that was chosen", Real, EVERY_PRECISION) {
   const RigidBody<Real> box = make_rigid_body<Real>("box", mass_properties(Box<Real>{{1, 2, 3}}, 2),

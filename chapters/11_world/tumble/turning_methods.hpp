@@ -14,7 +14,7 @@ namespace tumble {
 /// takes a Top of any Real is run on packs too (chapter 12); one that takes a single kind of number
 /// visits the bodies of a pack one after another.
 ///
-/// It must leave finite numbers wherever the top can_drift(), since a step can be taken back only
+/// It should leave finite numbers wherever sine_cosine() reaches, since a step is taken back only
 /// before the drift.
 //! [turning_rule]
 template <class Rule, class Real>

@@ -136,7 +136,8 @@ Reference reference_of(const std::filesystem::path& file, const Frames& frames, 
   return best;
 }
 
-/// What the ladder says of a rule of that name; the others are of first order, or nearly free.
+/// What the ladder claims of a rule of that name. The others are taken for first order, and so are
+/// tried last.
 int order_of(std::string_view name) {
   for (const TurningRung<double>& rung : turning_ladder<double>)
     if (rung.name == name) return rung.claims.order;

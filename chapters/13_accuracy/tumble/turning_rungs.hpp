@@ -54,8 +54,9 @@ struct Longer<TurningRules<Rules...>, More...> {
   using Type = TurningRules<Rules..., More...>;
 };
 
-/// Chapter 8's rules, and the rungs that leave finite numbers however far a step turns. The others
-/// of the ladder can leave them within one step, of which a world would learn too late.
+/// Chapter 8's rules, and the rungs that stay finite wherever sine_cosine() reaches. Those that
+/// look ahead or solve equations can leave the finite numbers within a single step of a few
+/// radians; a world guards a step before the drift and would learn of it too late.
 //! [rungs_of_worlds]
 using RungsOfWorlds = Longer<FirstTurningRules, LinearlyImplicit, SplittingSuzuki,
                              SplittingBlanesMoanFourth, SplittingYoshida, SplittingBlanesMoanSixth,
