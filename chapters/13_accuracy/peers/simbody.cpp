@@ -48,7 +48,8 @@ struct System {
   SimTK::State start;
 };
 
-/// To the end, which is a step's end too. NaN where the integrator gives up.
+/// To the end, which is a step's end too. NaN where Simbody gives up: its steps find no tolerance,
+/// or have led to what is no state.
 //! [simbody]
 TopState run(SimTK::Integrator& integrator, const System& own, const TopProblem& problem) {
   try {
@@ -56,18 +57,18 @@ TopState run(SimTK::Integrator& integrator, const System& own, const TopProblem&
     SimTK::TimeStepper stepper(own.system, integrator);
     stepper.initialize(own.start);
     stepper.stepTo(problem.seconds);
+    const SimTK::State& end = integrator.getState();
+    own.system.realize(end, SimTK::Stage::Velocity);
+    const SimTK::Quaternion q = own.body.getBodyRotation(end).convertRotationToQuaternion();
+    const SimTK::Vec3 velocity = own.body.getBodyAngularVelocity(end);
+    return state_of(problem, {q[0], q[1], q[2], q[3]}, {velocity[0], velocity[1], velocity[2]});
   } catch (const std::exception&) {
     TopState state;
     state.fill(std::numeric_limits<double>::quiet_NaN());
     return state;
   }
-  //! [simbody]
-  const SimTK::State& end = integrator.getState();
-  own.system.realize(end, SimTK::Stage::Velocity);
-  const SimTK::Quaternion q = own.body.getBodyRotation(end).convertRotationToQuaternion();
-  const SimTK::Vec3 velocity = own.body.getBodyAngularVelocity(end);
-  return state_of(problem, {q[0], q[1], q[2], q[3]}, {velocity[0], velocity[1], velocity[2]});
 }
+//! [simbody]
 
 template <class Integrator>
 Peer<TopState> fixed(const char* name, const std::shared_ptr<const System>& own,
