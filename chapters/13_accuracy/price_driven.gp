@@ -23,6 +23,4 @@ plot for [m in "'Odeint rk4' 'Odeint Dormand-Prince 5' 'Odeint Fehlberg 7(8)' 'O
      "" using (is("Runge-Kutta", "double") ? $4 : NaN):3 with linespoints linestyle 2 title "looks 4", \
      "" using (is("Dormand-Prince 8", "double") ? $4 : NaN):3 with linespoints linestyle 4 title "looks 8", \
      NaN with lines linecolor rgb grey linewidth 1 title "Odeint", \
-     NaN with lines linecolor rgb grey linewidth 1 dashtype 2 title "Simbody", \
-     NaN with lines linecolor rgb grey linewidth 1 dashtype 3 title "Bullet", \
-     NaN with lines linecolor rgb grey linewidth 1 dashtype 4 title "ODE"
+     NaN with lines linecolor rgb grey linewidth 1 dashtype 2 title "engines"

@@ -24,6 +24,4 @@ plot for [m in "'Odeint rk4' 'Odeint Dormand-Prince 5' 'Odeint Fehlberg 7(8)' 'O
      "" using (is("Dormand-Prince 8", "double") ? $4 : NaN):3 with linespoints linestyle 4 title "looks 8", \
      "" using (is("exact solution", "double") ? $4 : NaN):3 with points linestyle 6 pointtype 3 pointsize 1.2 title "exact", \
      NaN with lines linecolor rgb grey linewidth 1 title "Odeint", \
-     NaN with lines linecolor rgb grey linewidth 1 dashtype 2 title "Simbody", \
-     NaN with lines linecolor rgb grey linewidth 1 dashtype 3 title "Bullet", \
-     NaN with lines linecolor rgb grey linewidth 1 dashtype 4 title "ODE"
+     NaN with lines linecolor rgb grey linewidth 1 dashtype 2 title "engines"
