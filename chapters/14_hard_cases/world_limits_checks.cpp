@@ -75,7 +75,7 @@ TEST_CASE_TEMPLATE("In a step of an hour a body moves and turns as far as asked,
 //! [blows_up]
 TEST_CASE_TEMPLATE("A rule that blows up stops the world, which names the body, the step and limit",
                    Real, EVERY_PRECISION) {
-  World<Real> world(steps_per_second(60), TurningMethod::explicit_euler);
+  World<Real> world(steps_per_second(60), ExplicitEuler{});
   RigidBody<Real> needle;
   needle.centre = make_particle<Real>(1);
   needle.top = top_of<Real>(tumbling_problems[3]);
