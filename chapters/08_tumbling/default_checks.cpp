@@ -298,15 +298,21 @@ TEST_CASE(
 //! [million]
 
 //! [length]
-TEST_CASE_TEMPLATE("A length that is off by a thousandth is put right to a millionth", Real,
+TEST_CASE_TEMPLATE("A length that is off by roundings is put right, and what is more is left", Real,
                    EVERY_PRECISION) {
   const Vec3<Real> before(3, -4, 12);
-  for (const Real off : {Real(-1) / 1024, Real(1) / 1024}) {
+  for (const int roundings : {-128, 128}) {
+    const Real off = Real(roundings) * unit_roundoff<Real>;
     const Vec3<Real> mended = with_length_of<Real>(before, (1 + off) * before);
-    // The first order leaves half the square, 4.8e-7; seven roundings come on top.
+    // The first order leaves half the square of `off`; ten roundings come on top.
     CHECK(std::abs(mended.norm() / 13 - 1) <=
           off * off / 2 * Real(1.01) + 10 * unit_roundoff<Real>);
+    const Vec3<Real> longer = (1 + 8 * off) * before;
+    CHECK(same_bits(with_length_of<Real>(before, longer), longer));
   }
+  // Where squares have left the range, nothing is known of the length.
+  for (const Real size : {std::numeric_limits<Real>::min(), std::numeric_limits<Real>::max() / 32})
+    CHECK(same_bits(with_length_of<Real>(size * before, size * before), size * before));
 }
 //! [length]
 

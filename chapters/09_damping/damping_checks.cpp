@@ -195,7 +195,7 @@ TEST_CASE_TEMPLATE(
     "A speed that is too small to matter becomes zero, and one that matters does not", Real,
     EVERY_PRECISION) {
   const Real slowest = slowest_speed<Real>, smallest = std::numeric_limits<Real>::min();
-  CHECK(slowest * slowest == smallest);
+  CHECK(slowest * slowest == std::ldexp(smallest, 66));
   const Real above = slowest * (1 + 2 * unit_roundoff<Real>);
   Particle<Real> ball =
       make_particle(Real(1), Vec3<Real>(1, 2, 3), Vec3<Real>(1, slowest / 2, -above));

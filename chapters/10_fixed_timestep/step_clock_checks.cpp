@@ -264,6 +264,10 @@ TEST_CASE("A frame, step or cap that cannot be is refused by name, and the clock
         "steps per second is -60; it must lie between 1 and 1000000");
   CHECK(complaint_of([] { step_of_nanoseconds(0); }) ==
         "step is 0 ns; it must lie between 1000 and 3600000000000 ns");
+  CHECK(complaint_of([] { make_step_clock({.numerator = 0, .denominator = 1}); }) ==
+        "numerator of the step is 0 ns; it must lie between 1 and 3600000000000 ns");
+  CHECK(complaint_of([] { make_step_clock({.numerator = 1, .denominator = 0}); }) ==
+        "denominator of the step is 0; it must lie between 1 and 1000000");
   CHECK(complaint_of([] { make_step_clock({}, 0); }) ==
         "longest frame is 0 ns; it must lie between 1 and 3600000000000 ns");
   CHECK(complaint_of([] { make_step_clock({}, 1, 0); }) ==

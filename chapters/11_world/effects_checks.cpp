@@ -300,30 +300,63 @@ TEST_CASE_TEMPLATE("A torque that is no number stops the step and is named", Rea
   CHECK(said.find("'ball' at 0 s (step 0): steady torque gives a torque of (0, inf, 0) N m") == 0);
 }
 
+namespace {
+
+/// Turns nothing: a rule that somebody wrote who knows double alone.
+struct Frozen {
+  static constexpr std::string_view name = "frozen";
+  void operator()(Topd&, double) const {}
+};
+
+}  // namespace
+
+TEST_CASE("A rule of the user's own turns a world, alone and in a list") {
+  const auto turned = [](const auto& choose) {
+    World<double> world;
+    choose(world);
+    const BodyHandle box =
+        world.add("box", make_rigid_body<double>("box", mass_properties(Box<double>{{1, 2, 3}}, 2),
+                                                 {}, Vec3d::Zero(), {1, 2, 3})
+                             .body);
+    const Vec3d before = world.body(box).top.orientation.imaginary;
+    world.step();
+    CHECK(table_of(world.plan()).find(world.turning_method()) != std::string::npos);
+    return !same_bits(before, world.body(box).top.orientation.imaginary);
+  };
+  using List = TurningRules<Steady, Frozen, Splitting>;
+  CHECK_FALSE(turned([](auto& world) { world.turn_by(Frozen{}); }));
+  CHECK_FALSE(turned([](auto& world) { List::choose(world, 1); }));
+  CHECK(turned([](auto& world) { List::choose(world, 0); }));
+  CHECK(turned([](auto& world) { List::choose(world, 2); }));
+}
+
 //! [methods]
 TEST_CASE_TEMPLATE("A world turns by the rule that was chosen", Real, EVERY_PRECISION) {
   const RigidBody<Real> box = make_rigid_body<Real>("box", mass_properties(Box<Real>{{1, 2, 3}}, 2),
                                                     {}, Vec3<Real>::Zero(), {1, 2, 3})
                                   .body;
-  const auto turned = [&](TurningMethod method) {
-    World<Real> world(steps_per_second(10), method);
-    const BodyHandle handle = world.add("box", box);
-    world.step();
-    return world.body(handle).top;
-  };
-  const auto expect = [&](TurningMethod method, void (*rule)(Top<Real>&, Same<Real>)) {
+  const auto expect = [&]<class Rule>(const Rule& chosen, void (*rule)(Top<Real>&, Same<Real>)) {
+    CAPTURE(Rule::name);
+    World<Real> from_the_start(steps_per_second(10), chosen), later(steps_per_second(10));
+    later.turn_by(chosen);
     Top<Real> top = box.top;
     rule(top, Real(0.1));
-    CHECK(same_bits(turned(method).orientation.imaginary, top.orientation.imaginary));
-    CHECK(same_bits(turned(method).angular_momentum_body, top.angular_momentum_body));
+    for (World<Real>* world : {&from_the_start, &later}) {
+      const BodyHandle handle = world->add("box", box);
+      world->step();
+      const Top<Real> turned = world->body(handle).top;
+      CHECK(world->turning_method() == Rule::name);
+      CHECK(same_bits(turned.orientation.imaginary, top.orientation.imaginary));
+      CHECK(same_bits(turned.angular_momentum_body, top.angular_momentum_body));
+    }
   };
-  expect(TurningMethod::splitting, &turn_by_splitting<Real>);
-  expect(TurningMethod::splitting_without_sine, &turn_by_splitting_without_sine<Real>);
-  expect(TurningMethod::axis_by_axis, &turn_axis_by_axis<Real>);
-  expect(TurningMethod::carrying_momentum, &turn_carrying_momentum<Real>);
-  expect(TurningMethod::implicit_newton, &turn_implicitly<Real>);
-  expect(TurningMethod::restoring_momentum, &turn_restoring_momentum<Real>);
-  expect(TurningMethod::explicit_euler, &turn_explicitly<Real>);
-  expect(TurningMethod::steady, &turn_steadily<Real>);
+  expect(Splitting{}, &turn_by_splitting<Real>);
+  expect(SplittingWithoutSine{}, &turn_by_splitting_without_sine<Real>);
+  expect(AxisByAxis{}, &turn_axis_by_axis<Real>);
+  expect(CarryingMomentum{}, &turn_carrying_momentum<Real>);
+  expect(ImplicitNewton{}, &turn_implicitly<Real>);
+  expect(RestoringMomentum{}, &turn_restoring_momentum<Real>);
+  expect(ExplicitEuler{}, &turn_explicitly<Real>);
+  expect(Steady{}, &turn_steadily<Real>);
 }
 //! [methods]

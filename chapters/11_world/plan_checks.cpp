@@ -79,7 +79,7 @@ TEST_CASE_TEMPLATE("Whatever a predicate skips would have changed nothing", Real
     const Moment<Real> moment{world.time(), world.time_step()};
     const std::vector<Facts> facts = world.facts();
     for (const Entry<Real>& entry :
-         in_order<Real, OneByOne<Real>>(world.effects(), world.turning_method())) {
+         in_order<Real, OneByOne<Real>>(world.effects(), world.tumbling())) {
       const AnyEffect<Real>& effect = *entry.effect;
       if (effect.joins_two()) continue;
       for (const BodyIndex body : targets_of(entry, world.slots(), world.body_count())) {

@@ -47,13 +47,13 @@ void write_runs(const Notebook& notebook, const std::string& table,
 /// A row a problem: who meets the wish at what price.
 void write_prices(const Notebook& notebook, const std::vector<Measurement>& all,
                   const std::vector<std::string>& problems, double wanted) {
-  Table table = notebook.table("prices_" + power_of_ten(wanted),
-                               {"problem", "cheapest", "price of 1 s", "next", "its price",
-                                "cheapest that steps, its step", "its price", "Odeint's"});
+  Table table = notebook.table(
+      "prices_" + power_of_ten(wanted),
+      {"problem", "cheapest", "price of 1 s", "next", "its price", "cheapest that steps, its step",
+       "its price", "Odeint's", "Simbody's", "Bullet's", "ODE's"});
   for (const std::string& problem : problems) {
     const auto list = cheapest(all, problem, wanted);
-    const auto first = first_of(list, is_ours), step = first_of(list, is_rung),
-               odeint = first_of(list, is_odeint);
+    const auto first = first_of(list, is_ours), step = first_of(list, is_rung);
     const auto next = first_of(
         list, [&](const Measurement& run) { return is_ours(run) && run.method != first->method; });
     if (!first) continue;
@@ -61,9 +61,13 @@ void write_prices(const Notebook& notebook, const std::vector<Measurement>& all,
       return run ? times(run->nanoseconds / first->nanoseconds) : std::string("–");
     };
     const auto name = [](const auto& run) { return run ? run->method : std::string("none does"); };
+    const auto price_of = [&](const char* library) {
+      return price(first_of(list, is_of(library)));
+    };
     table.row(problem, name(first), time_of(first->nanoseconds / first->seconds), name(next),
               price(next), name(step) + (step ? number(", %.2g s", step->knob) : std::string()),
-              price(step), price(odeint));
+              price(step), price_of("Odeint"), price_of("Simbody"), price_of("Bullet"),
+              price_of("ODE"));
   }
 }
 
@@ -79,7 +83,7 @@ void compare_with_odeint(Notebook& notebook, const std::vector<Measurement>& all
       const double wanted = std::pow(10, -digits);
       const auto list = cheapest(all, problem, wanted);
       const auto ours = first_of(list, is_ours), step = first_of(list, is_rung),
-                 odeint = first_of(list, is_odeint);
+                 odeint = first_of(list, is_of("Odeint"));
       if (!ours || !odeint) continue;
       const double ratio = odeint->nanoseconds / ours->nanoseconds;
       ++pairs;
@@ -103,6 +107,38 @@ void compare_with_odeint(Notebook& notebook, const std::vector<Measurement>& all
       "\nOf %d pairs of problem and wanted error from 1e-1 to 1e-10, our cheapest costs no "
       "more than\nOdeint's cheapest in %d; in %d, one that steps does.\n",
       pairs, won, won_by_steps);
+}
+
+/// The other libraries that were measured on tops: how often ours is no dearer than the cheapest of
+/// them, and which were not there.
+void compare_with_the_others(Notebook& notebook, const std::vector<Measurement>& all,
+                             const std::vector<std::string>& problems) {
+  Table table = notebook.table("others", {"library", "its errors reach", "pairs", "ours cheaper in",
+                                          "by the factor, at least", "at most"});
+  for (const char* name : {"Odeint", "Simbody", "Bullet", "ODE"}) {
+    int pairs = 0, won = 0;
+    double least = 1e300, most = 0, best_error = 1e300;
+    for (const Measurement& run : all)
+      if (run.kind == name && run.problem == problems[0])
+        best_error = std::min(best_error, run.error);
+    for (const std::string& problem : problems)
+      for (int digits = 1; digits <= 10; ++digits) {
+        const auto list = cheapest(all, problem, std::pow(10, -digits));
+        const auto ours = first_of(list, is_ours), theirs = first_of(list, is_of(name));
+        if (!ours || !theirs) continue;
+        const double ratio = theirs->nanoseconds / ours->nanoseconds;
+        ++pairs;
+        won += ratio >= 1;
+        least = std::min(least, ratio);
+        most = std::max(most, ratio);
+      }
+    if (pairs == 0) {
+      std::printf("%s was not measured, for it is not installed.\n", name);
+      continue;
+    }
+    table.row(name, number("%.0e", best_error), std::to_string(pairs), std::to_string(won),
+              times(least), times(most));
+  }
 }
 
 /// The smallest error that any method reached on a problem.
@@ -146,6 +182,7 @@ int main(int argument_count, char** arguments) {
                 times(step->nanoseconds / first->nanoseconds).c_str());
   }
   compare_with_odeint(notebook, all, problems);
+  compare_with_the_others(notebook, all, problems);
   notebook.value("runs", std::to_string(all.size()));
   notebook.value("problems", std::to_string(problems.size()));
   notebook.value("float_floor", number("%.0e", floor_of(all, problems[0], "float")));

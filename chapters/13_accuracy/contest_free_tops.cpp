@@ -8,7 +8,7 @@ void contest(std::vector<Measurement>& all, const Effort& effort) {
   for (const FreeProblem<Real>& problem : free_problems<Real>()) {
     auto list = contestants(problem, turning_ladder<Real>);
     list.push_back(exact_contestant(problem));
-    append_odeint(list, problem, peers::Torque::none, 0);
+    append_peers(list, problem, peers::Torque::none, 0);
     measure_all(all, problem, list, truth_of(problem), effort);
   }
 }

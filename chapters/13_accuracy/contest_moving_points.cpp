@@ -9,7 +9,7 @@ void contest(std::vector<Measurement>& all, const Effort& effort) {
                                     peers::Force force, const std::array<double, 2>& parameters) {
     auto list = contestants(problem, motion_ladder<Real, Gather>);
     list.push_back(exact_contestant(problem));
-    append_odeint(list, problem, force, parameters);
+    append_peers(list, problem, force, parameters);
     measure_all(all, problem, list, truth_of(problem), effort);
   };
   on(spring<Real>("soft spring", 1, 20), peers::Force::spring, {1, 0});

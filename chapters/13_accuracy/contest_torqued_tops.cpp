@@ -9,7 +9,7 @@ void contest(std::vector<Measurement>& all, const Effort& effort) {
     const auto problem = heavy_top<Real>(name, spin);
     auto list = contestants(problem, torque_ladder<Real, Weight<Real>>);
     list.push_back(exact_contestant(problem));
-    append_odeint(list, problem, peers::Torque::weight, 1);
+    append_peers(list, problem, peers::Torque::weight, 1);
     measure_all(all, problem, list, truth_of(problem), effort);
   }
   // Nobody has solved this one: its truth is the highest rung in long double, with steps so short
@@ -20,7 +20,7 @@ void contest(std::vector<Measurement>& all, const Effort& effort) {
       problem.name, exactly(problem.start), {}, problem.seconds};
   const auto truth = contestant(wide, torque_ladder<long double, Wide>.back()).run(2000);
   auto list = contestants(problem, torque_ladder<Real, Drive<Real>>);
-  append_odeint(list, problem, peers::Torque::drive, 0);
+  append_peers(list, problem, peers::Torque::drive, 0);
   measure_all(all, problem, list, truth, effort);
 }
 

@@ -2,7 +2,7 @@
 /// The contests of accuracy_demo, one file each, so that they compile side by side.
 #pragma once
 
-#include "with_odeint.hpp"
+#include "with_peers.hpp"
 
 namespace tumble::course {
 

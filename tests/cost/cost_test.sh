@@ -54,6 +54,7 @@ keeps rod --inertia 1.7231e-4,6.58e-6,1.7243e-4 --spin 2,60,1 --for 1 --angle 1e
 keeps needle --inertia 1,1e-6,1.0000005 --spin 1,200,0.5 --for 1 --angle 1e-6
 keeps ball --inertia 2,2,2 --spin 1,2,3 --for 5 --angle 1e-9
 keeps scene t_handle --for 3 --angle 1e-3
+keeps flight t_handle --for 3 --angle 1e-8
 keeps orbits orbit --for 120 --place 100 --rate 1
 
 # The answer in words.

@@ -1,6 +1,7 @@
 // promise_kept ANSWER.json...: takes each answer of cost at its word. Runs the method, in the
 // precision and with the steps that it names, and holds the run against an exact solution, in code
 // that shares nothing with cost.
+#include <course/scene_rules.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
@@ -84,14 +85,14 @@ double free_top_error(const Json& question, const Json& promise) {
 template <class Real>
 double scene_error(const Json& question, const Json& promise) {
   const std::string name = question["scene"];
-  const auto& words = turning_method_words();
+  const auto& words = turning_method_words<course::SceneRules>();
   const auto method = std::find(words.begin(), words.end(), promise["method"].get<std::string>());
   if (method == words.end()) fail("a world has no method " + promise["method"].dump());
   const long rate = promise["steps_per_second"], states = question["states_per_second"];
-  Scene<Real> scene =
-      read_scene_file<Real>(std::string(TUMBLE_SCENES) + "/" + name,
-                            {.step = steps_per_second(rate),
-                             .turning_method = static_cast<TurningMethod>(method - words.begin())});
+  Scene<Real> scene = read_scene_file<Real, OneByOne<Real>, course::SceneRules>(
+      std::string(TUMBLE_SCENES) + "/" + name,
+      {.step = steps_per_second(rate),
+       .turning_method = static_cast<std::size_t>(method - words.begin())});
   const long steps = std::lround(question["seconds"].get<double>() * static_cast<double>(rate));
   const Bodies<Real>& bodies = scene.world.bodies();
   double worst = 0;

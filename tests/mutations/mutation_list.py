@@ -1,4 +1,4 @@
-"""The lists of mutations: one file a chapter, NN_name.txt, such as
+"""The lists of mutations: one file a chapter, NN_name.txt, and exact.txt for the exact solutions, such as
 
     tumble/force.hpp: a force replaces those before it
     - particle.force += force;
@@ -64,7 +64,7 @@ def read_mutation(chapter, block):
 
 
 def read_list(path):
-    """All mutations of the file NN_name.txt; the file's name is the chapter's."""
+    """All mutations of a list; the file's name is that of the folder that holds the checks."""
     text = "".join(line for line in Path(path).read_text().splitlines(keepends=True) if not line.startswith("#"))
     blocks = [block.strip("\n").split("\n") for block in re.split(r"\n\n+", text) if block.strip()]
     return [read_mutation(Path(path).stem, block) for block in blocks]

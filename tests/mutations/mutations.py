@@ -142,7 +142,8 @@ def settle(mutation, build):
 def main():
     if len(sys.argv) < 2:
         sys.exit(__doc__)
-    lists = sys.argv[2:] or sorted(Path(__file__).parent.glob("[0-9][0-9]_*.txt"))
+    here = Path(__file__).parent
+    lists = sys.argv[2:] or sorted(set(here.glob("*.txt")) - {here / "CMakeLists.txt"})
     wrong = []
     try:
         build = Build(sys.argv[1])

@@ -1,7 +1,10 @@
-// Prints every key that the loader knows: object, key, unit, and whether it is required.
+// Prints every key that the loader knows: object, key, unit, and whether it is required; then every
+// turning method.
+#include <course/scene_rules.hpp>
 #include <cstdio>
 #include <string>
 #include <tumble/scene/keys.hpp>
+#include <tumble/scene/scene.hpp>
 
 template <class Kinds>
 void print(const Kinds& kinds) {
@@ -15,4 +18,6 @@ int main() {
   print(tumble::object_kinds);
   print(tumble::solid_kinds);
   print(tumble::effect_kinds);
+  for (const std::string& word : tumble::turning_method_words<tumble::course::SceneRules>())
+    std::printf("%s\n", word.c_str());
 }

@@ -55,6 +55,21 @@ verify "--dt says how it is rounded" says "0.0166666666666 s is taken as 1666666
 verify "--dt changes the steps" says "60 steps of 0.0166667 s"
 run t_handle --until 0.1 --method axis_by_axis
 verify "--method changes the rule" says "tumbling: axis by axis"
+run t_handle --until 0.1 --method splitting_kahan_li_8
+verify "--method knows the rungs of chapter 13" says "tumbling: splitting, Kahan-Li 8"
+turning() { # METHOD: a scene that names it
+  printf '{"title": "box", "description": "tumbles", "duration": 0.1, "turning_method": "%s", "bodies": [{"name": "box",
+    "mass": 1, "inertia": [1, 2, 2.5], "angular_velocity": [1, 2, 0.5]}]}' "$1" >turning.json
+}
+turning splitting_yoshida
+run turning.json
+verify "and so does a scene" says "tumbling: splitting, Yoshida"
+run turning.json --method steady
+verify "--method overrules the scene" says "tumbling: steady"
+turning dormand_prince_8
+run turning.json
+verify "a rung that worlds do not offer is refused" complains '/turning_method is "dormand_prince_8"; no method is called so'
+rm turning.json
 run t_handle --until 0.1 --precision float
 verify "--precision float is said" says "in float"
 run --help
@@ -117,6 +132,7 @@ every 1.5 --every is 1.5; it must be a whole number of steps, 1 or more
 threads 0 --threads is 0; it must be from 1 to 1024
 threads two --threads is two; it must be from 1 to 1024
 method spliting no method is called spliting; did you mean splitting?
+method splitting_kahan_li8 no method is called splitting_kahan_li8; did you mean splitting_kahan_li_8?
 precision half --precision is half; it must be float or double
 CASES
 run t_handle --dt

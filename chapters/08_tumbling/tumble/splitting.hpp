@@ -8,17 +8,20 @@
 
 namespace tumble {
 
-/// Turns L by an angle of which sine and 1 − cosine are given, and the orientation by the
-/// quaternion c + s axis, about body axis 0, 1 or 2. L stands still in the world.
+/// Multiplies the orientation by the quaternion c + s axis, about body axis 0, 1 or 2, and turns L
+/// back by as much: it stands still in the world.
+///
+/// With the half angle's c and s, sin a = 2 s c and 1 − cos a = 2 s². So L_x + sin a L_y − (1 − cos a)
+/// L_x is L_x + 2 s (c L_y − s L_x), which keeps its digits where a is small. `twice` is 2 s/(c² + s²),
+/// so the quaternion need not be unit.
 //! [turn_by_half]
 template <int axis, class Real>
-void turn_by_half(Top<Real>& top, Same<Real> c, Same<Real> s, Same<Real> sine,
-                  Same<Real> one_minus_cosine) {
+void turn_by_half(Top<Real>& top, Same<Real> c, Same<Real> s, Same<Real> twice) {
   constexpr int next = (axis + 1) % 3, last = (axis + 2) % 3;
   Vec3<Real>& L = top.angular_momentum_body;
   const Real L_next = L[next], L_last = L[last];
-  L[next] = L_next + (sine * L_last - one_minus_cosine * L_next);
-  L[last] = L_last - (sine * L_next + one_minus_cosine * L_last);
+  L[next] = L_next + twice * (c * L_last - s * L_next);
+  L[last] = L_last - twice * (c * L_next + s * L_last);
 
   const Quaternion<Real> q = top.orientation;  // times the quaternion c + s axis
   top.orientation.real = c * q.real - s * q.imaginary[axis];
@@ -30,26 +33,27 @@ void turn_by_half(Top<Real>& top, Same<Real> c, Same<Real> s, Same<Real> sine,
 
 /// Turns the top by `angle` (rad) about its body axis 0, 1 or 2, with L standing still in the
 /// world.
-///
-/// The half angle gives all four numbers: sin a = 2 sin(a/2) cos(a/2), and 1 − cos a = 2 sin²(a/2),
-/// which keeps its digits where a is small.
 //! [turn_about_axis]
 template <int axis, class Real>
 void turn_about_axis(Top<Real>& top, Same<Real> angle) {
   const auto [s, c] = sine_cosine(Real(angle / 2));
-  turn_by_half<axis, Real>(top, c, s, 2 * s * c, 2 * s * s);
+  turn_by_half<axis, Real>(top, c, s, 2 * s);
 }
 //! [turn_about_axis]
 
 /// `vector`, which a turn has made from `before`, with the length that it had. The length has only
 /// been rounded, so a correction to first order will do: v (b² − v²)/(2 v²). It is a small number
 /// to add; to multiply by a number next to 1 would round the same way every time.
+///
+/// What is not small is no rounding: squares that have left the range of Real, or 0/0. It is left.
 //! [with_length_of]
 template <class Real>
 Vec3<Real> with_length_of(const Vec3<Real>& before, const Vec3<Real>& vector) {
+  using std::abs;
   const Real square = vector.squaredNorm();
   const Real correction = (before.squaredNorm() - square) / (2 * square);
-  return vector + select(square > 0, correction, Real(0)) * vector;
+  const Real largest = 256 * std::numeric_limits<Real>::epsilon();
+  return vector + select(abs(correction) <= largest, correction, Real(0)) * vector;
 }
 //! [with_length_of]
 

@@ -7,12 +7,12 @@
 namespace tumble {
 
 /// Turns by 2 atan(angle/2) about a body axis, and leaves the quaternion √(1 + (angle/2)²) too
-/// long. With t for tan(a/2), sin a = 2t/(1 + t²) and 1 − cos a = 2t²/(1 + t²): no sine, no root.
+/// long: with t for tan(a/2), it is 1 + t axis. No sine, no root.
 //! [turn_about_axis_without_sine]
 template <int axis, class Real>
 void turn_about_axis_without_sine(Top<Real>& top, Same<Real> angle) {
-  const Real t = angle / 2, sine = 2 * t / (1 + t * t);
-  turn_by_half<axis, Real>(top, 1, t, sine, sine * t);
+  const Real t = angle / 2;
+  turn_by_half<axis, Real>(top, 1, t, 2 * t / (1 + t * t));
 }
 //! [turn_about_axis_without_sine]
 

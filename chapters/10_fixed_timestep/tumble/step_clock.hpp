@@ -35,6 +35,17 @@ inline StepLength step_of_nanoseconds(std::int64_t nanoseconds) {
   return {.numerator = nanoseconds, .denominator = 1};
 }
 
+/// Throws unless a step written down by hand lasts from `shortest` to an hour. A step of no time
+/// moves nothing, which a world may do; a clock could never end handing them out.
+/// @throws std::invalid_argument that names the number and its limits.
+//! [require_step_length]
+inline void require_step_length(const StepLength& step, std::int64_t shortest) {
+  require_between<std::int64_t>("denominator of the step", step.denominator, "", 1, 1'000'000);
+  require_between<std::int64_t>("numerator of the step", step.numerator, "ns", shortest,
+                                3'600'000'000'000 * step.denominator);
+}
+//! [require_step_length]
+
 /// The time step h for the formulas of motion, in s.
 //! [time_step_of]
 template <class Real>
@@ -63,10 +74,11 @@ struct StepClock {
 //! [step_clock]
 
 /// A clock whose settings make sense.
-/// @throws std::invalid_argument if the longest frame is not between 1 ns and an hour, or the most
-/// steps of a frame not between 1 and a million.
+/// @throws std::invalid_argument if the step is none, see require_step_length(), if the longest
+/// frame is not between 1 ns and an hour, or the most steps of a frame not between 1 and a million.
 inline StepClock make_step_clock(const StepLength& step, std::int64_t longest_frame = 250'000'000,
                                  std::int64_t most_steps = 8) {
+  require_step_length(step, 1);
   require_between<std::int64_t>("longest frame", longest_frame, "ns", 1, 3'600'000'000'000);
   require_between<std::int64_t>("most steps in a frame", most_steps, "", 1, 1'000'000);
   return {.step = step, .longest_frame = longest_frame, .most_steps = most_steps};

@@ -133,11 +133,10 @@ void add_random_effect(World<Real, Keeping>& world, Dice& dice,
 
 template <class Real, class Keeping = OneByOne<Real>>
 World<Real, Keeping> random_world(Dice& dice, std::size_t most_bodies = 5) {
-  constexpr TurningMethod methods[] = {
-      TurningMethod::splitting,    TurningMethod::splitting_without_sine,
-      TurningMethod::axis_by_axis, TurningMethod::carrying_momentum,
-      TurningMethod::steady,       TurningMethod::implicit_newton};
-  World<Real, Keeping> world(steps_per_second(60), methods[dice.below(6)]);
+  using Rules = TurningRules<Splitting, SplittingWithoutSine, AxisByAxis, CarryingMomentum, Steady,
+                             ImplicitNewton>;
+  World<Real, Keeping> world(steps_per_second(60));
+  Rules::choose(world, dice.below(6));
   std::vector<BodyHandle> bodies;
   for (std::size_t n = 0, count = 1 + dice.below(most_bodies); n < count; ++n)
     bodies.push_back(add_random_body(world, dice, "body " + std::to_string(n)));

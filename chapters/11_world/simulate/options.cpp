@@ -1,6 +1,7 @@
 #include "options.hpp"
 
 #include <cmath>
+#include <course/scene_rules.hpp>
 #include <course/shipped_scenes.hpp>
 #include <cstdio>
 #include <cxxopts.hpp>
@@ -19,7 +20,8 @@ SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or t
   --plan              print the plan and do nothing else
   --dt SECONDS        another time step, 1e-6 to 3600; rounded to whole nanoseconds
   --until SECONDS     simulate so long, in place of the scene's duration
-  --method METHOD     turn by another rule of chapter 8
+  --method METHOD     turn by another rule of chapter 8, or by a rung of chapter 13; a METHOD that does not exist is
+                      answered with those that do
   --precision KIND    double (the default) or float
   --threads N         let N threads share the work, 1 to 1024; by default one for each processor. No bit depends on it
 
@@ -112,7 +114,7 @@ Options read(const cxxopts::ParseResult& given) {
                        " s; it must be greater than 0 and at most 1e9 s");
   }
   if (given.count("method")) {
-    const auto& words = turning_method_words();
+    const auto& words = turning_method_words<course::SceneRules>();
     const auto found = std::find(words.begin(), words.end(), text("method"));
     if (found == words.end()) {
       std::string all;
@@ -121,7 +123,7 @@ Options read(const cxxopts::ParseResult& given) {
                        did_you_mean(text("method"), {words.begin(), words.end()}) +
                        "\nThe methods are: " + all);
     }
-    options.changes.turning_method = static_cast<TurningMethod>(found - words.begin());
+    options.changes.turning_method = static_cast<std::size_t>(found - words.begin());
   }
   if (given.count("precision")) {
     options.is_float = text("precision") == "float";

@@ -3,14 +3,13 @@
 #pragma once
 
 #include <csignal>
-#include <tumble/in_packs.hpp>
 #include <tumble/ledger.hpp>
-#include <tumble/scene/read_scene.hpp>
 
 #include "bill.hpp"
 #include "options.hpp"
 #include "plot.hpp"
 #include "progress.hpp"
+#include "scene.hpp"
 #include "view.hpp"
 
 namespace tumble::simulate {
@@ -120,7 +119,7 @@ void print_scene(Scene<Real, Keeping>& scene, const Options& options, std::int64
 template <class Real>
 ExitCode run(const Options& options) {
   using Keeping = InPacks<Real>;
-  Scene<Real, Keeping> scene = read_scene_file<Real, Keeping>(options.scene, options.changes);
+  SceneInPacks<Real> scene = scene_of<Real>(options);
   const std::int64_t steps = steps_until(scene, options);
   if (options.only_plan) {
     print_scene(scene, options, steps);

@@ -1,6 +1,17 @@
 // Simulates a scene file: prints the plan, takes the steps, prints the books, writes what is asked
 // for.
-#include "run.hpp"
+#include <cstdio>
+#include <tumble/scene/scene_error.hpp>
+
+#include "options.hpp"
+#include "output_file.hpp"
+
+namespace tumble::simulate {
+template <class Real>
+ExitCode run(const Options&);
+extern template ExitCode run<float>(const Options&);
+extern template ExitCode run<double>(const Options&);
+}  // namespace tumble::simulate
 
 int main(int argument_count, char** arguments) {
   using namespace tumble::simulate;

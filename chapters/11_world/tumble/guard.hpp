@@ -57,7 +57,7 @@ Real largest_turn(const Top<Real>& top, Same<Real> time_step) {
   const Vec3<Real>& i = top.inverse_moments;
   const Vec3<Real>& L = top.angular_momentum_body;
   return time_step *
-         (i[0] * L.norm() + abs(i[1] - i[0]) * abs(L[1]) + abs(i[2] - i[0]) * abs(L[2]));
+         ((i[0] * L).norm() + abs(i[1] - i[0]) * abs(L[1]) + abs(i[2] - i[0]) * abs(L[2]));
 }
 //! [largest_turn]
 

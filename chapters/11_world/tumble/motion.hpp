@@ -3,7 +3,7 @@
 #pragma once
 
 #include <tumble/effect.hpp>
-#include <tumble/tumbling.hpp>
+#include <tumble/turning_methods.hpp>
 
 namespace tumble {
 
@@ -113,7 +113,7 @@ struct TurnSteadily {
   }
 };
 
-/// Turns by `rule`, one of chapter 8's, the tops whose L × ω can be other than zero.
+/// Turns by `rule`, a TurningRule, the tops whose L × ω can be other than zero.
 template <class Real, class Rule>
 struct Tumble {
   static constexpr std::string_view reads = "angular momentum";
@@ -128,9 +128,8 @@ struct Tumble {
   }
   void act(Top<Real>& top, const Moment<Real>& moment) const { rule(top, moment.time_step); }
   template <class Wide>
-  Tumble<Wide, Rule> widened() const {
-    return {name, rule};
-  }
+  requires TurningRule<Rule, Wide> Tumble<Wide, Rule> widened()
+  const { return {name, rule}; }
 };
 //! [motion]
 

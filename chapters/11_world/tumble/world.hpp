@@ -19,8 +19,16 @@ namespace tumble {
 template <class Real, class Keeping = OneByOne<Real>>
 class World {
  public:
-  explicit World(const StepLength& step = {}, TurningMethod method = TurningMethod::splitting)
-      : step_(step), time_step_(time_step_of<Real>(step)), method_(method) {}
+  /// @throws std::invalid_argument if the step is negative or longer than an hour. One of no time
+  /// does nothing.
+  template <TurningRule<Real> Rule = Splitting>
+  explicit World(const StepLength& step = {}, const Rule& rule = {})
+      : step_(step),
+        time_step_(time_step_of<Real>(step)),
+        turning_method_(Rule::name),
+        tumbling_(tumbling_effect<Real, Keeping>(rule)) {
+    require_step_length(step, 0);
+  }
 
   // --- Bodies -----------------------------------------------------------------------------------
 
@@ -163,14 +171,21 @@ class World {
     effects_.erase(found);
   }
 
-  void turn_by(TurningMethod method) {
-    method_ = method;
+  /// From now on the bodies whose moments differ turn by `rule`: one of turning_methods.hpp, or of
+  /// the user's own.
+  template <TurningRule<Real> Rule>
+  void turn_by(const Rule& rule) {
+    turning_method_ = Rule::name;
+    tumbling_ = tumbling_effect<Real, Keeping>(rule);
     call_for("another method of turning was chosen");
   }
 
   /// The effects of the scene, in the order in which they came.
   const std::vector<Entry<Real>>& effects() const { return effects_; }
-  TurningMethod turning_method() const { return method_; }
+  /// The name of the rule by which bodies turn whose moments differ.
+  const std::string& turning_method() const { return turning_method_; }
+  /// The effect that does so.
+  const std::shared_ptr<const AnyEffect<Real>>& tumbling() const { return tumbling_; }
 
   // --- Time -------------------------------------------------------------------------------------
 
@@ -234,7 +249,7 @@ class World {
   void step_by_reference() {
     Bodies<Real> bodies = kept_.bodies();
     const Moment<Real> moment = moment_of(ticks_, time_step_);
-    const std::vector<Entry<Real>> entries = in_order<Real, Keeping>(effects_, method_);
+    const std::vector<Entry<Real>> entries = in_order<Real, Keeping>(effects_, tumbling_);
     const std::vector<Facts> facts = facts_of_all(bodies, histories_, entries, slots_);
     bool guarded = false;
     for (const Entry<Real>& entry : entries) {
@@ -350,7 +365,7 @@ class World {
     Plan old = std::move(planned_.plan);
     Bodies<Real> bodies = kept_.bodies();
     planned_ =
-        tumble::make_plan(bodies, histories_, in_order<Real, Keeping>(effects_, method_), slots_);
+        tumble::make_plan(bodies, histories_, in_order<Real, Keeping>(effects_, tumbling_), slots_);
     warn_of_springs(bodies);
     for (BodyIndex body = 0; body < body_count(); ++body) {  // sums that nobody clears any more
       if (!planned_.facts[body].is_pushed) clear_force(bodies.centres[body]);
@@ -404,7 +419,8 @@ class World {
 
   StepLength step_;
   Real time_step_;
-  TurningMethod method_;
+  std::string turning_method_;
+  std::shared_ptr<const AnyEffect<Real>> tumbling_;
   std::int64_t ticks_ = 0;
 
   Keeping kept_;

@@ -3,7 +3,9 @@
 /// compares with one instruction.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <tumble/damping.hpp>
 #include <tumble/sine_cosine.hpp>
@@ -30,7 +32,11 @@ struct PackMask {
 //! [pack]
 template <class Real, int width>
 struct Pack {
-  using Lanes __attribute__((vector_size(width * sizeof(Real)))) = Real;  // the compilers' own type
+  // The compilers' own type. Eigen, whose vectors hold it, aligns nothing to more than this
+  // machine's registers need.
+  static constexpr std::size_t alignment = std::min(
+      width * sizeof(Real), std::max<std::size_t>(EIGEN_MAX_STATIC_ALIGN_BYTES, alignof(Real)));
+  using Lanes __attribute__((vector_size(width * sizeof(Real)), aligned(alignment))) = Real;
   Lanes lanes;
 
   Pack() = default;

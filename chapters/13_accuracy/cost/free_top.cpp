@@ -205,7 +205,8 @@ double uncertainty_of_truth(const FreeTopQuestion& question, const Frames& frame
   double twice_energy = 0;
   for (std::size_t n = 0; n < 3; ++n) twice_energy += I[n] * question.spin[n] * question.spin[n];
   const double fastest = std::sqrt(twice_energy / std::min({I[0], I[1], I[2]}));
-  return 30 * (1 + fastest * frames.seconds()) *
+  // As counted beside the checks of FreeTop: 290 roundings once, and 65 for each radian, add up so.
+  return (5 * std::sqrt(290 / 3.0) + 5 * std::sqrt(65 / 3.0) * fastest * frames.seconds()) *
          double(std::numeric_limits<long double>::epsilon()) / 2;
 }
 

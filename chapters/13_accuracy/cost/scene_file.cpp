@@ -2,8 +2,10 @@
 
 #include <chrono>
 #include <cmath>
+#include <course/scene_rules.hpp>
 #include <memory>
 #include <optional>
+#include <tumble/ladder.hpp>
 #include <tumble/scene/read_scene.hpp>
 
 namespace tumble::cost {
@@ -22,8 +24,8 @@ constexpr long most_frames_seen = 100;
 
 template <class Real>
 Scene<Real> scene_with(const std::filesystem::path& file, const Frames& frames, long steps,
-                       std::optional<TurningMethod> method) {
-  return read_scene_file<Real>(
+                       std::optional<std::size_t> method) {
+  return read_scene_file<Real, OneByOne<Real>, course::SceneRules>(
       file, {.step = steps_per_second(frames.rate * steps), .turning_method = method});
 }
 
@@ -116,9 +118,10 @@ Reference reference_of(const std::filesystem::path& file, const Frames& frames, 
     if (!last.empty()) {
       const Errors difference = errors_between(now, last);
       const double size = difference.of({.angle = 1, .place = 1});
-      // The world's orders are 1 and 2; what falls more slowly is no order at all.
+      // The world's orders go from 1 to 10; what falls more slowly is no order at all.
       const double fall = last_difference > 0 && size > 0 ? last_difference / size : 2;
-      const auto better = extrapolated(last, now, fall > 2.8 ? 2 : 1);
+      const auto better = extrapolated(
+          last, now, std::clamp(static_cast<int>(std::lround(std::log2(fall))), 1, 10));
       if (last_extrapolated) {
         const Errors uncertainty = errors_between(better, *last_extrapolated);
         if (uncertainty.of(wish) < best.uncertainty.of(wish)) best = {better, uncertainty, steps};
@@ -133,21 +136,28 @@ Reference reference_of(const std::filesystem::path& file, const Frames& frames, 
   return best;
 }
 
+/// What the ladder claims of a rule of that name. The others are taken for first order, and so are
+/// tried last.
+int order_of(std::string_view name) {
+  for (const TurningRung<double>& rung : turning_ladder<double>)
+    if (rung.name == name) return rung.claims.order;
+  return 1;
+}
+
 template <class Real>
 void append(SceneCandidates& made, const std::filesystem::path& file, const Frames& frames,
             const std::shared_ptr<const Reference>& reference) {
   const Scene<Real> scene = scene_with<Real>(file, frames, 1, {});
-  const TurningMethod own = scene.world.turning_method();
   const auto& tops = scene.world.bodies().tops;
   const bool tumbles = std::any_of(tops.begin(), tops.end(), is_gyroscopic<Real>);
-  for (std::size_t n = 0; n < turning_method_words().size(); ++n) {
-    const auto method = static_cast<TurningMethod>(n);
-    if (!tumbles && method != own) continue;  // without a tumbling body they are all the same
+  for (std::size_t method = 0; method < course::SceneRules::names.size(); ++method) {
+    const std::string_view name = course::SceneRules::names[method];
+    if (!tumbles && name != scene.world.turning_method())
+      continue;  // without a tumbling body they are all the same
     made.candidates.push_back(
-        {.method = turning_method_words()[n],
+        {.method = turning_method_words<course::SceneRules>()[method],
          .precision = std::string(range_of<Real>().precision),
-         .order =
-             method == TurningMethod::splitting || method == TurningMethod::axis_by_axis ? 2 : 1,
+         .order = order_of(name),
          .errors =
              [=](long steps, int) {
                if (frames.rate * steps > 1'000'000) return failed_run;

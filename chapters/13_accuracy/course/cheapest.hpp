@@ -48,8 +48,9 @@ inline bool is_rung(const Measurement& run) {
 inline bool is_ours(const Measurement& run) {
   return is_rung(run) || run.kind == "exact";
 }
-inline bool is_odeint(const Measurement& run) {
-  return run.kind == "Odeint";
+/// A run of that library.
+inline auto is_of(const std::string& library) {
+  return [library](const Measurement& run) { return run.kind == library; };
 }
 
 }  // namespace tumble::course

@@ -1,8 +1,7 @@
-#include <peers/odeint.hpp>
-
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <limits>
+#include <peers/peers.hpp>
 
 namespace odeint = boost::numeric::odeint;
 
@@ -103,9 +102,8 @@ std::vector<Peer<State>> all(const Equations& equations, const State& start, dou
 
 }  // namespace
 
-std::vector<Peer<TopState>> odeint_on_top(Torque torque, double parameter,
-                                          const std::array<double, 3>& i, const TopState& start,
-                                          double seconds) {
+std::vector<Peer<TopState>> odeint_on_top(const TopProblem& problem) {
+  const auto& [torque, parameter, i, start, seconds] = problem;
   switch (torque) {
     case Torque::weight:
       return all(TopEquations<Torque::weight>{i, parameter}, start, seconds);

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <tumble/real.hpp>
 
 namespace tumble {
@@ -141,7 +142,8 @@ constexpr auto portions = [] {
 //! [alternate]
 template <class Row, class Real, class Kick, class Drift>
 void alternate(Real time_step, const Kick& kick, const Drift& drift) {
-  constexpr auto& portion = portions<Row, Real>;
+  using Number = decltype(std::numeric_limits<Real>::max());  // of a pack: that of each body
+  constexpr auto& portion = portions<Row, Number>;
   for (std::size_t i = 0; i < portion.drifts.size(); ++i) {
     kick(portion.kicks[i] * time_step);
     drift(portion.drifts[i] * time_step);

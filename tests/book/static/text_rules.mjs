@@ -39,6 +39,14 @@ export function* every_formula_is_typeset(book) {
   }
 }
 
+export function* every_emphasis_is_set(book) {
+  // Doxygen leaves the stars where a quotation mark follows or precedes them.
+  const raw = /(^|\s)\*+["'\u201c\u2018(]?\w[^*]{2,}\*/;
+  for (const {found, ...place} of own_words_matching(book, raw, element => ['p', 'li', 'td'].includes(element.name))) {
+    yield {...place, problem: `an emphasis was not set: "${found}"`};
+  }
+}
+
 export function* every_formula_is_valid(book) {
   for (const page of book.pages.values()) {
     for (const element of page.elements) {

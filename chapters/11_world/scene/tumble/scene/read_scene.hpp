@@ -16,10 +16,11 @@ inline StepLength read_step(const Object& object) {
 }
 
 /// The whole scene that `text` describes: JSON as scene.schema.json says. `file` is what errors
-/// call it.
+/// call it. `Rules` are the turning methods that it can name, see TurningRules: more of them are in
+/// chapter 13's turning_rungs.hpp.
 /// @throws SceneError with the file, the pointer and what is wrong there. Nothing is left behind.
 //! [read_scene]
-template <class Real, class Keeping = OneByOne<Real>>
+template <class Real, class Keeping = OneByOne<Real>, class Rules = FirstTurningRules>
 Scene<Real, Keeping> read_scene(std::string_view text, const std::string& file,
                                 const SceneChanges& changes = {}) {
   const nlohmann::json json = parse_json(text, file);
@@ -33,12 +34,11 @@ Scene<Real, Keeping> read_scene(std::string_view text, const std::string& file,
 
   StepLength step;
   if (object.has("step")) step = read_step(object_called(object["step"], "step"));
-  TurningMethod method = TurningMethod::splitting;
+  scene.world = World<Real, Keeping>(changes.step.value_or(step));
   if (object.has("turning_method"))
-    method = static_cast<TurningMethod>(
-        object["turning_method"].one_of("method", turning_method_words()));
-  scene.world =
-      World<Real, Keeping>(changes.step.value_or(step), changes.turning_method.value_or(method));
+    Rules::choose(scene.world,
+                  object["turning_method"].one_of("method", turning_method_words<Rules>()));
+  if (changes.turning_method) Rules::choose(scene.world, *changes.turning_method);
 
   const Value bodies = object["bodies"];
   bodies.list("bodies");
@@ -59,14 +59,14 @@ Scene<Real, Keeping> read_scene(std::string_view text, const std::string& file,
 
 /// The scene in a file.
 /// @throws SceneError as read_scene() does, and if the file can't be read.
-template <class Real, class Keeping = OneByOne<Real>>
+template <class Real, class Keeping = OneByOne<Real>, class Rules = FirstTurningRules>
 Scene<Real, Keeping> read_scene_file(const std::filesystem::path& path,
                                      const SceneChanges& changes = {}) {
   std::ifstream in(path, std::ios::binary);
   if (!in || std::filesystem::is_directory(path))
     throw SceneError(path.string(), "", "there is no such file, or it can't be read");
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return read_scene<Real, Keeping>(text, path.filename().string(), changes);
+  return read_scene<Real, Keeping, Rules>(text, path.filename().string(), changes);
 }
 
 }  // namespace tumble

@@ -43,20 +43,22 @@ struct Scene {
 /// What a program may want to be otherwise than the file says.
 struct SceneChanges {
   std::optional<StepLength> step = {};
-  std::optional<TurningMethod> turning_method = {};
+  std::optional<std::size_t> turning_method = {};  ///< its number in the list that is read with
   /// No element of "bodies" becomes more bodies than this.
   std::size_t most_copies = static_cast<std::size_t>(most_bodies);
 };
 
-/// The methods' names as scene files spell them: "axis_by_axis".
-inline const std::array<std::string, turning_method_names.size()>& turning_method_words() {
+/// The names of rules as scene files spell them: "axis_by_axis", "splitting_kahan_li_8".
+template <class Rules>
+const auto& turning_method_words() {
   static const auto words = [] {
-    std::array<std::string, turning_method_names.size()> made;
+    std::array<std::string, Rules::names.size()> made;
     for (std::size_t i = 0; i < made.size(); ++i)
-      for (const char letter : turning_method_names[i])
-        made[i] += letter == ' '                    ? '_'
-                   : letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a')
-                                                    : letter;
+      for (const char letter : Rules::names[i])
+        if (letter != ',')
+          made[i] += letter == ' ' || letter == '-'   ? '_'
+                     : letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a')
+                                                      : letter;
     return made;
   }();
   return words;

@@ -20,11 +20,12 @@ class OurWorld {
 
   /// Of the rules that keep |L|, and with it every number, within bounds whatever the step: the one
   /// that takes the least time.
-  static constexpr TurningMethod cheapest_stable = TurningMethod::splitting_without_sine;
+  static constexpr SplittingWithoutSine cheapest_stable = {};
 
-  explicit OurWorld(const Setting& setting, TurningMethod method = TurningMethod::splitting)
-      : world_(steps_per_second(setting.rate),
-               setting.gyroscopic ? method : TurningMethod::steady) {
+  template <class Rule = Splitting>
+  explicit OurWorld(const Setting& setting, const Rule& rule = {})
+      : world_(steps_per_second(setting.rate), rule) {
+    if (!setting.gyroscopic) world_.turn_by(Steady{});
     const auto vector = [](const Triple& v) { return Vec3d(v[0], v[1], v[2]).cast<Real>().eval(); };
     const Box<Real> box{vector(edges)};
     RigidBody<Real> body =

@@ -1,0 +1,3 @@
+#include "run.hpp"
+
+template tumble::simulate::ExitCode tumble::simulate::run<float>(const Options&);

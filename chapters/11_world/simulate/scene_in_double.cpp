@@ -1,0 +1,3 @@
+#include "scene.hpp"
+
+template tumble::simulate::SceneInPacks<double> tumble::simulate::scene_of<double>(const Options&);

@@ -1,0 +1,3 @@
+#include "scene.hpp"
+
+template tumble::simulate::SceneInPacks<float> tumble::simulate::scene_of<float>(const Options&);

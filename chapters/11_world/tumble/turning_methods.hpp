@@ -1,0 +1,120 @@
+/// @file
+/// By which rule the bodies of a world turn whose moments differ: a type for each rule, and lists
+/// of them to choose from by name.
+#pragma once
+
+#include <array>
+#include <concepts>
+#include <string_view>
+#include <tumble/tumbling.hpp>
+
+namespace tumble {
+
+/// A rule that a world can turn by: a name, and a function of a top and a time step (s). One that
+/// takes a Top of any Real is run on packs too (chapter 12); one that takes a single kind of number
+/// visits the bodies of a pack one after another.
+///
+/// It should leave finite numbers wherever sine_cosine() reaches, since a step is taken back only
+/// before the drift.
+//! [turning_rule]
+template <class Rule, class Real>
+concept TurningRule = requires(const Rule& rule, Top<Real>& top, const Real& time_step) {
+  rule(top, time_step);
+  { Rule::name } -> std::convertible_to<std::string_view>;
+};
+//! [turning_rule]
+
+/// Sphere + axial + residual splitting: the world's own choice.
+//! [turning_methods]
+struct Splitting {
+  static constexpr std::string_view name = "splitting";
+  template <class Real>
+  void operator()(Top<Real>& top, Same<Real> time_step) const {
+    turn_by_splitting(top, time_step);
+  }
+};
+//! [turning_methods]
+
+/// The same in a third of the time, for angles that are small.
+struct SplittingWithoutSine {
+  static constexpr std::string_view name = "splitting without sine";
+  template <class Real>
+  void operator()(Top<Real>& top, Same<Real> time_step) const {
+    turn_by_splitting_without_sine(top, time_step);
+  }
+};
+
+struct AxisByAxis {
+  static constexpr std::string_view name = "axis by axis";
+  template <class Real>
+  void operator()(Top<Real>& top, Same<Real> time_step) const {
+    turn_axis_by_axis(top, time_step);
+  }
+};
+
+struct CarryingMomentum {
+  static constexpr std::string_view name = "carrying momentum";
+  template <class Real>
+  void operator()(Top<Real>& top, Same<Real> time_step) const {
+    turn_carrying_momentum(top, time_step);
+  }
+};
+
+struct ImplicitNewton {
+  static constexpr std::string_view name = "implicit Newton";
+  template <class Real>
+  void operator()(Top<Real>& top, Same<Real> time_step) const {
+    turn_implicitly(top, time_step);
+  }
+};
+
+struct RestoringMomentum {
+  static constexpr std::string_view name = "restoring momentum";
+  template <class Real>
+  void operator()(Top<Real>& top, Same<Real> time_step) const {
+    turn_restoring_momentum(top, time_step);
+  }
+};
+
+struct ExplicitEuler {
+  static constexpr std::string_view name = "explicit Euler";
+  template <class Real>
+  void operator()(Top<Real>& top, Same<Real> time_step) const {
+    turn_explicitly(top, time_step);
+  }
+};
+
+/// Without gyroscopic motion.
+struct Steady {
+  static constexpr std::string_view name = "steady";
+  template <class Real>
+  void operator()(Top<Real>& top, Same<Real> time_step) const {
+    turn_steadily(top, time_step);
+  }
+};
+
+/// Rules that one can choose from while a program runs. Only what a list names is compiled, so who
+/// wants more rules makes a longer list, and nobody else pays for it.
+//! [turning_rules]
+template <class... Rules>
+struct TurningRules {
+  static constexpr std::array<std::string_view, sizeof...(Rules)> names = {Rules::name...};
+
+  /// Makes the world turn by rule number `index` of the list, less than its length.
+  template <class AnyWorld>
+  static void choose(AnyWorld& world, std::size_t index) {
+    std::size_t n = 0;
+    const auto offer = [&](const auto& rule) {
+      if (n++ == index) world.turn_by(rule);
+    };
+    (offer(Rules{}), ...);
+  }
+};
+//! [turning_rules]
+
+/// Those of chapter 8.
+using FirstTurningRules =
+    TurningRules<Splitting, SplittingWithoutSine, AxisByAxis, CarryingMomentum, ImplicitNewton,
+                 RestoringMomentum, ExplicitEuler, Steady>;
+
+}  // namespace tumble

@@ -1,0 +1,74 @@
+#include <course/checks.hpp>
+
+#include "with_peers.hpp"
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+/// What each fixed-step peer says of itself: the power of the step with which its error falls.
+int order_of(const std::string& name) {
+  return name.find("rk4") != name.npos || name.find("Merson") != name.npos ? 4
+         : name.find("Dormand-Prince 5") != name.npos                      ? 5
+         : name.find("Fehlberg 7(8)") != name.npos                         ? 8
+         : name.find("Verlet") != name.npos                                ? 2
+                                                                           : 1;
+}
+
+template <class Gather, class Truth>
+void check_peers(const Problem<Topd, Gather>& problem, peers::Torque torque,
+                 double weight_times_arm, const Truth& truth) {
+  std::vector<Contestant<Topd>> list;
+  append_peers(list, problem, torque, weight_times_arm);
+  CHECK(list.size() >= 6);
+  for (const Contestant<Topd>& peer : list) {
+    CAPTURE(problem.name);
+    CAPTURE(peer.name);
+    const auto error = [&](double knob) { return error_of(exactly(peer.run(knob)), truth); };
+    if (peer.chooses_steps) {
+      // A tolerance bounds what one step may err by, not the whole; but what it is made smaller by,
+      // the whole must become smaller by too, or nearly.
+      CHECK(error(1e-9) < error(1e-6) / 30);
+      CHECK(error(1e-9) < 1e-5);
+      continue;
+    }
+    const int order = order_of(peer.name);
+    const int steps = order == 1   ? 8192
+                      : order == 2 ? 1024
+                      : order == 4 ? 160
+                      : order == 5 ? 32
+                                   : 8;
+    const double coarse = error(steps), fine = error(2 * steps);
+    CAPTURE(coarse);
+    CAPTURE(fine);
+    // An error that falls so, measured against the truth, falls to nothing. The next term of it is
+    // smaller by a power of the step.
+    CHECK(std::log2(coarse / fine) >= order - 0.25);
+  }
+}
+
+constexpr double seconds = 2;
+
+}  // namespace
+
+//! [peers]
+TEST_CASE("Every peer goes where the exact solution goes, with the order that it claims") {
+  FreeProblem<double> free = free_problems<double>()[0];
+  free.seconds = seconds;
+  check_peers(free, peers::Torque::none, 0, truth_of(free));
+  auto heavy = heavy_top<double>("heavy top", 3);
+  heavy.seconds = seconds;
+  check_peers(heavy, peers::Torque::weight, 1, truth_of(heavy));
+}
+
+TEST_CASE("Every peer swings the driven top as our ladder does") {
+  auto problem = driven_top<double>();
+  problem.seconds = seconds;
+  const Problem<Top<long double>, Drive<long double>> wide{
+      problem.name, exactly(problem.start), {}, problem.seconds};
+  const auto truth =
+      contestant(wide, torque_ladder<long double, Drive<long double>>.back()).run(1000);
+  check_peers(problem, peers::Torque::drive, 0, truth);
+}
+//! [peers]

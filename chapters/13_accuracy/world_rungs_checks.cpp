@@ -1,0 +1,107 @@
+#include <course/checks.hpp>
+#include <course/random_world.hpp>
+#include <course/scene_rules.hpp>
+#include <tumble/in_packs.hpp>
+#include <tumble/ladder.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+/// Those before it are chapter 8's.
+constexpr std::size_t first_rung = FirstTurningRules::names.size();
+
+/// Boxes of many shapes that spin each about an axis of its own, some of them symmetric.
+template <class AnyWorld>
+void add_boxes(AnyWorld& world, int count) {
+  using Real = std::decay_t<decltype(world.time_step())>;
+  Dice dice(13);
+  for (int n = 0; n < count; ++n) {
+    Vec3<Real> edges = Vec3<Real>(2, 2, 2) + dice.vector<Real>();
+    if (n % 5 == 0) edges.y() = edges.x();
+    const std::string name = "box " + std::to_string(n);
+    world.add(name, make_rigid_body<Real>(name, mass_properties(Box<Real>{edges}, 2), {},
+                                          Vec3<Real>::Zero(), 5 * dice.vector<Real>())
+                        .body);
+  }
+}
+
+}  // namespace
+
+//! [rungs_in_packs]
+TEST_CASE_TEMPLATE("By every rung that a scene can name, packs turn as one by one, to the bit",
+                   Real, EVERY_PRECISION) {
+  for (std::size_t rung = first_rung; rung < SceneRules::names.size(); ++rung) {
+    CAPTURE(SceneRules::names[rung]);
+    World<Real> plain(steps_per_second(10));
+    ManyBodies<Real> packed(steps_per_second(10));
+    SceneRules::choose(plain, rung);
+    SceneRules::choose(packed, rung);
+    add_boxes(plain, 37);
+    add_boxes(packed, 37);
+    for (int step = 0; step < 20; ++step) {
+      plain.step();
+      packed.step();
+    }
+    CHECK(same_motion(plain.bodies(), packed.bodies()));
+  }
+}
+//! [rungs_in_packs]
+
+//! [rungs_of_worlds]
+TEST_CASE_TEMPLATE("A world turns by the rung of the ladder that its scene names", Real,
+                   EVERY_PRECISION) {
+  for (std::size_t rule = first_rung; rule < RungsOfWorlds::names.size(); ++rule) {
+    CAPTURE(RungsOfWorlds::names[rule]);
+    const TurningRung<Real>& rung = turning_rung<Real>(RungsOfWorlds::names[rule]);
+    World<Real> world(steps_per_second(10));
+    SceneRules::choose(world, rule);
+    add_boxes(world, 1);
+    Top<Real> top = world.bodies().tops[0];
+    world.step();
+    rung.turn(top, Real(0.1));
+    CHECK(world.turning_method() == rung.name);
+    const Top<Real>& turned = world.bodies().tops[0];
+    CHECK(same_bits(turned.orientation.imaginary, top.orientation.imaginary));
+    CHECK(same_bits(turned.angular_momentum_body, top.angular_momentum_body));
+    CHECK(rung.claims.bounded);
+  }
+}
+//! [rungs_of_worlds]
+
+//! [rungs_stay_finite]
+TEST_CASE_TEMPLATE(
+    "The rungs that a scene can name stay finite wherever sine and cosine reach, whatever the step",
+    Real, EVERY_PRECISION) {
+  // All of L about one axis turns no farther than this: the longest portion of a row is 1.32 h, and
+  // a turn takes the sine of half its angle.
+  const Real farthest = 2 * SineCosineConstants<Real>::limit / Real(1.32);
+  for (std::size_t rung = first_rung; rung < SceneRules::names.size(); ++rung) {
+    CAPTURE(SceneRules::names[rung]);
+    Dice dice(17);
+    for (int trial = 0; trial < 200; ++trial) {
+      World<Real> world(steps_per_second(1));
+      SceneRules::choose(world, rung);
+      Top<Real> top;
+      for (int axis = 0; axis < 3; ++axis) {  // moments over twelve decades
+        top.inverse_moments[axis] = std::pow(Real(10), 6 * dice.real<Real>());
+        top.angular_momentum_body[axis] = dice.real<Real>();
+      }
+      std::sort(top.inverse_moments.data(), top.inverse_moments.data() + 3);
+      const Vec3<Real>& i = top.inverse_moments;
+      const Real turn = std::pow(farthest, (1 + dice.real<Real>()) / 2);  // from 1 rad up
+      top.angular_momentum_body *=
+          turn / ((i[0] + (i[1] - i[0]) + (i[2] - i[0])) * top.angular_momentum_body.norm());
+      world.add("top", RigidBody<Real>{.centre = make_particle<Real>(1), .top = top});
+      for (int step = 0; step < 4; ++step) {
+        world.step();
+      }
+      const Top<Real>& turned = world.bodies().tops[0];
+      CHECK(is_finite(turned.orientation.imaginary));
+      CHECK(is_finite(turned.angular_momentum_body));
+      CHECK(std::isfinite(turned.orientation.real));
+    }
+  }
+}
+//! [rungs_stay_finite]

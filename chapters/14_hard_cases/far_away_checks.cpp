@@ -1,0 +1,91 @@
+// Far from the origin: what can still be told apart, and what moves.
+#include <course/checks.hpp>
+#include <course/tumbling_problems.hpp>
+#include <tumble/far_from_origin.hpp>
+#include <tumble/solids.hpp>
+#include <tumble/tumbling.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+//! [spacing]
+TEST_CASE_TEMPLATE("A coordinate can be told from one that is a spacing away, and from none nearer",
+                   Real, EVERY_PRECISION) {
+  for (const Real place : {Real(1), Real(-1000), Real(-1024), Real(1e7), Real(3), Real(1e-6)}) {
+    const Real spacing = spacing_at(place), out = std::copysign(spacing, place);
+    CHECK(place + out != place);
+    CHECK(place + out / 2 * (1 - unit_roundoff<Real>)*(1 - 2 * unit_roundoff<Real>) == place);
+    CHECK((place + out) - place == out);
+  }
+  CHECK(spacing_at(Real(1)) == std::numeric_limits<Real>::epsilon());
+}
+//! [spacing]
+
+//! [slowest]
+TEST_CASE_TEMPLATE("A body moves from the slowest speed on, and below it never does", Real,
+                   EVERY_PRECISION) {
+  const Real h = Real(1) / 64;
+  for (const Real place : {Real(10e3), Real(-1e6)}) {
+    const Real slowest = std::copysign(slowest_drift_at(place, h), place);
+    const auto moved = [&](Real speed) {
+      auto particle = make_particle<Real>(1, {place, 0, 0}, {speed, 0, 0});
+      for (int n = 0; n < 100; ++n) drift(particle, h);
+      return particle.position.x() - place;
+    };
+    CHECK(moved(Real(0.99) * slowest) == 0);
+    // Rounded up each time, it goes twice as fast as it should.
+    CHECK(moved(Real(1.01) * slowest) == 100 * std::copysign(spacing_at(place), place));
+  }
+}
+
+TEST_CASE("In float at 60 Hz, 0.029 m/s moves at 10 km and 1.9 m/s at 1000 km") {
+  CHECK(std::abs(slowest_drift_at(10e3f, 1.0f / 60) - 0.0293f) < 0.00005f);
+  CHECK(std::abs(slowest_drift_at(1e6f, 1.0f / 60) - 1.875f) < 0.0005f);
+}
+//! [slowest]
+
+//! [relative]
+TEST_CASE_TEMPLATE("1 km and 10000 km away two bodies meet as at the origin, to an ulp a step",
+                   Real, EVERY_PRECISION) {
+  const Real h = Real(1) / 60;
+  const int steps = 600;
+  const auto gap = [&](Real away) {
+    auto chaser = make_particle<Real>(1, {away, 0, 0}, {Real(2.5), 1, 0});
+    auto target = make_particle<Real>(1, {away + 16, 0, 0}, {Real(1.25), 0, Real(0.5)});
+    const Real rounded = target.position.x() - chaser.position.x() - 16;
+    for (int n = 0; n < steps; ++n) {
+      for (auto* body : {&chaser, &target}) {
+        add_force(*body, Vec3<Real>(0, 0, Real(-9.81)));
+        kick(*body, h);
+        clear_force(*body);
+        drift(*body, h);
+      }
+    }
+    return Vec3<Real>(target.position - chaser.position - rounded * Vec3<Real>::UnitX());
+  };
+  // Each of two positions is rounded to half a spacing a step. Along y and z nothing is far.
+  const Vec3<Real> here = gap(0);
+  for (const Real away : {Real(1e3), Real(1e7)}) {
+    const Vec3<Real> there = gap(away);
+    const Real spacing = spacing_at(away + 64);
+    CHECK(std::abs(there.x() - here.x()) <= steps * spacing + steps * spacing_at(Real(32)));
+    CHECK(there.y() == here.y());
+    CHECK(there.z() == here.z());
+    CHECK(digits_needed(double(away) + 64, double(spacing)) <= std::numeric_limits<Real>::digits);
+    CHECK(digits_needed(double(away) + 64, double(spacing) / 2) >
+          std::numeric_limits<Real>::digits);
+  }
+}
+//! [relative]
+
+TEST_CASE("A millimetre at 1 km fits a float's digits almost, one at 10000 km needs a double") {
+  CHECK(digits_needed(1e3, 1e-3) == 20);
+  CHECK(digits_needed(1e7, 1e-3) == 34);
+  CHECK(digits_needed(16777215, 1) == 24);
+  CHECK(digits_needed(16777216, 1) == 25);
+  CHECK(complaint_of([] { digits_needed(0, 1); }) ==
+        "distance from the origin is 0 m; it must be above 0");
+  CHECK(complaint_of([] { digits_needed(1, -1); }) == "resolution is -1 m; it must be above 0");
+  CHECK(complaint_of([] { digits_needed(1, std::numeric_limits<double>::infinity()); }) ==
+        "resolution is inf m; it must be finite");
+}

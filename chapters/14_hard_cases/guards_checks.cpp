@@ -1,0 +1,117 @@
+// Where the rungs that claim no bound stop, and what they say.
+#include <course/checks.hpp>
+#include <course/tumbling_problems.hpp>
+#include <tumble/guarded_turn.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+/// Runs until the guard stops the rung. @return what it says, or nothing after `steps`
+template <class Real>
+std::string stopped(const TurningRung<Real>& rung, Top<Real>& top, Real time_step, int steps) {
+  for (int n = 0; n < steps; ++n) {
+    const Top<Real> before = top;
+    try {
+      turn_or_stop(rung, top, time_step);
+    } catch (const TurnError& error) {
+      CHECK(error.rung == rung.name);
+      CHECK(same_bits(top.angular_momentum_body, before.angular_momentum_body));
+      CHECK(same_bits(top.orientation.imaginary, before.orientation.imaginary));
+      CHECK(top.orientation.real == before.orientation.real);
+      return error.what();
+    }
+    REQUIRE(is_finite(top.angular_momentum_body));
+    REQUIRE(std::isfinite(norm(top.orientation)));
+    REQUIRE(can_drift(top, time_step));
+  }
+  return "";
+}
+
+}  // namespace
+
+//! [stops]
+TEST_CASE_TEMPLATE("A rung that blows up is stopped with its name and the limit, before any NaN",
+                   Real, EVERY_PRECISION) {
+  const std::string limit = " rad in a step; at most " +
+                            text_of(2 * SineCosineConstants<Real>::limit) + " rad can be turned";
+  for (const char* name : {"explicit", "Runge-Kutta", "Dormand-Prince 5"}) {
+    const TurningRung<Real>& rung = turning_rung<Real>(name);
+    Top<Real> top = top_of<Real>(tumbling_problems[3]);  // the needle, 3.3 rad a step
+    const std::string what = stopped(rung, top, Real(1) / 60, 1000);
+    CAPTURE(std::string(name));
+    CAPTURE(what);
+    CHECK(what.find("'" + std::string(name) + "' ") == 0);
+    const bool says_limit = what.find("' would turn by up to ") != std::string::npos &&
+                            what.find(limit) == what.size() - limit.size();
+    const bool says_where =
+        what.find("' finds no finite turn for a top that turns by up to ") != std::string::npos;
+    CHECK((says_limit || says_where));
+  }
+}
+//! [stops]
+
+//! [same]
+TEST_CASE_TEMPLATE("Up to the limit a guarded rung is the rung itself, to the bit", Real,
+                   EVERY_PRECISION) {
+  for (const TurningRung<Real>& rung : turning_ladder<Real>) {
+    CAPTURE(std::string(rung.name));
+    Top<Real> guarded = top_of<Real>(tumbling_problems[0]), plain = guarded;
+    for (int n = 0; n < 10; ++n) {
+      turn_or_stop(rung, guarded, Real(1) / 60);
+      rung.turn(plain, Real(1) / 60);
+    }
+    CHECK(same_bits(guarded.angular_momentum_body, plain.angular_momentum_body));
+    CHECK(same_bits(guarded.orientation.imaginary, plain.orientation.imaginary));
+  }
+}
+//! [same]
+
+//! [limit]
+TEST_CASE_TEMPLATE("The guard lets the largest turn through, and nothing beyond it", Real,
+                   EVERY_PRECISION) {
+  const Real limit = 2 * SineCosineConstants<Real>::limit;
+  for (const Real size : {std::ldexp(Real(1), -100), Real(1), std::ldexp(Real(1), 100)}) {
+    // L of any size: its square need not be a number.
+    const Top<Real> ball{.angular_momentum_body = {0, 0, size},
+                         .inverse_moments = Vec3<Real>::Constant(1 / size)};
+    const TurningRung<Real>& rung = turning_rung<Real>("splitting");
+    Top<Real> top = ball;
+    turn_or_stop(rung, top, limit);
+    CHECK(std::abs(norm(top.orientation) - 1) <= 10 * unit_roundoff<Real>);
+    top = ball;
+    const std::string what =
+        stopped(rung, top, std::nextafter(limit, std::numeric_limits<Real>::infinity()), 1);
+    CAPTURE(what);
+    CHECK(what.find("'splitting' would turn by up to ") == 0);
+  }
+}
+//! [limit]
+
+//! [own]
+TEST_CASE_TEMPLATE("A guarded rung is stopped before a turn too large and after one that is none",
+                   Real, EVERY_PRECISION) {
+  const TurningRung<Real> brake = {
+      "brake", {}, [](Top<Real>& top, Real) { top.angular_momentum_body.setZero(); }};
+  Top<Real> top{.angular_momentum_body = {0, 0, 3 * SineCosineConstants<Real>::limit},
+                .inverse_moments = {1, 1, 1}};
+  CHECK(stopped(brake, top, Real(1), 1).find("'brake' would turn by up to ") == 0);
+  top.angular_momentum_body = {0, 0, 2};
+  CHECK(stopped(brake, top, Real(1), 1).empty());
+  const std::string complaint =
+      " finds no finite turn for a top that turns by up to 2 rad in a step";
+  for (const TurningRung<Real>&broken :
+       {TurningRung<Real>{"lost",
+                          {},
+                          [](Top<Real>&lost, Real) {
+                            lost.angular_momentum_body.x() = std::numeric_limits<Real>::quiet_NaN();
+                          }},
+        TurningRung<Real>{"astray", {}, [](Top<Real>&astray, Real) {
+                            astray.orientation.real = std::numeric_limits<Real>::infinity();
+                          }}}) {
+    top.angular_momentum_body = {0, 0, 2};
+    CHECK(stopped(broken, top, Real(1), 1) == "'" + std::string(broken.name) + "'" + complaint);
+  }
+}
+//! [own]

@@ -1,0 +1,10 @@
+set title "The phase is the only thing that gets lost"
+set xlabel "time (s)"
+set ylabel "off by (rad)"
+set logscale y
+set format y "10^{%T}"
+set termoption enhanced
+set yrange [1e-15:10]
+set ytics 1e-15, 1e5
+set key below left Left reverse samplen 1.5 maxrows 2
+plot for [i=2:5] "long_run.tsv" using 1:i with lines linestyle i-1 title columnhead(i)

@@ -1,0 +1,114 @@
+// What a world does with the longest step and with none, with a rule that blows up, and with a rod.
+#include <course/checks.hpp>
+#include <course/random_quaternion.hpp>
+#include <course/tumbling_problems.hpp>
+#include <tumble/gravity.hpp>
+#include <tumble/spheres.hpp>
+#include <tumble/thruster.hpp>
+#include <tumble/world.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+template <class Action>
+std::string complaint_of_any(const Action& action) {
+  try {
+    action();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "nothing thrown";
+}
+
+}  // namespace
+
+//! [step]
+TEST_CASE_TEMPLATE("A step of no time moves nothing; a negative one, or one over an hour, is none",
+                   Real, EVERY_PRECISION) {
+  World<Real> still(StepLength{.numerator = 0, .denominator = 1});
+  const BodyHandle body =
+      still.add("brick", make_rigid_body<Real>("brick", mass_properties(Box<Real>{{1, 2, 3}}, 2),
+                                               {}, {4, 5, 6}, {1, 2, 3})
+                             .body);
+  const RigidBody<Real> before = still.body(body);
+  still.add(Gravity<Real>{});
+  still.step();
+  const RigidBody<Real> after = still.body(body);
+  CHECK(same_bits(after.centre.position, before.centre.position));
+  CHECK(same_bits(after.centre.velocity, before.centre.velocity));
+  CHECK(same_bits(after.top.orientation, before.top.orientation));
+  CHECK(same_bits(after.top.angular_momentum_body, before.top.angular_momentum_body));
+  const auto refused = [](std::int64_t numerator, std::int64_t denominator) {
+    return complaint_of([&] { World<Real>(StepLength{numerator, denominator}); });
+  };
+  CHECK(refused(-5, 1) ==
+        "numerator of the step is -5 ns; it must lie between 0 and 3600000000000 ns");
+  CHECK(refused(3'600'000'000'001, 1) ==
+        "numerator of the step is 3600000000001 ns; it must lie between 0 and 3600000000000 ns");
+  CHECK(refused(1, 0) == "denominator of the step is 0; it must lie between 1 and 1000000");
+  CHECK(refused(1, -1) == "denominator of the step is -1; it must lie between 1 and 1000000");
+}
+//! [step]
+
+TEST_CASE_TEMPLATE("In a step of an hour a body moves and turns as far as asked, or says why not",
+                   Real, EVERY_PRECISION) {
+  const auto ball = [](Real spin) {
+    return make_rigid_body<Real>("ball", mass_properties(Sphere<Real>{1}, 1), {}, {1, 0, 0},
+                                 {0, 0, spin})
+        .body;
+  };
+  World<Real> slow(step_of_nanoseconds(3'600'000'000'000)), fast = slow;
+  const BodyHandle body = slow.add("ball", ball(Real(0.5)));  // 1800 rad
+  slow.step();
+  CHECK(slow.body(body).centre.position.x() == 3600);
+  // L is rounded twice, the spin and the angle once each: 1800 rad magnify that.
+  const Quaternion<Real> asked = quaternion_about<Real>(Vec3<Real>::UnitZ(), 1800);
+  CHECK(angle_between(slow.body(body).top.orientation, asked) <= 1800 * 4 * unit_roundoff<Real>);
+  fast.add("ball", ball(1000));
+  CHECK(complaint_of_any([&] {
+          fast.step();
+        }).find("'ball' at 0 s (step 0): it would turn by up to ") == 0);
+}
+
+//! [blows_up]
+TEST_CASE_TEMPLATE("A rule that blows up stops the world, which names the body, the step and limit",
+                   Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(60), ExplicitEuler{});
+  RigidBody<Real> needle;
+  needle.centre = make_particle<Real>(1);
+  needle.top = top_of<Real>(tumbling_problems[3]);
+  world.add("needle", needle);
+  const std::string what = complaint_of_any([&] {
+    for (int n = 0; n < 1000; ++n) world.step();
+  });
+  CAPTURE(what);
+  CHECK(what.find("'needle' at ") == 0);
+  CHECK(what.find("(step " + std::to_string(world.ticks()) + ")") != std::string::npos);
+  CHECK(what.find(" rad in this step; at most " + text_of(2 * SineCosineConstants<Real>::limit) +
+                  " rad can be turned; the world is as it was before this step") !=
+        std::string::npos);
+  CHECK(is_finite(world.body(world.find("needle")).top.angular_momentum_body));
+}
+//! [blows_up]
+
+//! [rod]
+TEST_CASE_TEMPLATE("A rod without thickness never turns about its line, however it is pushed", Real,
+                   EVERY_PRECISION) {
+  World<Real> world(steps_per_second(64));
+  RigidBody<Real> rod = make_rigid_body<Real>("rod", mass_properties(ThinRod<Real>{2}, 3), {},
+                                              {0, 0, 0}, {1, 0, 0}, Turning::locked_where_thin)
+                            .body;
+  Eigen::Index line = 0;
+  REQUIRE(rod.top.inverse_moments.minCoeff(&line) == 0);
+  const BodyHandle body = world.add("rod", rod);
+  world.add(Thruster<Real>{.force_body = {1, 2, 3}, .point = {1, 1, 1}}, {body});
+  for (int n = 0; n < 100; ++n) world.step();
+  CHECK(world.body(body).top.angular_momentum_body[line] == 0);
+  CHECK(is_finite(world.body(body).top.angular_momentum_body));
+  // What makes 1/0 of it is refused.
+  rod.top.inverse_moments[line] = std::numeric_limits<Real>::infinity();
+  CHECK(complaint_of([&] { world.add("naive", rod); }).find("naive: inverse moments is (") == 0);
+}
+//! [rod]
