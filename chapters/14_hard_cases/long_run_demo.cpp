@@ -63,13 +63,15 @@ void report(Notebook& notebook, const std::string& precision, const std::vector<
   std::printf("%-8s %8.1e %8.1e %8.1e   %8.1e    %5.2f\n", precision.c_str(), worst.norm,
               worst.energy, worst.size, worst.direction, worst.phase);
   // renormalized() lets 16 roundings of |q|² be and may misjudge it by 4; |q| has half of that.
-  // |L| and its direction walk at random: two roundings a step, and 40, and three times the root of
-  // the number of steps is rare. The energy wavers by what problem A shows, and walks as |L|² does.
+  // |L| walks at random: two roundings a step, and three times the root of the number of steps is
+  // rare. The energy wavers by what problem A shows, and walks as |L|² does. The direction of L in
+  // the world creeps, in proportion to time: what a step rounds is not quite without a bias. It is
+  // a hundredth of a rounding a step, which was measured and not derived; twice that is let pass.
   const double u = std::numeric_limits<Real>::epsilon() / 2,
                walk = 3 * std::sqrt(double(steps)) * u;
   expect(worst.norm <= 10 * u * 1.01, "|q| is 1 to ten roundings");
   expect(worst.size <= 2 * walk, "|L| walks at random");
-  expect(worst.direction <= 40 * walk, "and so does its direction in the world");
+  expect(worst.direction <= double(steps) * u / 50, "its direction creeps, and not fast");
   expect(worst.energy <= 2.1e-5 + 4 * walk, "the energy wavers and does not drift");
   notebook.value("norm_" + precision, number("%.0e", worst.norm));
   notebook.value("energy_" + precision, number("%.0e", worst.energy));
