@@ -95,7 +95,7 @@ std::int64_t clock_after(Notebook& notebook, std::int64_t steps) {
              1e-15 * double(clock.steps) / 60,
          "the time is n h to two roundings");
   std::printf(
-      "%lld steps from %lld frames are %.6f s; not a nanosecond is lost.\n"
+      "%lld steps from %lld frames: %.6f s, and no nanosecond is lost.\n"
       "A float that adds up 1/60 says %.6g s.\n\n",
       static_cast<long long>(clock.steps), static_cast<long long>(frames),
       simulated_time<double>(clock), double(added_up));
@@ -116,8 +116,8 @@ int main(int argument_count, char** arguments) {
   std::printf("largest   |q| - 1   energy  size of L  direction  phase (rad)\n");
   report<double>(notebook, "double", in_double, steps);
   report<float>(notebook, "float", in_float, steps);
-  Table table = notebook.table("long_run", {"time (s)", "phase, double", "phase, float",
-                                            "direction of L, double", "direction of L, float"});
+  Table table = notebook.table(
+      "long_run", {"time (s)", "phase, double", "phase, float", "L, double", "L, float"});
   for (std::size_t n = 0; n < moments; ++n)
     table.row(double(steps) / 60 * double(n + 1) / moments, in_double[n].phase, in_float[n].phase,
               in_double[n].direction, in_float[n].direction);
@@ -133,7 +133,7 @@ int main(int argument_count, char** arguments) {
   const double whole = largest_phase(run<double>(beginning, 60)),
                half = largest_phase(run<double>(2 * beginning, 120));
   std::printf(
-      "\nphase in the first %.0f s: up to %.4f rad; with half the step %.4f, %.2f times less\n",
+      "\nphase in the first %.0f s: up to %.4f rad; with half the step %.4f,\n%.2f times less\n",
       double(beginning) / 60, whole, half, whole / half);
   expect(whole / half > 3.9 && whole / half < 4.1, "the phase is of second order");
   notebook.value("phase_whole", number("%.2f rad", whole));
