@@ -7,6 +7,7 @@
 #   COST.json          what Google Benchmark measured
 
 set(TUMBLE_RESULTS ${PROJECT_BINARY_DIR}/results)
+set(TUMBLE_QUIET ${PROJECT_BINARY_DIR}/quiet)
 option(TUMBLE_NATIVE "Use every instruction this machine has" OFF)
 set(TUMBLE_BOOK_FOLDER ${PROJECT_BINARY_DIR}/html CACHE PATH "Where the book is written")
 
@@ -113,14 +114,20 @@ function(tumble_add_checks chapter)
   add_custom_target(checks_result_${chapter} DEPENDS ${result})
   add_dependencies(results checks_result_${chapter})
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${result})
+  set_property(GLOBAL APPEND PROPERTY TUMBLE_RUNS ${result})
 endfunction()
 
-# tumble_add_program(CHAPTER NAME [MEASURES]): compiles NAME.cpp; it is run with the results folder as its one argument.
-# One that MEASURES finds TUMBLE_FULL in its environment when it shall take its time.
+# tumble_add_program(CHAPTER NAME [LONG] [MEASURES]): compiles NAME.cpp; it is run with the results folder as its one
+# argument. A LONG one finds TUMBLE_FULL in its environment when it shall take its time. One that MEASURES time is run
+# alone, after everything else.
 function(tumble_add_program chapter name)
-  set(measured_in_full "")
-  if("MEASURES" IN_LIST ARGN AND TUMBLE_FULL)
-    set(measured_in_full ${CMAKE_COMMAND} -E env TUMBLE_FULL=1)
+  set(run_in_full "")
+  if("LONG" IN_LIST ARGN AND TUMBLE_FULL)
+    set(run_in_full ${CMAKE_COMMAND} -E env TUMBLE_FULL=1)
+  endif()
+  set(quiet "")
+  if("MEASURES" IN_LIST ARGN)
+    set(quiet ${TUMBLE_QUIET}/${name})
   endif()
   add_executable(${name} ${name}.cpp)
   target_link_libraries(${name} PRIVATE tumble_${chapter} tumble_program_flags)
@@ -134,11 +141,33 @@ function(tumble_add_program chapter name)
   set(folder ${TUMBLE_RESULTS}/${chapter})
   add_custom_command(OUTPUT ${folder}/${name}.txt
     COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
-    COMMAND ${measured_in_full} $<TARGET_FILE:${name}> ${folder} > ${folder}/${name}.txt
-    DEPENDS ${name} COMMENT "Running ${name}" VERBATIM)
+    COMMAND ${run_in_full} $<TARGET_FILE:${name}> ${folder} > ${folder}/${name}.txt
+    DEPENDS ${name} ${quiet} COMMENT "Running ${name}" VERBATIM)
   add_custom_target(run_${name} DEPENDS ${folder}/${name}.txt)
   add_dependencies(results run_${name})
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${folder}/${name}.txt)
+  if("MEASURES" IN_LIST ARGN)
+    set_property(GLOBAL APPEND PROPERTY TUMBLE_MEASUREMENTS ${folder}/${name}.txt)
+  else()
+    set_property(GLOBAL APPEND PROPERTY TUMBLE_RUNS ${folder}/${name}.txt)
+  endif()
+endfunction()
+
+# tumble_measure_alone(): called when all chapters are known, it makes what MEASURES time wait for every other run, and
+# for each other. The file that stands for this never changes: what is measured is not measured again for a new result
+# of somebody else.
+function(tumble_measure_alone)
+  get_property(before GLOBAL PROPERTY TUMBLE_RUNS)
+  get_property(measurements GLOBAL PROPERTY TUMBLE_MEASUREMENTS)
+  foreach(measurement IN LISTS measurements)
+    get_filename_component(name ${measurement} NAME_WE)
+    add_custom_command(OUTPUT ${TUMBLE_QUIET}/${name}
+      COMMAND ${CMAKE_COMMAND} -E copy_if_different ${PROJECT_BINARY_DIR}/empty.cpp ${TUMBLE_QUIET}/${name}
+      DEPENDS ${before} COMMENT "" VERBATIM)
+    add_custom_target(quiet_for_${name} DEPENDS ${TUMBLE_QUIET}/${name})
+    add_dependencies(run_${name} quiet_for_${name})
+    list(APPEND before ${measurement})
+  endforeach()
 endfunction()
 
 # tumble_add_figure(CHAPTER NAME PROGRAM): gnuplot draws NAME.gp from the tables that PROGRAM wrote.
@@ -176,4 +205,5 @@ function(tumble_add_cost chapter name)
   add_custom_target(measure_${name} DEPENDS ${folder}/${name}.json)
   add_dependencies(results measure_${name})
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${folder}/${name}.json)
+  set_property(GLOBAL APPEND PROPERTY TUMBLE_RUNS ${folder}/${name}.json)
 endfunction()

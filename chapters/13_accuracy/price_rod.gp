@@ -12,7 +12,7 @@ set key below left Left reverse samplen 1.5 maxrows 4
 is(method, precision) = strcol(1) eq method && strcol(2) eq precision
 grey = "#555555"
 plot for [m in "'Odeint rk4' 'Odeint Dormand-Prince 5' 'Odeint Fehlberg 7(8)' 'Odeint Bulirsch-Stoer'"] \
-       "runs_rod.tsv" using (is(m, "double") ? $4 : NaN):3 with lines linecolor rgb grey linewidth 1 notitle, \
+       "runs_rod.tsv" using (is(m, "double") ? $4 : NaN):3 with lines linecolor rgb grey linewidth 1 dashtype 1 notitle, \
      for [m in "'Simbody Verlet, controlled' 'Simbody Merson, controlled' 'Simbody CPodes'"] \
        "" using (is(m, "double") ? $4 : NaN):3 with lines linecolor rgb grey linewidth 1 dashtype 2 notitle, \
      "" using (is("Bullet functions", "double") ? $4 : NaN):3 with lines linecolor rgb grey linewidth 1 dashtype 3 notitle, \
@@ -23,5 +23,5 @@ plot for [m in "'Odeint rk4' 'Odeint Dormand-Prince 5' 'Odeint Fehlberg 7(8)' 'O
      "" using (is("Runge-Kutta", "double") ? $4 : NaN):3 with linespoints linestyle 2 title "looks 4", \
      "" using (is("Dormand-Prince 8", "double") ? $4 : NaN):3 with linespoints linestyle 4 title "looks 8", \
      "" using (is("exact solution", "double") ? $4 : NaN):3 with points linestyle 6 pointtype 3 pointsize 1.2 title "exact", \
-     NaN with lines linecolor rgb grey linewidth 1 title "Odeint", \
+     NaN with lines linecolor rgb grey linewidth 1 dashtype 1 title "Odeint", \
      NaN with lines linecolor rgb grey linewidth 1 dashtype 2 title "engines"

@@ -1,7 +1,8 @@
 set title "The phase is the only thing that gets lost"
 set xlabel "time (s)"
 set ylabel "off by (rad)"
-set logscale y
+set logscale xy
+set format x "10^{%T}"
 set format y "10^{%T}"
 set termoption enhanced
 set yrange [1e-15:10]

@@ -63,13 +63,15 @@ void report(Notebook& notebook, const std::string& precision, const std::vector<
   std::printf("%-8s %8.1e %8.1e %8.1e   %8.1e    %5.2f\n", precision.c_str(), worst.norm,
               worst.energy, worst.size, worst.direction, worst.phase);
   // renormalized() lets 16 roundings of |q|² be and may misjudge it by 4; |q| has half of that.
-  // |L| and its direction walk at random: two roundings a step, and 40, and three times the root of
-  // the number of steps is rare. The energy wavers by what problem A shows, and walks as |L|² does.
+  // |L| walks at random: two roundings a step, and three times the root of the number of steps is
+  // rare. The energy wavers by what problem A shows, and walks as |L|² does. The direction of L in
+  // the world creeps, in proportion to time: what a step rounds is not quite without a bias. It is
+  // a hundredth of a rounding a step, which was measured and not derived; twice that is let pass.
   const double u = std::numeric_limits<Real>::epsilon() / 2,
                walk = 3 * std::sqrt(double(steps)) * u;
   expect(worst.norm <= 10 * u * 1.01, "|q| is 1 to ten roundings");
   expect(worst.size <= 2 * walk, "|L| walks at random");
-  expect(worst.direction <= 40 * walk, "and so does its direction in the world");
+  expect(worst.direction <= double(steps) * u / 50, "its direction creeps, and not fast");
   expect(worst.energy <= 2.1e-5 + 4 * walk, "the energy wavers and does not drift");
   notebook.value("norm_" + precision, number("%.0e", worst.norm));
   notebook.value("energy_" + precision, number("%.0e", worst.energy));
@@ -93,7 +95,7 @@ std::int64_t clock_after(Notebook& notebook, std::int64_t steps) {
              1e-15 * double(clock.steps) / 60,
          "the time is n h to two roundings");
   std::printf(
-      "%lld steps from %lld frames are %.6f s; not a nanosecond is lost.\n"
+      "%lld steps from %lld frames: %.6f s, and no nanosecond is lost.\n"
       "A float that adds up 1/60 says %.6g s.\n\n",
       static_cast<long long>(clock.steps), static_cast<long long>(frames),
       simulated_time<double>(clock), double(added_up));
@@ -114,8 +116,8 @@ int main(int argument_count, char** arguments) {
   std::printf("largest   |q| - 1   energy  size of L  direction  phase (rad)\n");
   report<double>(notebook, "double", in_double, steps);
   report<float>(notebook, "float", in_float, steps);
-  Table table = notebook.table("long_run", {"time (s)", "phase, double", "phase, float",
-                                            "direction of L, double", "direction of L, float"});
+  Table table = notebook.table(
+      "long_run", {"time (s)", "phase, double", "phase, float", "L, double", "L, float"});
   for (std::size_t n = 0; n < moments; ++n)
     table.row(double(steps) / 60 * double(n + 1) / moments, in_double[n].phase, in_float[n].phase,
               in_double[n].direction, in_float[n].direction);
@@ -131,7 +133,7 @@ int main(int argument_count, char** arguments) {
   const double whole = largest_phase(run<double>(beginning, 60)),
                half = largest_phase(run<double>(2 * beginning, 120));
   std::printf(
-      "\nphase in the first %.0f s: up to %.4f rad; with half the step %.4f, %.2f times less\n",
+      "\nphase in the first %.0f s: up to %.4f rad; with half the step %.4f,\n%.2f times less\n",
       double(beginning) / 60, whole, half, whole / half);
   expect(whole / half > 3.9 && whole / half < 4.1, "the phase is of second order");
   notebook.value("phase_whole", number("%.2f rad", whole));

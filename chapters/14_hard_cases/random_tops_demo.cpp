@@ -26,7 +26,7 @@ int wanted_count() {
 /// number of its own, or a pack.
 template <class Real, class Number, class Turn>
 Unexplained<double> worst_of(const Turn& turn, int count) {
-  constexpr int width = sizeof(Number) / sizeof(Real);
+  constexpr int width = std::is_same_v<Number, Real> ? 1 : natural_width<Real>;
   Dice dice(14);
   Unexplained<double> worst{0, 0};
   std::array<Top<Real>, width> tops;

@@ -98,8 +98,8 @@ SineCosine<Real> sine_cosine(Real angle) {
   const auto answered = angle * angle <= Constants::limit * Constants::limit;
   const Real x = select(answered, rest, Constants::Limits::quiet_NaN());
 
-  // Sum the series of sin x and cos x, |x| ≤ π/4, from the smallest term on. An x² that can't be seen
-  // beside 1 counts as 0: what underflows is slow.
+  // Sum the series of sin x and cos x, |x| ≤ π/4, from the smallest term on. An x² that can't be
+  // seen beside 1 counts as 0: what underflows is slow.
   const Real square = select(x * x < Constants::Limits::epsilon() / 16, Real(0), x * x);
   Real sine_sum = 0, cosine_sum = 0;
   for (std::size_t term = Constants::terms - 1; term > 0; --term) {

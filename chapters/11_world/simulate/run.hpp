@@ -9,7 +9,7 @@
 #include "options.hpp"
 #include "plot.hpp"
 #include "progress.hpp"
-#include "scene.hpp"
+#include "simulated_scene.hpp"
 #include "view.hpp"
 
 namespace tumble::simulate {

@@ -1,3 +1,3 @@
-#include "scene.hpp"
+#include "simulated_scene.hpp"
 
 template tumble::simulate::SceneInPacks<float> tumble::simulate::scene_of<float>(const Options&);

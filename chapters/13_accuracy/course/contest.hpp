@@ -50,7 +50,7 @@ inline constexpr Effort quick = {.longest_run = 1e6,
                                  .longest_run_of_engines = 3e6,
                                  .repetitions = 3},
                         full = {
-                            .longest_run = 1e8, .longest_run_of_engines = 1e8, .repetitions = 9};
+                            .longest_run = 3e7, .longest_run_of_engines = 3e7, .repetitions = 5};
 
 /// The quick one, unless `./course book --full` asks for more: it sets TUMBLE_FULL.
 inline Effort wanted_effort() {

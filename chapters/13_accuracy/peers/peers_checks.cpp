@@ -9,11 +9,11 @@ namespace {
 
 /// What each fixed-step peer says of itself: the power of the step with which its error falls.
 int order_of(const std::string& name) {
-  return name.find("rk4") != name.npos || name.find("Merson") != name.npos ? 4
-         : name.find("Dormand-Prince 5") != name.npos                      ? 5
-         : name.find("Fehlberg 7(8)") != name.npos                         ? 8
-         : name.find("Verlet") != name.npos                                ? 2
-                                                                           : 1;
+  const auto says = [&](const char* words) { return name.find(words) != std::string::npos; };
+  if (says("rk4") || says("Merson")) return 4;
+  if (says("Dormand-Prince 5")) return 5;
+  if (says("Fehlberg 7(8)")) return 8;
+  return says("Verlet") ? 2 : 1;
 }
 
 template <class Gather, class Truth>
