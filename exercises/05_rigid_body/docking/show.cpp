@@ -37,7 +37,7 @@ int main(int, char** arguments) {
     const auto capsule = mass_properties(Cylinder<double>{.radius = 0.4, .height = 1.4}, 300);
     const auto station =
         make_rigid_body<double>("station", hull, {.position = {0, 0, 0}, .orientation = along_x});
-    const Quaterniond along_y = quaternion_about(Vec3d(1, 0, 0), -std::numbers::pi / 2);
+    const Quaterniond along_y = quaternion_about(Vec3d(1, 0, 0), std::numbers::pi / 2);
     const auto shuttle = make_rigid_body<double>(
         "shuttle", capsule, {.position = {1.6, 1.2, 0}, .orientation = along_y}, {0, -0.6, 0},
         {0, 0.8, 0});
