@@ -1,6 +1,8 @@
 // The satellite turns over on one order, and back on another, as the student's functions make it.
 // Here the masses take half a second for their way, as real ones would.
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <course/player_page.hpp>
 #include <course/recording.hpp>
 #include <iostream>
@@ -23,7 +25,7 @@ Topd seen_from_the_other_side(Topd top) {
 int main(int, char** arguments) {
   try {
     const Vec3d hull(3, 2.5, 1);
-    const double mass = 0.4, longest = 1, shortest = 0.35, time_step = 1.0 / 120;
+    const double mass = 0.4, longest = 1.06, shortest = 0.35, time_step = 1.0 / 120;
     const double spin = 4, seconds = 34, second_order = 17;
     const int steps_a_frame = 4;
     course::Recording recording("A satellite that turns itself over", time_step * steps_a_frame);
@@ -31,7 +33,7 @@ int main(int, char** arguments) {
       return Posed{.position = {x, 0, 0},
                    .orientation = quaternion_about(Vec3d(0, 1, 0), std::numbers::pi / 2)};
     };
-    // A disc of a hull with two wings along y, the antenna on its x side.
+    // A disc of a hull with two wings along z, the antenna on its x side.
     const int body = recording.add_body("satellite", {course::Part::cylinder(0.3, 0.3).at(at_x(0)),
                                                       course::Part::box({0.04, 0.5, 2.4}),
                                                       course::Part::cone(0.2, 0.3).at(at_x(0.25))});
@@ -45,7 +47,7 @@ int main(int, char** arguments) {
     set_angular_velocity_body(top, Vec3d(spin, spin / 64, spin / 64));
     // x, and with it the spin, upright.
     top.orientation = quaternion_about(Vec3d(0, 1, 0), -std::numbers::pi / 2);
-    double at = 0;
+    double place = shortest;
     bool out = false;
     for (int n = 0; n * time_step <= seconds; ++n) {
       if (n % steps_a_frame == 0) {
@@ -53,13 +55,13 @@ int main(int, char** arguments) {
           return Posed{.position = rotate(top.orientation, Vec3d(x, 0, 0)),
                        .orientation = top.orientation};
         };
-        const double shown = shortest + (longest - shortest) * at;
-        recording.add_frame(std::array{mass_at(0), mass_at(shown), mass_at(-shown)});
+        recording.add_frame(std::array{mass_at(0), mass_at(place), mass_at(-place)});
       }
       const bool back = n * time_step > second_order;
       out = booms_out(back ? seen_from_the_other_side(top) : top, out);
-      at = std::clamp(at + (out ? 2 : -2) * time_step, 0.0, 1.0);
-      set_booms(top, hull, mass, longest * at);
+      place = std::clamp(place + (out ? 1.4 : -1.4) * time_step, shortest, longest);
+      // Where the masses are when they are in, the hull's moments count them already.
+      set_booms(top, hull, mass, std::sqrt(place * place - shortest * shortest));
       turn_by_splitting(top, time_step);
     }
     course::write_player_page(arguments[1], recording.json());
