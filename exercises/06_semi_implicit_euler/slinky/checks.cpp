@@ -94,7 +94,7 @@ EXERCISE_CHECK("Hung up, each spring carries the beads below it") {
           .mistake(length(count), "it carries all beads. Those above it hang on other springs")
           .mistake(length(i + 1), "it carries the beads above it. They hang on other springs")
           .mistake(length(i), "it carries the beads above it. They hang on other springs")
-          .must_be(length(count - 1 - i), 4 * count * unit_roundoff<Real>);
+          .must_be(length(count - 1 - i), double(4 * count) * unit_roundoff<Real>);
     }
   }
 }
@@ -114,7 +114,7 @@ EXERCISE_CHECK("Let go, the slinky's centre falls as a stone does") {
         .mistake(place(2 * stone), "it falls twice as fast as a stone. Does gravity come in twice?")
         .mistake(place(-Slinky::gravity * (t * t - h * t) / 2),
                  "the drift came before the kick. Chapter 6 wants them the other way round")
-        .must_be(place(stone), steps * 16 * 2 * unit_roundoff<Real>);
+        .must_be(place(stone), double(steps * 16 * 2) * unit_roundoff<Real>);
     for (const Particle<Real>& bead : beads)
       require(bead.force.isZero(0), "after a step the force " + shown(bead.force) +
                                         " N is left. It would act again in the next: clear it");

@@ -62,7 +62,7 @@ EXERCISE_CHECK("The planet sweeps the same area in every step, to rounding") {
   for (int n = 1; n <= steps; ++n) {
     body = after(body, time_step, 1);
     const Real now = area(body);
-    if (std::abs(now - before) <= n * 16 * unit_roundoff<Real>) continue;
+    if (std::abs(now - before) <= Real(n * 16) * unit_roundoff<Real>) continue;
     std::string message = "after step " + std::to_string(n) +
                           " the area swept in a unit of time is " + shown(now) + " instead of " +
                           shown(before) + ". ";
