@@ -37,6 +37,21 @@ auto fields(MassProperties& body) requires requires {
   body.centre_of_mass;
 }
 { return std::tie(body.mass, body.centre_of_mass, body.inertia); }
+template <class Quaternion>
+auto fields(Quaternion& q) requires requires {
+  q.imaginary;
+}
+{ return std::tie(q.real, q.imaginary); }
+template <class Top>
+auto fields(Top& top) requires requires {
+  top.inverse_moments;
+}
+{ return std::tie(top.orientation, top.angular_momentum_body, top.torque, top.inverse_moments); }
+template <class RigidBody>
+auto fields(RigidBody& body) requires requires {
+  body.top;
+}
+{ return std::tie(body.centre, body.top); }
 
 inline void put(std::string& line, double number) {
   char word[64];

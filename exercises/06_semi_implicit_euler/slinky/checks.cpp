@@ -1,0 +1,165 @@
+#include "a_slinky.hpp"
+
+#include <exercise/judge.hpp>
+#include <tumble/particle.hpp>
+
+using namespace tumble;
+using namespace tumble::exercise;
+using course::Slinky;
+
+namespace {
+
+template <class Real>
+using Beads = std::vector<Particle<Real>>;
+
+template <class Real>
+Real height_of_centre(const Beads<Real>& beads) {
+  Real sum = 0;
+  for (const Particle<Real>& bead : beads) sum += bead.position.z();
+  return sum / Real(beads.size());
+}
+
+/// The judge's own slinky in balance.
+template <class Real>
+Beads<Real> hanging() {
+  Beads<Real> beads;
+  double height = 0;
+  for (int i = 0; i < Slinky::beads; ++i) {
+    beads.push_back(make_particle(Real(Slinky::mass), Vec3<Real>(0, 0, Real(height))));
+    height -= Slinky::closed +
+              (Slinky::beads - 1 - i) * Slinky::mass * Slinky::gravity / Slinky::stiffness;
+  }
+  return beads;
+}
+
+/// For how long the lower end hovers, s: until the centre has fallen down to where it is.
+double hovering_time() {
+  const auto beads = hanging<double>();
+  return std::sqrt(2 * (height_of_centre(beads) - beads.back().position.z()) / Slinky::gravity);
+}
+
+const int steps_a_second = 960;
+
+template <class Real>
+Beads<Real> fallen(int steps) {
+  const auto beads =
+      ask<Beads<Real>>("dropped", hanging<Real>(), Real(Slinky::stiffness), Real(Slinky::closed),
+                       Real(Slinky::gravity), Real(1) / steps_a_second, steps);
+  require(beads.size() == Slinky::beads,
+          "24 beads went in, and " + std::to_string(beads.size()) + " came out");
+  return beads;
+}
+
+}  // namespace
+
+EXERCISE_CHECK("A spring pulls by what it is longer than closed, along itself") {
+  using Vector = Vec3<Real>;
+  const Real mass = Real(Slinky::mass), k = Real(Slinky::stiffness), closed = Real(Slinky::closed);
+  const Vector way(Real(0.24), Real(0.3), Real(-0.32)), along = way / Real(0.5);
+  const auto upper = make_particle(mass, Vector(1, 2, 3)),
+             lower = make_particle(mass, Vector(Vector(1, 2, 3) + way));
+  const Vector truth = k * (Real(0.5) - closed) * along;
+  // The way between places near 3 rounds as they do.
+  const double tolerance = double(k) * 16 * 4 * unit_roundoff<Real>;
+  Found("the force of a spring of half a metre on its upper bead", "N",
+        ask<Vector>("spring_force", upper, lower, k, closed))
+      .mistake(-truth, "it pushes the upper bead up. A stretched spring pulls its ends together")
+      .mistake(k * way, "the spring is 0.0025 m long when nothing pulls; only what is more counts")
+      .mistake(k * (Real(0.5) - closed) * way,
+               "the way is 0.5 m long itself. Divide by its length to keep the direction only")
+      .mistake((Real(0.5) - closed) * along, "the stiffness is missing")
+      .must_be(truth, tolerance);
+}
+
+EXERCISE_CHECK("Hung up, each spring carries the beads below it") {
+  for (const int count : {Slinky::beads, 3}) {
+    const auto beads =
+        ask<Beads<Real>>("hung_up", count, Real(Slinky::mass), Real(Slinky::stiffness),
+                         Real(Slinky::closed), Real(Slinky::gravity));
+    require(int(beads.size()) == count,
+            "asked for " + std::to_string(count) + " beads, got " + std::to_string(beads.size()));
+    const double one = Slinky::mass * Slinky::gravity / Slinky::stiffness;
+    for (int i = count - 2; i >= 0; --i) {
+      const auto at = [&](int n) { return beads[std::size_t(n)].position.z(); };
+      const auto length = [&](double carried) { return Real(Slinky::closed + carried * one); };
+      Found("of " + std::to_string(count) + " beads, the length of the spring below number " +
+                std::to_string(i + 1),
+            "m", at(i) - at(i + 1))
+          .mistake(-length(count - 1 - i), "it hangs upward. z points up, so the beads go down")
+          .mistake(length(count - 1 - i) - Real(Slinky::closed),
+                   "that is what it is stretched by. It is also as long as a closed spring")
+          .mistake(Real(Slinky::closed), "it is closed, as if nothing hung on it")
+          .mistake(length(count - i),
+                   "it carries one bead too many: a bead hangs on the spring above it")
+          .mistake(length(count), "it carries all beads. Those above it hang on other springs")
+          .mistake(length(i + 1), "it carries the beads above it. They hang on other springs")
+          .mistake(length(i), "it carries the beads above it. They hang on other springs")
+          .must_be(length(count - 1 - i), double(4 * count) * unit_roundoff<Real>);
+    }
+  }
+}
+
+EXERCISE_CHECK("Let go, the slinky's centre falls as a stone does") {
+  const double h = 1.0 / steps_a_second, from = height_of_centre(hanging<double>());
+  for (const int steps : {1, 96, 384}) {
+    const auto beads = fallen<Real>(steps);
+    const double t = steps * h, stone = -Slinky::gravity * (t * t + h * t) / 2;
+    const auto place = [&](double fall) { return Real(from + fall); };
+    Found("the height of the centre " + shown(t) + " s after the slinky was let go", "m",
+          height_of_centre(beads))
+        .mistake(place(0), "it has not fallen at all. Is gravity among the forces?")
+        .mistake(place(stone * (Slinky::beads + 1) / 2.0),
+                 "it is torn down. A spring pulls at both its ends: what the upper one gets, does "
+                 "the lower one get it with a minus?")
+        .mistake(place(2 * stone), "it falls twice as fast as a stone. Does gravity come in twice?")
+        .mistake(place(-Slinky::gravity * (t * t - h * t) / 2),
+                 "the drift came before the kick. Chapter 6 wants them the other way round")
+        .must_be(place(stone), double(steps * 16 * 2) * unit_roundoff<Real>);
+    for (const Particle<Real>& bead : beads)
+      require(bead.force.isZero(0), "after a step the force " + shown(bead.force) +
+                                        " N is left. It would act again in the next: clear it");
+  }
+}
+
+EXERCISE_CHECK("The lowest coil hovers until the others have come down to it") {
+  const auto start = hanging<Real>();
+  const Real lower_end = start.back().position.z();
+  const double time = hovering_time();
+  const auto late = fallen<Real>(int(0.9 * time * steps_a_second));
+  const Real fallen_by = lower_end - late.back().position.z();
+  // By the springs alone it has been told n g t² (w t)^(2n-2) / (2n)! m by then, less than 1e-8.
+  // The springs' lengths are rounded, and so each bead is pulled by that much too little or too
+  // much.
+  const double rounding =
+      time * time / 2 * Slinky::stiffness / Slinky::mass * 4 * 1.2 * double(unit_roundoff<Real>);
+  require(std::abs(double(fallen_by)) < 1e-8 + rounding,
+          "the lower end has fallen by " + shown(fallen_by) + " m after nine tenths of the " +
+              shown(time) +
+              " s. Nothing has reached it yet: in balance it has no reason to fall. Has it its "
+              "weight and the pull of its spring, both?");
+  const Real top = late.front().position.z();
+  require(top < lower_end * Real(0.8),
+          "by then the upper end is at " + shown(top) +
+              " m. It should have come down nearly to the lower end, at " + shown(lower_end) +
+              " m");
+  const auto after = fallen<Real>(int(1.1 * time * steps_a_second));
+  require(after.back().position.z() < lower_end - Real(0.01),
+          "after the " + shown(time) + " s the lower end still hovers. Do the coils meet it?");
+}
+
+EXERCISE_CHECK("No coil passes through another") {
+  for (const double part : {0.2, 0.5, 0.8, 1.0}) {
+    const auto beads = fallen<Real>(int(part * hovering_time() * steps_a_second));
+    for (std::size_t i = 0; i + 1 < beads.size(); ++i) {
+      const Real gap = beads[i].position.z() - beads[i + 1].position.z();
+      const std::string which =
+          "coil " + std::to_string(i + 1) + " is " + shown(gap) + " m above the next";
+      require(gap > 0,
+              which + ": it has fallen through it. Call keep_apart between kick and drift");
+      // Its sweeps leave a part of the blows undone, less than a tenth of a closed spring.
+      require(gap > Real(0.9 * Slinky::closed),
+              which + ", nearer than a closed spring, " + shown(Slinky::closed) +
+                  " m. Does keep_apart stand between kick and drift?");
+    }
+  }
+}

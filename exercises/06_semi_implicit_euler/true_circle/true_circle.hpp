@@ -1,0 +1,20 @@
+/// @file
+/// Exercise: a step that reads the same backwards, and what it keeps.
+#pragma once
+
+#include <exercise/todo.hpp>
+#include <tumble/force.hpp>
+
+/// One step of `time_step` seconds (h) of a weight on a spring of `stiffness` N/m (k) that pulls it
+/// to the origin, F = −k x: half a kick, a drift, half a kick. No force is left behind.
+template <class Real>
+void symmetric_step(tumble::Particle<Real>& weight, Real stiffness, Real time_step) {
+  todo("half a kick, a drift, half a kick, each with the force of its place");
+}
+
+/// What symmetric_step() leaves unchanged, in J: ½ m (v² + α w² x²), w² = k/m, with an α that goes
+/// to 1 as the step goes to zero.
+template <class Real>
+Real kept(const tumble::Particle<Real>& weight, Real stiffness, Real time_step) {
+  todo("half of m times the combination of v² and w² x² that the step keeps");
+}

@@ -1,0 +1,18 @@
+/// @file
+/// Exercise: the orientations between two others.
+#pragma once
+
+#include <exercise/todo.hpp>
+#include <tumble/rotation_vector.hpp>
+
+/// The orientation after the `part` (0 to 1) of the shortest way from p to q, turning steadily
+/// about one axis. Both have norm 1 and lead from body axes to world axes.
+template <class Real>
+tumble::Quaternion<Real> between(const tumble::Quaternion<Real>& p,
+                                 const tumble::Quaternion<Real>& q, Real part) {
+  //! [solution] the part of the turn that leads from p to q, after p
+  using namespace tumble;
+  const Vec3<Real> turn = part * rotation_vector_of(q * conjugate(p));
+  return quaternion_of_rotation_vector(turn) * p;
+  //! [end]
+}

@@ -1,0 +1,34 @@
+// caught by: The pair moves as fast as the momenta of both say, at the mean of their places
+// message: that is the mean of the velocities
+#pragma once
+
+#include <tumble/rigid_body.hpp>
+
+template <class Real>
+tumble::Vec3<Real> common_centre(const tumble::RigidBody<Real>& a,
+                                 const tumble::RigidBody<Real>& b) {
+  using namespace tumble;
+  const Real mass_a = mass_of(a.centre), mass_b = mass_of(b.centre);
+  return (mass_a * a.centre.position + mass_b * b.centre.position) / (mass_a + mass_b);
+}
+
+template <class Real>
+tumble::Vec3<Real> common_velocity(const tumble::RigidBody<Real>& a,
+                                   const tumble::RigidBody<Real>& b) {
+  using namespace tumble;
+  return (a.centre.velocity + b.centre.velocity) / 2;
+}
+
+template <class Real>
+tumble::Vec3<Real> common_spin(const tumble::RigidBody<Real>& a, const tumble::RigidBody<Real>& b) {
+  using namespace tumble;
+  const Vec3<Real> centre = common_centre(a, b);
+  Vec3<Real> angular_momentum = Vec3<Real>::Zero();
+  Mat3<Real> inertia = Mat3<Real>::Zero();
+  for (const RigidBody<Real>& body : {a, b}) {
+    angular_momentum += angular_momentum_about(body, centre);
+    inertia += world_inertia(body.top) +
+               inertia_of_particle<Real>(mass_of(body.centre), body.centre.position - centre);
+  }
+  return inertia.inverse() * angular_momentum;
+}

@@ -1,0 +1,23 @@
+// caught by: Half the step, a quarter of the error
+// message: half the step, half the error
+#pragma once
+
+#include <tumble/force.hpp>
+
+template <class Real>
+void symmetric_step(tumble::Particle<Real>& weight, Real stiffness, Real time_step) {
+  using namespace tumble;
+  add_force(weight, -stiffness * weight.position);
+  kick(weight, time_step);
+  drift(weight, time_step);
+  clear_force(weight);
+}
+
+template <class Real>
+Real kept(const tumble::Particle<Real>& weight, Real stiffness, Real time_step) {
+  const Real square = stiffness * weight.inverse_mass;
+  const Real leaning_back = 1 - square * time_step * time_step / 4;
+  return tumble::mass_of(weight) *
+         (weight.velocity.squaredNorm() + leaning_back * square * weight.position.squaredNorm()) /
+         2;
+}

@@ -1,0 +1,30 @@
+// caught by: Ordered upside down, it turns over and stays so
+// message: do they come in at the right moment
+#pragma once
+
+#include <tumble/splitting.hpp>
+
+template <class Real>
+void set_booms(tumble::Top<Real>& top, const tumble::Vec3<Real>& hull, Real mass, Real reach) {
+  const Real added = 2 * mass * reach * reach;
+  const tumble::Vec3<Real> moments = hull + tumble::Vec3<Real>(0, added, added);
+  top.inverse_moments = moments.cwiseInverse();
+}
+
+template <class Real>
+bool booms_out(const tumble::Top<Real>& top, bool) {
+  const bool upside_down = top.angular_momentum_body.x() < 0;
+  return !upside_down;
+}
+
+template <class Real>
+tumble::Top<Real> flown(tumble::Top<Real> top, const tumble::Vec3<Real>& hull, Real mass,
+                        Real reach, Real time_step, int steps) {
+  bool out = false;
+  for (int n = 0; n < steps; ++n) {
+    out = booms_out(top, out);
+    set_booms(top, hull, mass, out ? reach : 0);
+    turn_by_splitting(top, time_step);
+  }
+  return top;
+}
