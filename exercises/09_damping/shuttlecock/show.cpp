@@ -30,15 +30,15 @@ int main(int, char** arguments) {
     const Vec3d still = Vec3d::Zero();
 
     course::Recording recording("A smash, a clear and a drop", between);
-    // The court, and shuttles four times as large as life.
+    // The court, and shuttles eight times as large as life.
     recording.add_body("court",
                        {course::Part::box({13.4, 6.1, 0.02}).at(Posed{.position = {0, 0, -0.01}}),
                         course::Part::box({0.03, 6.1, 0.76}).at(Posed{.position = {0, 0, 1.17}})});
     const std::vector<course::Part> shuttle = {
-        course::Part::sphere(0.07).at(Posed{.position = {0, 0, 0.14}}),
-        course::Part::cone(0.14, 0.3)};
+        course::Part::sphere(0.13).at(Posed{.position = {0, 0, 0.26}}),
+        course::Part::cone(0.26, 0.55)};
     for (const char* name : {"smash", "clear", "drop"}) recording.add_body(name, shuttle);
-    recording.add_body("the clear, damped", {course::Part::sphere(0.06)});
+    recording.add_body("the clear, damped", {course::Part::sphere(0.13)});
 
     std::vector<Particled> flying_ones = {
         make_particle<double>(mass, {-4, -1.8, 2.7}, {96, 0, -22}),
