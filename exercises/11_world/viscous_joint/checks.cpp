@@ -110,7 +110,8 @@ EXERCISE_CHECK("A pair gains no angular momentum from its joint") {
 }
 
 EXERCISE_CHECK("The joint takes away c times the square of the sliding speed, and never gives") {
-  const auto [a, b] = two<Real>();
+  const auto both = two<Real>();  // no names of its parts: a lambda could not see them
+  const Moving<Real>&a = both.first, &b = both.second;
   const Real c = Real(0.75);
   const auto push = pushed<Real>(c, a, b);
   const auto power = [&](const Pushed<Real>& p) {
