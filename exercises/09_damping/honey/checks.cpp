@@ -1,0 +1,128 @@
+#include <exercise/judge.hpp>
+#include <tumble/particle.hpp>
+
+using namespace tumble;
+using namespace tumble::exercise;
+
+namespace {
+
+/// What the exact motion makes of one coordinate.
+struct Motion {
+  double position, velocity;
+};
+
+/// From the origin, in long double, which is witness enough where z is not small.
+Motion exact(double velocity, double acceleration, double rate, double time) {
+  const long double k = rate, t = time, z = k * t, v = velocity, a = acceleration;
+  const long double kept = expl(-z), part = -expm1l(-z);
+  return {double(v * part / k + a * (z - part) / (k * k)), double(v * kept + a * part / k)};
+}
+
+template <class Real>
+Particle<Real> bead(double velocity, double acceleration) {
+  const Real mass = 2;
+  auto particle = make_particle<Real>(mass, Vec3<Real>::Zero(), Vec3<Real>(0, 0, Real(velocity)));
+  particle.force = Vec3<Real>(0, 0, mass * Real(acceleration));
+  return particle;
+}
+
+template <class Real>
+Particle<Real> stepped(Particle<Real> particle, double rate, double time_step, int steps) {
+  const Vec3<Real> force = particle.force;
+  for (int n = 0; n < steps; ++n) {
+    particle = ask<Particle<Real>>("step_through_honey", particle, Real(rate), Real(time_step));
+    particle.force = force;  // a constant force, whether the step clears it or not
+  }
+  return particle;
+}
+
+template <class Real>
+constexpr double few_roundings = 16 * unit_roundoff<Real>;
+
+}  // namespace
+
+EXERCISE_CHECK("A bead at its terminal speed F/(m k) keeps it, however long the step") {
+  const double a = -8, k = parameter("rate"), terminal = a / k;
+  for (const double z : {0.25, 1.0, 8.0}) {
+    const double h = z / k, kept = std::exp(-z);
+    const auto end = stepped(bead<Real>(terminal, a), k, h, 1);
+    Found("after a step of " + shown(h) + " s at the terminal speed, the velocity", "m/s",
+          double(end.velocity.z()))
+        .mistake((terminal + h * a) * kept,
+                 "that is kicked first and damped then, as in the chapter. Here both happen all "
+                 "the time: solve v' = F/m - k v")
+        .mistake(terminal * kept + h * a,
+                 "that is damped first and kicked then, by the whole of h F/m. The honey takes "
+                 "from the kick too")
+        .mistake(terminal * kept, "it only fades. Where is the force?")
+        .mistake(terminal * kept + h * 2 * a * (1 - kept) / z,
+                 "it falls twice as hard as it should: is the mass, 2 kg, forgotten?")
+        .must_be(terminal, few_roundings<Real> * std::abs(terminal));
+    Found("and the way in that step", "m", double(end.position.z()))
+        .must_be(terminal * h, few_roundings<Real> * std::abs(terminal * h));
+  }
+}
+
+EXERCISE_CHECK("It does not matter into how many steps the time is cut") {
+  const double k = parameter("rate"), time = 1.5, v = 4, a = -8;
+  const auto [position, velocity] = exact(v, a, k, time);
+  for (const int steps : {1, 2, 12}) {
+    const auto end = stepped(bead<Real>(v, a), k, time / steps, steps);
+    const double h = time / steps, z = k * h, kept = std::exp(-z), part = -std::expm1(-z) / z;
+    // The ways to be wrong, along the exact velocities.
+    double by_last = 0, by_mean = 0, by_parabola = 0, now = v;
+    for (int n = 0; n < steps; ++n) {
+      const double next = kept * now + h * a * part;
+      by_last += h * next;
+      by_mean += h * (now + next) / 2;
+      by_parabola += h * part * now + h * h / 2 * a;
+      now = next;
+    }
+    const std::string when = "after " + shown(time) + " s in " + std::to_string(steps) + " steps ";
+    // Numbers below 2 a/k in size, and some sixteen roundings a step.
+    const double tolerance = steps * few_roundings<Real> * (std::abs(v) + 2 * std::abs(a) * time);
+    Found(when + "the velocity", "m/s", double(end.velocity.z())).must_be(velocity, tolerance);
+    Found(when + "the position", "m", double(end.position.z()))
+        .mistake(by_last,
+                 "that is moved with the velocity at the end of the step. The way is the integral "
+                 "of the velocity over the step")
+        .mistake(by_mean,
+                 "that is moved with the mean of the two velocities. It was exact on a parabola; "
+                 "here the velocity bends within the step")
+        .mistake(by_parabola,
+                 "the way of the velocity is right, but the force's part, h² a / 2, knows nothing "
+                 "of the honey")
+        .must_be(position, tolerance);
+  }
+}
+
+EXERCISE_CHECK("Without honey it follows the parabola") {
+  const auto end = stepped(bead<Real>(4, -8), 0, 0.5, 2);
+  const std::string message =
+      "with k = 0 a fraction became 0/0. Its limit is 1, or 1/2: say so, or take a series";
+  Found("after 1 s without honey, the velocity", "m/s", double(end.velocity.z()))
+      .not_a_number(message)
+      .must_be(-4, 16 * few_roundings<Real>);
+  Found("after 1 s without honey, the position", "m", double(end.position.z()))
+      .not_a_number(message)
+      .must_be(0, 16 * few_roundings<Real>);
+}
+
+EXERCISE_CHECK("In thin air no digit is lost") {
+  const double z = std::ldexp(1.0, -20), h = 2, a = -8;
+  const auto end = stepped(bead<Real>(0, a), z / h, h, 1);
+  // Terms of third order in z are far below one rounding.
+  const double velocity = h * a * (1 - z / 2 + z * z / 6);
+  const double position = h * h / 2 * a * (1 - z / 3 + z * z / 12);
+  const auto look = [](const char* what, const char* unit, double found, double truth) {
+    const double off = std::abs(found - truth) / std::abs(truth);
+    if (off > few_roundings<Real> && off < 0.1)
+      fail(std::string(what) + " is wrong by " + shown(off) +
+           " of itself, far more than rounding. The formula is right, but where k h is small it "
+           "subtracts numbers that are nearly equal. expm1, or a few terms of a series, keep the "
+           "digits");
+    Found(what, unit, found).must_be(truth, few_roundings<Real> * std::abs(truth));
+  };
+  look("with k h = 2^-20, the velocity from rest", "m/s", double(end.velocity.z()), velocity);
+  look("with k h = 2^-20, the position from rest", "m", double(end.position.z()), position);
+}

@@ -1,0 +1,41 @@
+/// @file
+/// Lab: how a shuttlecock flies.
+#pragma once
+
+#include <exercise/todo.hpp>
+#include <tumble/drag.hpp>
+#include <tumble/particle.hpp>
+
+/// How fast everything falls that meets no air, m/s².
+template <class Real>
+constexpr Real gravity = Real(9.81);
+
+/// The c in kg/m of the drag c |u| u on a body of `mass` kg that falls with `terminal_speed` m/s in
+/// the end.
+template <class Real>
+Real coefficient_of(Real mass, Real terminal_speed) {
+  todo("the coefficient with which drag and weight balance at the terminal speed");
+}
+
+/// The velocity (m/s) that drag alone leaves of `velocity` after `time` seconds, in air that moves
+/// with `wind` (m/s). `mass` in kg, `coefficient` in kg/m. Exact, however long the time is.
+template <class Real>
+tumble::Vec3<Real> slowed(const tumble::Vec3<Real>& velocity, const tumble::Vec3<Real>& wind,
+                          Real mass, Real coefficient, Real time) {
+  todo("the exact decay of the motion through the air");
+}
+
+/// One step of `time_step` seconds: kicked by gravity, slowed by the air, moved.
+template <class Real>
+void step_shuttle(tumble::Particle<Real>& shuttle, const tumble::Vec3<Real>& wind, Real coefficient,
+                  Real time_step) {
+  todo("the kick of gravity, the decay by drag, and the drift");
+}
+
+/// The shuttle after `steps` steps.
+template <class Real>
+tumble::Particle<Real> flown(tumble::Particle<Real> shuttle, const tumble::Vec3<Real>& wind,
+                             Real coefficient, Real time_step, int steps) {
+  for (int n = 0; n < steps; ++n) step_shuttle<Real>(shuttle, wind, coefficient, time_step);
+  return shuttle;
+}

@@ -1,0 +1,123 @@
+#include <exercise/judge.hpp>
+
+using namespace tumble;
+using namespace tumble::exercise;
+
+namespace {
+
+/// Momenta of very different size, 2^-10 to 2^9, of both signs.
+template <class Real>
+std::vector<Real> momenta(int count) {
+  std::vector<Real> values;
+  std::uint32_t state = 2463534242;  // G. Marsaglia's xorshift, with his own start
+  for (int n = 0; n < count; ++n) {
+    state ^= state << 13;
+    state ^= state >> 17;
+    state ^= state << 5;
+    const double part = state / 4294967296.0 - 0.5;
+    values.push_back(static_cast<Real>(std::ldexp(part, static_cast<int>(state % 20) - 9)));
+  }
+  return values;
+}
+
+const double fine_tick = std::ldexp(1.0, -20);
+
+template <class Real>
+Real sum_on(const std::vector<Real>& values, double tick, int workers) {
+  return ask<Real>("sum_on", values, Real(tick), workers);
+}
+
+template <class Real>
+std::string all_digits(Real number) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*g", std::numeric_limits<Real>::max_digits10, double(number));
+  return text;
+}
+
+template <class Real>
+double exact_sum(const std::vector<Real>& values) {
+  long double sum = 0;
+  for (const Real value : values) sum += static_cast<long double>(value);
+  return static_cast<double>(sum);
+}
+
+}  // namespace
+
+EXERCISE_CHECK("Any number of workers makes the same sum, to the bit") {
+  const auto values = momenta<Real>(2000);
+  const Real alone = sum_on<Real>(values, fine_tick, 1);
+  require(std::abs(double(alone) - exact_sum(values)) < 1,
+          "one worker sums two thousand momenta to " + shown(alone) + " kg m/s; it must be near " +
+              shown(exact_sum(values)));
+  for (const int workers : {2, 3, 4, 7, 64}) {
+    const Real together = sum_on<Real>(values, fine_tick, workers);
+    require(together == alone,
+            "one worker finds " + all_digits(alone) + " kg m/s and " + std::to_string(workers) +
+                " find " + all_digits(together) +
+                ". What does a worker lose that another would not? A worker that rounds its *sum* "
+                "rounds another number than the next; round each value, and sum whole numbers");
+  }
+}
+
+EXERCISE_CHECK("The bodies may stand in any order") {
+  auto values = momenta<Real>(2000);
+  const Real sum = sum_on<Real>(values, fine_tick, 3);
+  require(std::abs(double(sum) - exact_sum(values)) < 1,
+          "three workers sum two thousand momenta to " + shown(sum) + " kg m/s; it must be near " +
+              shown(exact_sum(values)));
+  const auto look = [&](const char* order) {
+    const Real other = sum_on<Real>(values, fine_tick, 3);
+    require(other == sum, "the same bodies " + std::string(order) + " have " + all_digits(other) +
+                              " kg m/s in place of " + all_digits(sum) +
+                              ". Is something added up before it is a whole number?");
+  };
+  std::reverse(values.begin(), values.end());
+  look("from the last to the first");
+  std::sort(values.begin(), values.end());
+  look("sorted by momentum");
+}
+
+EXERCISE_CHECK("The sum is off by at most half a tick for each value, either way") {
+  const auto of = [](Real each, int count) {
+    return sum_on<Real>(std::vector<Real>(static_cast<std::size_t>(count), each), 1, 2);
+  };
+  Found("a hundred times -0.25 ticks, each rounded to the nearest, makes", "ticks",
+        of(Real(-0.25), 100))
+      .mistake(-100, "each was rounded down. The nearest to -0.25 is 0")
+      .must_be(0, 0);
+  Found("and a hundred times 0.75 ticks", "ticks", of(Real(0.75), 100))
+      .mistake(0, "each lost its digits: a cast cuts them off. Take the nearest, with std::llround")
+      .mistake(75, "nothing was rounded. Then how is the sum one of whole numbers?")
+      .must_be(100, 0);
+  Found("and a hundred times -0.75 ticks", "ticks", of(Real(-0.75), 100))
+      .mistake(0, "each lost its digits: a cast cuts them off. Take the nearest, with std::llround")
+      .mistake(-75, "nothing was rounded. Then how is the sum one of whole numbers?")
+      .must_be(-100, 0);
+  const auto values = momenta<Real>(2000);
+  const double truth = exact_sum(values), found = double(sum_on<Real>(values, fine_tick, 4));
+  // Half a tick a value, and the one rounding of the result.
+  const double bound = 2000 * fine_tick / 2 + unit_roundoff<Real> * std::abs(truth);
+  require(std::abs(found - truth) <= bound,
+          "two thousand momenta sum to " + all_digits(Real(found)) + " kg m/s, which is off by " +
+              shown(std::abs(found - truth)) + "; half a tick for each allows " + shown(bound));
+}
+
+EXERCISE_CHECK("What is no number or beyond 2^40 ticks is refused, what is just within is not") {
+  const auto refused = [](Real value, const std::string& what) {
+    ask_refusal("a summand of " + what + " was summed. " +
+                    (std::isnan(value)
+                         ? "No comparison with NaN is true; ask whether it *is* within, and "
+                           "refuse if not"
+                         : "A conversion to an integer that doesn't fit is undefined: refuse it "
+                           "before"),
+                "sum_on", std::vector<Real>{1, value, 2}, Real(1), 2);
+  };
+  const Real most = std::ldexp(Real(1), 40);
+  refused(std::numeric_limits<Real>::infinity(), "infinity");
+  refused(std::ldexp(Real(1), 41), "2^41 ticks");
+  refused(-std::ldexp(Real(1), 70), "-2^70 ticks");
+  refused(std::numeric_limits<Real>::quiet_NaN(), "NaN");
+  Found("a sum of 2^40 ticks, one of its opposite and one of 3", "ticks",
+        sum_on<Real>({most, 3, -most}, 1, 2))
+      .must_be(3, 0);
+}

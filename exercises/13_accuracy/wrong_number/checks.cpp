@@ -1,0 +1,70 @@
+#include <exercise/judge.hpp>
+#include <tumble/compositions.hpp>
+
+using namespace tumble;
+using namespace tumble::exercise;
+
+namespace {
+
+const Vec3d start(0.6, 1.2, -0.9);
+
+/// By the chapter's row of eighth order.
+Vec3d truth(double time) {
+  Topd top;
+  top.inverse_moments = {1, 0.5, 1.0 / 3};
+  top.angular_momentum_body = start;
+  const int steps = 400;
+  for (int n = 0; n < steps; ++n) turn_by_row<KahanLiEighth>(top, time / steps);
+  return top.angular_momentum_body;
+}
+
+/// A table whose sums are wrong needs no other check.
+template <class Real>
+void require_sums() {
+  const Real off = ask<Real>("astray");
+  require(off <= 16 * unit_roundoff<Real>,
+          "the weights must make up 1, and each row of looks its node, else even a steady turn "
+          "goes astray: "
+          "here one of these sums is off by " +
+              shown(off) + ". They were right before");
+}
+
+}  // namespace
+
+EXERCISE_CHECK("Looks that are led by looks are weighed as they should: the sum of chains is 1/6") {
+  require_sums<Real>();
+  Found("the sum of weight times look times node", "", double(ask<Real>("sum_of_chains")))
+      .mistake(
+          1.0 / 12,
+          "that is the table as you got it. The weights and nodes are right; look at what leads "
+          "a look")
+      .mistake(0, "it is the right pair of numbers, the wrong way round")
+      .mistake(1.0 / 24,
+               "the third look follows the first alone now, as if the second had not been made")
+      .mistake(1.0 / 8,
+               "the third look follows the second alone now. That is how Kutta's other rule does "
+               "it, with "
+               "other nodes")
+      .must_be(1.0 / 6, 4 * unit_roundoff<Real>);
+}
+
+EXERCISE_CHECK("With half the step the error of a tumbling top is a sixteenth") {
+  require_sums<Real>();
+  const double time = 4;
+  static const Vec3d where = truth(time);
+  const auto error = [&](int steps) {
+    const auto found = ask<Vec3<Real>>("momentum_after", Vec3<Real>(start.cast<Real>()),
+                                       Real(time / steps), steps);
+    return (found.template cast<double>() - where).norm();
+  };
+  const double coarse = error(8), fine = error(16);
+  const std::string runs = "in 8 steps the error is " + shown(coarse) +
+                           " kg m²/s and in 16 steps " + shown(fine) +
+                           ". Half the step divides it by " + shown(coarse / fine) + "; ";
+  require(
+      coarse / fine > 6,
+      runs + "that is a rule of second order, which pays for four looks and has the worth of two");
+  require(coarse / fine > 11, runs + "that is a rule of third order");
+  // The next order makes some part more or less of it at such steps.
+  require(coarse / fine < 40, runs + "a rule of fourth order divides it by 16");
+}

@@ -1,0 +1,22 @@
+// caught by: In thin air no digit is lost
+// message: subtracts numbers that are nearly equal
+#pragma once
+
+#include <cmath>
+#include <tumble/damping.hpp>
+
+template <class Real>
+void step_through_honey(tumble::Particle<Real>& bead, Real rate, Real time_step) {
+  const Real z = rate * time_step;
+  const Real first = z > 0 ? (1 - std::exp(-z)) / z : Real(1);
+  Real second = 1;
+  if (z >= 1)
+    second = 2 * (z + std::expm1(-z)) / (z * z);
+  else
+    for (int n = 20; n >= 3; --n) second = 1 - z / Real(n) * second;
+
+  const tumble::Vec3<Real> acceleration = bead.inverse_mass * bead.force;
+  bead.position += time_step * (first * bead.velocity + time_step / 2 * second * acceleration);
+  bead.velocity =
+      tumble::fraction_kept(rate, time_step) * bead.velocity + time_step * first * acceleration;
+}

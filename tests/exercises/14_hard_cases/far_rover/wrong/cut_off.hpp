@@ -1,0 +1,43 @@
+// caught by: Then no offset is beyond half a cell, however far it was and to either side
+// message: Round to the nearest; a cast cuts off
+#pragma once
+
+#include <cmath>
+#include <tumble/far_from_origin.hpp>
+#include <tumble/real.hpp>
+
+template <class Real>
+constexpr Real cell_size = Real(1024);
+
+template <class Real>
+void settle(tumble::Vec3<Real>& cell, tumble::Vec3<Real>& offset) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const Real whole = std::trunc(offset[axis] / cell_size<Real>);
+    cell[axis] += whole;
+    offset[axis] -= whole * cell_size<Real>;
+  }
+}
+
+template <class Real>
+tumble::Vec3<Real> way_between(const tumble::Vec3<Real>& from_cell,
+                               const tumble::Vec3<Real>& from_offset,
+                               const tumble::Vec3<Real>& to_cell,
+                               const tumble::Vec3<Real>& to_offset) {
+  return cell_size<Real> * (to_cell - from_cell) + (to_offset - from_offset);
+}
+
+template <class Real>
+Real slowest_drive(Real time_step) {
+  return tumble::slowest_drift_at<Real>(std::nextafter(cell_size<Real> / 2, Real(0)), time_step);
+}
+
+template <class Real>
+tumble::Vec3<Real> driven(const tumble::Vec3<Real>& cell, const tumble::Vec3<Real>& offset,
+                          const tumble::Vec3<Real>& velocity, Real time_step, int steps) {
+  tumble::Vec3<Real> to_cell = cell, to_offset = offset;
+  for (int n = 0; n < steps; ++n) {
+    to_offset += time_step * velocity;
+    settle<Real>(to_cell, to_offset);
+  }
+  return way_between<Real>(cell, offset, to_cell, to_offset);
+}
