@@ -7,9 +7,8 @@ scene_packages="nlohmann-json3-dev libcxxopts-dev" # scene files and simulate, i
 truth_packages="libboost-dev" # exact solutions, and Odeint to compare with, in chapter 13
 speed_packages="ninja-build:ninja ccache:ccache" # used when present, never required
 book_packages="doxygen:doxygen doxygen-awesome-css libjs-katex libjs-lunr nodejs:node gnuplot-nox:gnuplot graphviz:dot
-  libbenchmark-dev"
-test_packages="node-parse5 python3-jsonschema python3:python3" # the tests read the book's pages, judge scene files and
-  # try the exercises' tools with them
+  python3:python3 libbenchmark-dev"
+test_packages="node-parse5 python3-jsonschema" # the tests read the book's pages and judge scene files with them
 browser_packages="chromium:chromium npm:npm"
 peer_packages="libbenchmark-dev libbullet-dev libode-dev libsimbody-dev" # bench measures, and measures with, these
 all_packages="clang:clang++ libclang-rt-dev clang-format:clang-format clang-tidy:clang-tidy shellcheck:shellcheck

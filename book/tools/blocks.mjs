@@ -4,9 +4,11 @@ import {dirname, join, normalize} from 'node:path';
 import {spawnSync} from 'node:child_process';
 import {map_of_chapters} from './chapter_map.mjs';
 import {check_line} from './checks.mjs';
+import {list_of_exercises, semester, wrong_answers} from './exercise_tables.mjs';
 import {figure, graph} from './figures.mjs';
 import {player} from './players.mjs';
 import {BookError} from './results.mjs';
+import {table} from './tables.mjs';
 import {cell, escape, listed, typeset} from './text.mjs';
 
 /** A link to a line of a source; the address of the source's page is filled in once Doxygen has made it. */
@@ -22,15 +24,6 @@ function parted(argument) {
   return bar < 0 ? [argument.trim(), ''] : [argument.slice(0, bar).trim(), argument.slice(bar + 1).trim()];
 }
 
-/** A table as HTML: columns are {text, is_number}, rows hold text. */
-function table(caption, columns, rows, kind = 'table') {
-  const mark = column => (columns[column].is_number ? ' class="number"' : '');
-  const head = columns.map(({text}, column) => `<th scope="col"${mark(column)}>${escape(text)}</th>`).join('');
-  const body = rows.map(row => `<tr>${row.map((text, column) => `<td${mark(column)}>${escape(text)}</td>`).join('')}</tr>`);
-  return `<figure class="${kind}">${caption ? `<figcaption>${caption}</figcaption>` : ''}<div class="scroll">` +
-    `<table><thead><tr>${head}</tr></thead><tbody>${body.join('')}</tbody></table></div></figure>`;
-}
-
 /** How long the chapters take: prose at 120 words a minute, half as long again at the reader's own machine. */
 function reading_time(pages) {
   const words = pages.chapters.reduce((sum, page) => sum + page.text.split(/\s+/).length, 0);
@@ -41,7 +34,7 @@ function reading_time(pages) {
 export class Blocks {
   quoted = new Set(); // the checks that some page shows
 
-  constructor(settings, results, pages) {
+  constructor(settings, results, pages, exercises) {
     this.settings = settings;
     this.results = results;
     this.pages = pages;
@@ -56,6 +49,9 @@ export class Blocks {
       costs: (page, argument) => this.#costs(page, argument),
       map: () => this.#map(),
       chapters: () => this.#chapters(),
+      exercises: () => list_of_exercises(exercises, pages),
+      semester: (_, argument) => semester(argument, exercises, pages),
+      wrong_answers: () => wrong_answers(exercises, pages),
     };
   }
 

@@ -14,6 +14,7 @@ import {join} from 'node:path';
 import {BookError, Results} from './results.mjs';
 import {Directives} from './directives.mjs';
 import {Formulas} from './formulas.mjs';
+import {lines_of_section, read_exercises} from './exercises.mjs';
 import {finish_contents} from './contents.mjs';
 import {layout} from './layout.mjs';
 import {player_files} from './players.mjs';
@@ -143,7 +144,10 @@ function build() {
   mkdirSync(settings.work, {recursive: true});
   const pages = read_pages(settings.source, settings.floors);
   const results = new Results(settings.results);
-  const directives = new Directives(settings, results, pages);
+  const exercises = read_exercises(settings);
+  for (const page of pages.chapters)
+    if (!page.further) page.lines.push(...lines_of_section(page, exercises, pages));
+  const directives = new Directives(settings, results, pages, exercises);
   expand_pages(pages, directives);
   const written = run_doxygen(settings, pages.all);
 

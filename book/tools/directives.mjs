@@ -8,34 +8,32 @@ import {escape, typeset, typeset_in_formula} from './text.mjs';
 export class Directives {
   blocks = []; // the HTML that each marker stands for
 
-  constructor(settings, results, pages) {
-    this.makers = new Blocks(settings, results, pages);
+  constructor(settings, results, pages, exercises) {
+    this.makers = new Blocks(settings, results, pages, exercises);
   }
 
   /** The page's Markdown with every directive replaced; mistakes are added to `complaints`. */
   expand(page, complaints) {
     const folds = [];
     const inside = {code: false, formula: false};
-    const lines = page.text.split('\n').map((line, index) => {
+    const lines = page.lines.map(({text, html, place}) => {
       try {
-        return this.#expand_line(page, line, inside, folds, index + 1);
+        return html === undefined ? this.#expand_line(page, text, inside, folds, place) : this.#marker(html);
       } catch (error) {
         if (!(error instanceof BookError)) throw error;
-        complaints.push(`${page.path}:${index + 1}: ${error.message}`);
+        complaints.push(`${place}: ${error.message}`);
         return '';
       }
     });
-    for (const {title, line} of folds) {
-      complaints.push(`${page.path}:${line}: {{fold ${title}}} has no {{end}}`);
-    }
+    for (const {title, place} of folds) complaints.push(`${place}: {{fold ${title}}} has no {{end}}`);
     return lines.join('\n');
   }
 
-  #expand_line(page, line, inside, folds, number) {
+  #expand_line(page, line, inside, folds, place) {
     if (/^\s*(```|~~~)/.test(line)) inside.code = !inside.code;
     if (inside.code) return line;
     const block = /^(\s*)\{\{(?!value\b)(\w+)\s*(.*)\}\}\s*$/.exec(line);
-    if (block && !inside.formula) return block[1] + this.#block(page, block[2], block[3].trim(), folds, number);
+    if (block && !inside.formula) return block[1] + this.#block(page, block[2], block[3].trim(), folds, place);
     return line.split(/(\\f[$[\]])/).map(part => {
       if (part === '\\f$') inside.formula = !inside.formula;
       else if (part === '\\f[') inside.formula = true;
@@ -50,17 +48,17 @@ export class Directives {
       const value = this.makers.value_of(page, name.trim());
       return in_formula ? typeset_in_formula(value) : escape(typeset(value)).replace(/\u00a0/g, '&nbsp;');
     });
-    // A formula may hold double braces of its own.
-    const left = !in_formula && /\{\{(\w*)/.exec(expanded);
+    // A formula may hold double braces of its own, and how a task shows a number is told to whoever adds an exercise.
+    const left = !in_formula && /\{\{(?!parameter name\}\})(\w*)/.exec(expanded);
     if (left && left[1] in this.makers.kinds) throw new BookError(`{{${left[1]} ...}} must stand alone on one line`);
     if (left) throw this.#unknown(left[1]);
     return expanded;
   }
 
-  #block(page, name, argument, folds, line) {
+  #block(page, name, argument, folds, place) {
     if (name === 'fold') {
       if (!argument) throw new BookError('{{fold}} needs a title: {{fold Title}}');
-      folds.push({title: argument, line});
+      folds.push({title: argument, place});
       return this.#marker(`<details class="fold"><summary>${escape(argument)}</summary>`);
     }
     if (name === 'end') {
@@ -81,7 +79,7 @@ export class Directives {
   }
 
   #unknown(name) {
-    const known = ['value', 'snippet', ...Object.keys(this.makers.kinds), 'fold', 'end'].join(', ');
+    const known = ['value', 'section', 'snippet', ...Object.keys(this.makers.kinds), 'fold', 'end'].join(', ');
     return new BookError(`unknown directive {{${name}}}; there are ${known}`);
   }
 }

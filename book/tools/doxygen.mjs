@@ -16,6 +16,15 @@ export function write_expanded(folder, path, text) {
 
 const expanded_name = path => path.replace(/[() ]+/g, '_').replace(/(\.md)?$/, '.page');
 
+/** What Doxygen says of an expanded page, said of where its author wrote the line. */
+function with_places(said, file, page) {
+  return said
+    .split(`${file}:`)
+    .map((part, index) => (index ? part.replace(/^\d+/, line => page.lines[line - 1]?.place ?? `${page.path}:${line}`) : part))
+    .join('')
+    .replaceAll(file, page.path);
+}
+
 /** {file: {title, contents}}; a warning of Doxygen stops the book. */
 export function run_doxygen({doxygen, doxyfile, source, work}, pages) {
   const output = join(work, 'doxygen');
@@ -25,8 +34,7 @@ export function run_doxygen({doxygen, doxyfile, source, work}, pages) {
   const run = spawnSync(doxygen, [doxyfile], {cwd: work, encoding: 'utf8', maxBuffer: 1 << 28});
   if (run.error) throw run.error;
   const authors = text =>
-    pages
-      .reduce((said, page) => said.replaceAll(join(work, 'expanded', expanded_name(page.path)), page.path), text)
+    pages.reduce((said, page) => with_places(said, join(work, 'expanded', expanded_name(page.path)), page), text)
       .replaceAll(`${source}/`, '');
   const warnings = authors(readFileSync(join(work, 'warnings.log'), 'utf8') + (run.stderr ?? '')).trim();
   if (run.status !== 0 || warnings)

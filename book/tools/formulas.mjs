@@ -54,10 +54,10 @@ export class Formulas {
 }
 
 /** "path:line" of a formula; the reference has the name of its page alone. */
-function place_of(tex, {path, file, expanded}) {
+function place_of(tex, {path, file, lines, expanded}) {
   const first_line = tex.trim().split('\n')[0];
   const line = expanded?.split('\n').findIndex(text => text.includes(first_line)) ?? -1;
-  return line < 0 ? (path ?? file) : `${path}:${line + 1}`;
+  return line < 0 ? (path ?? file) : lines[line].place;
 }
 
 /** A page's text for the search, where a formula says little. */

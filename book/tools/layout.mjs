@@ -9,7 +9,7 @@ function navigation(pages, current) {
   const group = (title, list) => `<h2>${title}</h2><ul>${list.map(item).join('')}</ul>`;
   return (
     `<nav id="navigation" aria-label="Pages of the book">${group('Start', pages.front)}${group('Chapters', pages.chapters)}` +
-    `${group('Look up', pages.back)}</nav>`
+    `${group('Look up', pages.back)}${pages.teaching.length ? group('Teach', pages.teaching) : ''}</nav>`
   );
 }
 

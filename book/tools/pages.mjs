@@ -8,13 +8,33 @@ export function read_page(source, path, chapter = undefined) {
   const text = readFileSync(join(source, path), 'utf8');
   const heading = /^# (.+?) \{#(\w+)\}\s*\n/.exec(text);
   if (!heading) throw new BookError(`${path}:1: the first line must be "# Title {#address}"`);
-  return make_page(path, heading[1], heading[2], text, chapter);
+  const page = make_page(path, heading[1], heading[2], text, chapter);
+  return {...page, lines: page.lines.flatMap(line => with_sections(source, line))};
 }
 
 export function make_page(path, title, id, text, chapter = undefined) {
   const [name, question] = title.split(': ');
-  return {path, title, id, text, chapter, name, question, file: id === 'mainpage' ? 'index.html' : `${id}.html`};
+  return {path, title, id, text, lines: lines_of(path, text), chapter, name, question, file: id === 'mainpage' ? 'index.html' : `${id}.html`};
 }
+
+/** Where a line reads {{section FILE | Heading}}, what stands in that file under that heading. Its links become paths. */
+function with_sections(source, line) {
+  const [, path, heading] = /^\{\{section (\S+) \| (.+?)\}\}\s*$/.exec(line.text) ?? [];
+  if (!path) return line;
+  const complain = what => {
+    throw new BookError(`${line.place}: ${what}`);
+  };
+  if (!existsSync(join(source, path))) complain(`there is no file ${path}`);
+  const lines = lines_of(path, readFileSync(join(source, path), 'utf8'));
+  const first = lines.findIndex(({text}) => text === `## ${heading}`) + 1;
+  if (!first) complain(`${path} has no heading "## ${heading}"`);
+  const count = lines.slice(first).findIndex(({text}) => text.startsWith('## '));
+  return lines
+    .slice(first, count < 0 ? undefined : first + count)
+    .map(({text, place}) => ({text: text.replace(/\[[^\]]*\]\(([^():]*)\)/g, '`$1`'), place}));
+}
+
+const lines_of = (path, text) => text.split('\n').map((line, index) => ({text: line, place: `${path}:${index + 1}`}));
 
 /** What a header says of itself after @file. */
 function brief(source, path) {
@@ -52,7 +72,7 @@ function reference_page(source, floors, titles) {
   return {page: make_page('(made by the book) reference', 'Reference', 'reference', lines.join('\n')), headers};
 }
 
-/** {front, chapters, back, all}: floors are {name, folder}, from the ground up. */
+/** {front, chapters, back, teaching, all}: floors are {name, folder}, from the ground up. */
 export function read_pages(source, floors) {
   const front = ['index', 'how_to_read', 'conventions', 'chapter_map'].map(name =>
     read_page(source, `book/pages/${name}.md`),
@@ -73,10 +93,14 @@ export function read_pages(source, floors) {
   }
   const titles = new Map(chapters.filter(page => !page.further).map(page => [page.chapter, page.title]));
   const {page: reference, headers} = reference_page(source, floors, titles);
-  const back = [reference, read_page(source, 'book/pages/colophon.md')];
-  const all = [...front, ...chapters, ...back];
+  const [exercises, colophon] = ['exercises', 'colophon'].map(name => read_page(source, `book/pages/${name}.md`));
+  const back = [exercises, reference, colophon];
+  // A student's copy of the course has no notes for instructors.
+  const notes = 'exercises/instructor.md';
+  const teaching = existsSync(join(source, notes)) ? [read_page(source, notes)] : [];
+  const all = [...front, ...chapters, ...back, ...teaching];
   for (const page of all)
     if (all.find(other => other.id === page.id) !== page)
       throw new BookError(`${page.path}:1: the address {#${page.id}} is taken by another page`);
-  return {front, chapters, back, all, headers};
+  return {front, chapters, back, teaching, all, headers};
 }

@@ -35,12 +35,11 @@ function without_unindexed(html) {
   }
 }
 
-const words = html =>
-  plain(without_formulas(silent.reduce((text, pattern) => text.replace(pattern, ' '), without_unindexed(html))));
+const words = html => plain(without_formulas(silent.reduce((text, pattern) => text.replace(pattern, ' '), html)));
 
 /** The sections of a page: what stands before the first heading, then one for each heading. */
 export function sections(page, html) {
-  const parts = html.split(/<h[2-4] id="([^"]*)">([\s\S]*?)<\/h[2-4]>/);
+  const parts = without_unindexed(html).split(/<h[2-4] id="([^"]*)">([\s\S]*?)<\/h[2-4]>/);
   const found = [{address: page.file, page: page.name, section: '', text: words(parts[0])}];
   for (let n = 1; n < parts.length; n += 3)
     found.push({

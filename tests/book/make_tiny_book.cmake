@@ -3,6 +3,7 @@
 cmake_path(GET CMAKE_CURRENT_LIST_FILE PARENT_PATH here)
 file(COPY ${source}/CMakeLists.txt ${source}/cmake ${source}/common ${source}/book DESTINATION ${folder}
   PATTERN pages EXCLUDE)
+file(COPY ${source}/exercises/CMakeLists.txt ${source}/exercises/tools DESTINATION ${folder}/exercises)
 file(COPY ${here}/tiny/ DESTINATION ${folder})
 execute_process(COMMAND ${CMAKE_COMMAND} -S ${folder} -B ${folder}/build -G ${generator}
   -D CMAKE_CXX_COMPILER=${compiler} -D CMAKE_BUILD_TYPE=Release -D TUMBLE_BOOK_FOLDER=${folder}/book_made

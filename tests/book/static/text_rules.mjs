@@ -26,8 +26,8 @@ export function* every_snippet_has_code(book) {
 
 export function* every_directive_is_expanded(book) {
   // A directive begins with a word. C++ has double braces too, before a quote or a number, and so have formulas: of the
-  // directives these may hold {{value ...}} alone.
-  const left = [...own_words_matching(book, /\{\{\s*[a-z].{0,40}/, is_prose),
+  // directives these may hold {{value ...}} alone. That a task has a {{parameter name}} is told to whoever writes one.
+  const left = [...own_words_matching(book, /\{\{\s*(?!parameter name\}\})[a-z].{0,40}/, is_prose),
     ...own_words_matching(book, /\{\{value .{0,40}/, element => element.is_inside(is_formula))];
   for (const {found, ...place} of left) yield {...place, problem: `a directive was not expanded: "${found}"`};
 }
@@ -78,6 +78,22 @@ export function* no_text_names_this_machine(book) {
       if (position < 0) continue;
       const line = text.slice(0, position).split('\n').length;
       yield {path, line, problem: `names a folder of the machine that made it, ${folder}`};
+    }
+  }
+}
+
+export function* no_search_finds_a_spoiler(book) {
+  const said = text => text.replace(/\s+/g, ' ').trim();
+  const start = 'window.bookIndex = ';
+  const found = [...book.texts.values()].filter(text => text.startsWith(start))
+    .flatMap(text => JSON.parse(text.slice(start.length, text.lastIndexOf('}') + 1)).documents)
+    .map(({section, text}) => `${section} ${text}`).join('\n');
+  for (const page of book.pages.values()) {
+    for (const spoiler of page.with_class('spoiler')) {
+      const paragraphs = spoiler.find(({name}) => ['p', 'li', 'summary'].includes(name))
+        .filter(paragraph => !paragraph.find(is_formula).length);
+      const told = paragraphs.map(paragraph => said(paragraph.text())).find(text => text.length > 30 && found.includes(text));
+      if (told) yield {path: page.path, line: spoiler.line, problem: `a search finds what is folded away: "${told}"`};
     }
   }
 }

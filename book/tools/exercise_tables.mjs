@@ -1,0 +1,62 @@
+// What tells of all exercises at once: the list, the weeks of a semester, and the wrong answers that are known.
+import {kinds, link_to} from './exercises.mjs';
+import {BookError} from './results.mjs';
+import {table} from './tables.mjs';
+import {counted, escape} from './text.mjs';
+
+const sum = (exercises, what) => String(exercises.reduce((total, exercise) => total + exercise[what], 0));
+const number = text => ({text, is_number: true});
+const chapters_of = pages => pages.chapters.filter(page => !page.further);
+const link_to_page = page => `<a href="${page.file}">${escape(page.name)}</a>`;
+
+/** Every exercise, chapter by chapter. */
+export function list_of_exercises(exercises, pages) {
+  const row = exercise => [
+    {html: `${link_to(exercise)}<span class="goals">${escape(exercise.goals.join('; '))}</span>`},
+    kinds[exercise.difficulty], String(exercise.minutes), String(exercise.points),
+  ];
+  const columns = [{text: 'exercise, and what you will learn to do'}, {text: 'kind'}, number('minutes'), number('points')];
+  const tables = chapters_of(pages).map(page => {
+    const own = exercises.filter(({chapter}) => chapter === page.chapter);
+    const sums = [['', '', sum(own, 'minutes'), sum(own, 'points')]];
+    return own.length ? table(link_to_page(page), columns, own.map(row), 'table exercises', sums) : '';
+  });
+  const labs = exercises.filter(({difficulty}) => difficulty === 'lab').length;
+  return (
+    `<p>${counted(exercises.length, 'exercise')}, ${counted(labs, 'lab')} among them: ` +
+    `${sum(exercises, 'minutes')} minutes, ${sum(exercises, 'points')} points.</p>${tables.join('')}`
+  );
+}
+
+/** "1; 2; 9 10" as weeks of chapters: every chapter once, in order. */
+function weeks_of(argument, pages) {
+  const weeks = argument.split(';').map(week => week.trim().split(/\s+/).map(Number));
+  const chapters = chapters_of(pages), wanted = chapters.map(page => Number(page.chapter.slice(0, 2)));
+  if (weeks.flat().join() !== wanted.join()) {
+    throw new BookError(`{{semester ${argument}}} must name each chapter once and in order, the weeks parted by semicolons; the chapters ` +
+      `are ${wanted.join(' ')}`);
+  }
+  return weeks.map(week => week.map(chapter => chapters[wanted.indexOf(chapter)]));
+}
+
+export function semester(argument, exercises, pages) {
+  const rows = weeks_of(argument, pages).map((chapters, index) => {
+    const own = exercises.filter(({chapter}) => chapters.some(page => page.chapter === chapter));
+    const named = exercise => `${link_to(exercise)}&#160;(${exercise.minutes})`;
+    return [String(index + 1), {html: chapters.map(link_to_page).join('<br>')}, {html: own.map(named).join('<br>')},
+      sum(own, 'minutes'), sum(own, 'points')];
+  });
+  return table('', [number('week'), {text: 'lecture'}, {text: 'lab (minutes)'}, number('minutes'), number('points')], rows,
+    'table semester', [['', '', '', sum(exercises, 'minutes'), sum(exercises, 'points')]]);
+}
+
+/** A fold for each chapter, with what its exercises' checks recognise. */
+export function wrong_answers(exercises, pages) {
+  const columns = [{text: 'exercise'}, {text: 'the mistake'}, {text: 'the check that turns red'}, {text: 'the message holds'}];
+  return chapters_of(pages).map(page => {
+    const rows = exercises.filter(({chapter}) => chapter === page.chapter).flatMap(exercise => (exercise.wrong ?? [])
+      .map(({name, caught_by, message}) => [{html: link_to(exercise)}, name.replace(/_/g, ' '), caught_by, message]));
+    return rows.length ? `<details class="fold unindexed"><summary>${escape(page.name)}: ${counted(rows.length, 'mistake')}</summary>` +
+      `${table('', columns, rows, 'table mistakes')}</details>` : '';
+  }).join('');
+}

@@ -1,0 +1,17 @@
+// A table as HTML.
+import {escape} from './text.mjs';
+
+const shown = cell => (typeof cell === 'string' ? escape(cell) : cell.html);
+
+/** Columns are {text, is_number}; a cell is a text or {html}. Rows of `sums` stand below a line. */
+export function table(caption, columns, rows, kind = 'table', sums = []) {
+  const mark = column => (columns[column].is_number ? ' class="number"' : '');
+  const head = columns.map(({text}, column) => `<th scope="col"${mark(column)}>${escape(text)}</th>`).join('');
+  const lines = some =>
+    some.map(row => `<tr>${row.map((cell, column) => `<td${mark(column)}>${shown(cell)}</td>`).join('')}</tr>`).join('');
+  const foot = sums.length ? `<tfoot>${lines(sums)}</tfoot>` : '';
+  return (
+    `<figure class="${kind}">${caption ? `<figcaption>${caption}</figcaption>` : ''}<div class="scroll">` +
+    `<table><thead><tr>${head}</tr></thead><tbody>${lines(rows)}</tbody>${foot}</table></div></figure>`
+  );
+}
