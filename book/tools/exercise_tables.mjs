@@ -50,12 +50,14 @@ export function semester(argument, exercises, pages) {
     'table semester', [['', '', '', sum(exercises, 'minutes'), sum(exercises, 'points')]]);
 }
 
+const emphasised = message => ({html: escape(message).replace(/\*(\w+)\*/g, '<em>$1</em>')});
+
 /** A fold for each chapter, with what its exercises' checks recognise. */
 export function wrong_answers(exercises, pages) {
   const columns = [{text: 'exercise'}, {text: 'the mistake'}, {text: 'the check that turns red'}, {text: 'the message holds'}];
   return chapters_of(pages).map(page => {
     const rows = exercises.filter(({chapter}) => chapter === page.chapter).flatMap(exercise => (exercise.wrong ?? [])
-      .map(({name, caught_by, message}) => [{html: link_to(exercise)}, name.replace(/_/g, ' '), caught_by, message]));
+      .map(({name, caught_by, message}) => [{html: link_to(exercise)}, name.replace(/_/g, ' '), caught_by, emphasised(message)]));
     return rows.length ? `<details class="fold unindexed"><summary>${escape(page.name)}: ${counted(rows.length, 'mistake')}</summary>` +
       `${table('', columns, rows, 'table mistakes')}</details>` : '';
   }).join('');
