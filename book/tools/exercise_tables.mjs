@@ -1,5 +1,5 @@
 // What tells of all exercises at once: the list, the weeks of a semester, and the wrong answers that are known.
-import {kinds, link_to} from './exercises.mjs';
+import {link_to} from './exercises.mjs';
 import {BookError} from './results.mjs';
 import {table} from './tables.mjs';
 import {counted, escape} from './text.mjs';
@@ -13,13 +13,14 @@ const link_to_page = page => `<a href="${page.file}">${escape(page.name)}</a>`;
 export function list_of_exercises(exercises, pages) {
   const row = exercise => [
     {html: `${link_to(exercise)}<span class="goals">${escape(exercise.goals.join('; '))}</span>`},
-    kinds[exercise.difficulty], String(exercise.minutes), String(exercise.points),
+    exercise.difficulty, String(exercise.minutes), String(exercise.points),
   ];
-  const columns = [{text: 'exercise, and what you will learn to do'}, {text: 'kind'}, number('minutes'), number('points')];
+  const columns = [{text: 'exercise and goals'}, {text: 'kind'}, number('minutes'), number('points')];
   const tables = chapters_of(pages).map(page => {
     const own = exercises.filter(({chapter}) => chapter === page.chapter);
-    const sums = [['', '', sum(own, 'minutes'), sum(own, 'points')]];
-    return own.length ? table(link_to_page(page), columns, own.map(row), 'table exercises', sums) : '';
+    const sums = [['together', '', sum(own, 'minutes'), sum(own, 'points')]];
+    if (!own.length) return '';
+    return `<h1>${escape(page.name)}</h1>${table('', columns, own.map(row), 'table exercises', sums)}`;
   });
   const labs = exercises.filter(({difficulty}) => difficulty === 'lab').length;
   return (
@@ -47,18 +48,19 @@ export function semester(argument, exercises, pages) {
       sum(own, 'minutes'), sum(own, 'points')];
   });
   return table('', [number('week'), {text: 'lecture'}, {text: 'lab (minutes)'}, number('minutes'), number('points')], rows,
-    'table semester', [['', '', '', sum(exercises, 'minutes'), sum(exercises, 'points')]]);
+    'table semester', [['', 'together', '', sum(exercises, 'minutes'), sum(exercises, 'points')]]);
 }
 
 const emphasised = message => ({html: escape(message).replace(/\*(\w+)\*/g, '<em>$1</em>')});
 
 /** A fold for each chapter, with what its exercises' checks recognise. */
 export function wrong_answers(exercises, pages) {
-  const columns = [{text: 'exercise'}, {text: 'the mistake'}, {text: 'the check that turns red'}, {text: 'the message holds'}];
+  const columns = [{text: 'the mistake'}, {text: 'the check that turns red'}, {text: 'the message holds'}];
+  const row = ({name, caught_by, message}) => [name.replace(/_/g, ' '), caught_by, emphasised(message)];
   return chapters_of(pages).map(page => {
-    const rows = exercises.filter(({chapter}) => chapter === page.chapter).flatMap(exercise => (exercise.wrong ?? [])
-      .map(({name, caught_by, message}) => [{html: link_to(exercise)}, name.replace(/_/g, ' '), caught_by, emphasised(message)]));
-    return rows.length ? `<details class="fold unindexed"><summary>${escape(page.name)}: ${counted(rows.length, 'mistake')}</summary>` +
-      `${table('', columns, rows, 'table mistakes')}</details>` : '';
+    const own = exercises.filter(({chapter, wrong}) => chapter === page.chapter && wrong);
+    const count = own.reduce((total, {wrong}) => total + wrong.length, 0);
+    const tables = own.map(exercise => table(link_to(exercise), columns, exercise.wrong.map(row), 'table mistakes'));
+    return count ? `<details class="fold unindexed"><summary>${escape(page.name)}: ${counted(count, 'mistake')}</summary>${tables.join('')}</details>` : '';
   }).join('');
 }

@@ -49,7 +49,7 @@ const hint_titles = [
   'Hint 2 of 3: takes the idea from you',
   'Hint 3 of 3: leaves you little but the typing',
 ];
-const solution_title = 'Solution: leaves you nothing to find. Solve it first, then compare';
+const solution_title = 'Solution: leaves you nothing to find. Solve it first';
 
 const block = html => ({html});
 const text = words => ({text: words});

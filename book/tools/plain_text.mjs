@@ -1,13 +1,21 @@
 // The exercises' texts are written to be read in a terminal. Here they become lines of the book's Markdown, with what is set off
 // in them set as code or as formulas.
 import {formula_of_plain_text} from './plain_formula.mjs';
+import {escape} from './text.mjs';
 
 const is_code = line => /[;{}]|::|\/\/|^\s*(\.\/course|\$)/.test(line);
 const is_set_off = line => /^ {4,}\S/.test(line);
 
+/**
+ * Code in a sentence. Doxygen would make a link of each word that it knows from the library; here `hammer.hpp` is the reader's own file
+ * and `r.norm()` is no quaternion's, so that only what says whose it is becomes a link.
+ */
+const code = (span, words) => (words.includes('tumble::') ? span : `\\htmlonly<code>${escape(words)}</code>\\endhtmlonly`);
+
 /** What a line of prose needs for Doxygen: a heading becomes a word in bold, since it heads no section of the page. */
 function prose(line) {
   return line
+    .replace(/`([^`]+)`/g, code)
     .replace(/^#+ +(.*)$/, '**$1**')
     .replace(/(^|[\s(])\*(["“].*?["”])\*/g, '$1<em>$2</em>'); // Doxygen leaves stars beside quotation marks
 }
