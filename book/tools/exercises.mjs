@@ -100,7 +100,7 @@ function lines_of_exercise(exercise, exercises, pages) {
     blank,
     block(
       `<p class="on-paper">Hints${exercise.solution ? ' and the solution' : ''} are folded away on the screen, and not printed: ` +
-        `<code>./course hint ${exercise.name}</code> gives one at a time.</p>`,
+        `<code>./course hint ${exercise.name}</code> gives one hint at a time.</p>`,
     ),
     blank,
   ];
