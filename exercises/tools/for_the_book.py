@@ -50,7 +50,7 @@ def _without_title(file, title):
     first, _, rest = file.read_text(encoding="utf-8").partition("\n")
     if first.strip() != title:
         raise Complaint(f'{file}:1: the first line is "{first.strip()}"; it must be "{title}"')
-    return rest.strip()
+    return rest.strip("\n").rstrip()
 
 
 def _part(root, file, part, shown=None):

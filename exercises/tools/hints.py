@@ -11,7 +11,7 @@ def read_hints(file):
     except FileNotFoundError:
         raise Complaint(f"{file} is missing; an exercise has three hints") from None
     parts = re.split(r"^## *(.*?) *$", text, flags=re.MULTILINE)
-    headings, hints = parts[1::2], [part.strip() for part in parts[2::2]]
+    headings, hints = parts[1::2], [part.strip("\n").rstrip() for part in parts[2::2]]
     if headings != ["1", "2", "3"]:
         raise Complaint(f"{file} has the headings {', '.join(headings) or 'none'}; it must have ## 1, ## 2 and ## 3")
     for number, hint in enumerate(hints, 1):
