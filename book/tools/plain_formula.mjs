@@ -61,8 +61,13 @@ function tex_of(text) {
 
 /** Lines of plain formulas as one that is displayed. What stands far apart in a line goes to lines of its own. */
 export function formula_of_plain_text(lines) {
-  const rows = lines.flatMap(line => (line.length > 48 ? line.split(/ {3,}/) : [line]));
-  const row = text => text.split(/ {3,}/).map(tex_of).join(' \\qquad ').replace(/=/, '&=');
-  const body = rows.length === 1 ? row(rows[0]).replace('&=', '=') : `\\begin{aligned}${rows.map(row).join(' \\\\ ')}\\end{aligned}`;
+  const bare = lines.map(line => line.replace(/ +=/g, ' ='));
+  const rows = bare.flatMap(line => (line.length > 48 ? line.split(/ {3,}/) : [line]));
+  const row = text => text.split(/ {3,}/).map(tex_of).join(' \\qquad ');
+  const aligned = tex => (tex.includes('=') ? tex.replace('=', '&=') : `&${tex}`);
+  const body =
+    rows.length === 1
+      ? row(rows[0])
+      : `\\begin{aligned}${rows.map(text => aligned(row(text))).join(' \\\\ ')}\\end{aligned}`;
   return `<p class="formulaDsp">\\[${escape(body)}\\]</p>`;
 }

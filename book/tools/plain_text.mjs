@@ -10,14 +10,27 @@ const is_set_off = line => /^ {4,}\S/.test(line);
  * Code in a sentence. Doxygen would make a link of each word that it knows from the library; here `hammer.hpp` is the reader's own file
  * and `r.norm()` is no quaternion's, so that only what says whose it is becomes a link.
  */
-const code = (span, words) => (words.includes('tumble::') ? span : `\\htmlonly<code>${escape(words)}</code>\\endhtmlonly`);
+const code = (span, words) => (/tumble::|\n/.test(words) ? span : `\\htmlonly<code>${escape(words)}</code>\\endhtmlonly`);
 
-/** What a line of prose needs for Doxygen: a heading becomes a word in bold, since it heads no section of the page. */
-function prose(line) {
-  return line
-    .replace(/`([^`]+)`/g, code)
-    .replace(/^#+ +(.*)$/, '**$1**')
+/** Powers, indices and minus signs of formulas within a sentence. */
+const mathematics = text =>
+  text
+    .replace(/(?<=\S) - (?=\S)/g, ' − ')
+    .replace(/(?<![\p{L}\d_])(\p{L})_([\p{L}\d])(?![\p{L}\d_])/gu, '$1<sub>$2</sub>')
+    .replace(/\^(?:\(([^()]+)\)|([\p{L}\d]))/gu, (_, bracket, letter) => `<sup>${(bracket ?? letter).replace('-', '−')}</sup>`);
+
+/** What prose needs for Doxygen: a heading becomes a word in bold, since it heads no section of the page. */
+const prose = text =>
+  mathematics(text)
+    .replace(/^#+ +(.*)$/gm, '**$1**')
     .replace(/(^|[\s(])\*(["“].*?["”])\*/g, '$1<em>$2</em>'); // Doxygen leaves stars beside quotation marks
+
+/** A text without what is set off in it, on as many lines as before. */
+function running(text) {
+  return text
+    .split(/(`[^`]+`)/)
+    .map((part, index) => (index % 2 ? code(part, part.slice(1, -1)) : prose(part)))
+    .join('');
 }
 
 function set_off(lines) {
@@ -32,19 +45,18 @@ function set_off(lines) {
 
 /** {text, file, line} as the lines of a page. */
 export function lines_of_plain_text({text, file, line}) {
-  const lines = text.split('\n').map((words, index) => ({text: words, place: `${file}:${line + index}`}));
+  const plain = text.split('\n');
+  const starts = n => is_set_off(plain[n]) && (n === 0 || !plain[n - 1].trim());
   const result = [];
-  for (let n = 0; n < lines.length; ) {
-    const starts = is_set_off(lines[n].text) && (n === 0 || !lines[n - 1].text.trim());
-    if (!starts) {
-      result.push({...lines[n], text: prose(lines[n].text)});
-      ++n;
-      continue;
-    }
-    let end = n;
-    while (end < lines.length && is_set_off(lines[end].text)) ++end;
-    result.push(...set_off(lines.slice(n, end)));
-    n = end;
+  for (let n = 0, end; n < plain.length; n = end) {
+    const is_running = !starts(n);
+    end = n + 1;
+    while (end < plain.length && (is_running ? !starts(end) : is_set_off(plain[end]))) ++end;
+    const part = plain.slice(n, end).join('\n');
+    const lines = (is_running ? running(part) : part)
+      .split('\n')
+      .map((words, index) => ({text: words, place: `${file}:${line + n + index}`}));
+    result.push(...(is_running ? lines : set_off(lines)));
   }
   return result;
 }

@@ -23,13 +23,14 @@ test('Letters, signs, powers and indices are those of the text.', () => {
 
 test('Words between the letters stay words, and what stands far apart goes apart.', () => {
   assert.equal(set('c from the common centre d'), 'c \\;\\text{from the common centre}\\; d');
-  assert.equal(set('a = 1        b = 2'), 'a = 1 \\qquad b &= 2'.replace('&', ''));
+  assert.equal(set('a = 1        b = 2'), 'a = 1 \\qquad b = 2');
   const long = set('d/dt (1/u) = c/m        1/u(t) = 1/u(0) + c t/m        u(t) = u(0)');
   assert.equal(long.split('\\\\').length, 3);
 });
 
 test('Lines below each other have their signs of equality below each other.', () => {
-  assert.equal(set('v = a', 'x = b'), '\\begin{aligned}v &= a \\\\ x &= b\\end{aligned}');
+  assert.equal(set('v = a', 'x    = b'), '\\begin{aligned}v &= a \\\\ x &= b\\end{aligned}');
+  assert.equal(set('v = a', 'x'), '\\begin{aligned}v &= a \\\\ &x\\end{aligned}');
 });
 
 test('What is set off is a command, code or a formula; a heading is none of the page.', () => {
@@ -38,4 +39,13 @@ test('What is set off is a command, code or a formula; a heading is none of the 
   assert.deepEqual(lines.filter(line => line.html ?? line.text).map(({html, text: words}) => (html ? 'formula' : words)),
     ['**Why**', 'formula', '```{.cpp}', 'return x;', '```', '    ./course next', 'Read <em>"this"</em>.']);
   assert.equal(lines.at(-1).place, 'why.md:9');
+});
+
+test('Within a sentence powers are raised, indices lowered and differences taken; code stays as it is.', () => {
+  const set_line = text => lines_of_plain_text({text, file: 'why.md', line: 1}).map(line => line.text).join('\n');
+  assert.equal(set_line('e^(-κt) and ω_k² of m_a v_a - V, d^(3/2)'),
+    'e<sup>−κt</sup> and ω<sub>k</sub>² of m<sub>a</sub> v<sub>a</sub> − V, d<sup>3/2</sup>');
+  assert.equal(set_line('weight_i and time_step'), 'weight_i and time_step');
+  assert.equal(set_line('Say `a_b - c^d`.'), 'Say \\htmlonly<code>a_b - c^d</code>\\endhtmlonly.');
+  assert.equal(set_line('Say `a -\nb` or `tumble::a`.'), 'Say `a -\nb` or `tumble::a`.');
 });
