@@ -39,6 +39,9 @@ class Hints(InAFolder):
     def test_three_are_read(self):
         self.assertEqual(read_hints(self.file("h.md", "## 1\n\na\n\n## 2\nb\nb\n## 3\nc\n")), ["a", "b\nb", "c"])
 
+    def test_one_that_begins_with_code_keeps_its_blanks(self):
+        self.assertEqual(read_hints(self.file("h.md", "## 1\n\na\n\n## 2\n\n    b;\n    c;\n\n## 3\nd\n"))[1], "    b;\n    c;")
+
     def test_two_are_too_few(self):
         said = self.complaint(lambda: read_hints(self.file("h.md", "## 1\na\n## 2\nb\n")))
         self.assertIn("has the headings 1, 2; it must have ## 1, ## 2 and ## 3", said)
