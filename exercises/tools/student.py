@@ -205,9 +205,9 @@ class Student:
 
 
 def main(words):
-    parser = argparse.ArgumentParser(prog="./course")
-    parser.add_argument("--root", type=Path, required=True)
-    parser.add_argument("--toolchain", type=Path)
+    parser = argparse.ArgumentParser(prog="course", usage="./course COMMAND [NAME] [OPTION]; ./course help lists them")
+    parser.add_argument("--root", type=Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--toolchain", type=Path, help=argparse.SUPPRESS)
     parser.add_argument("command", choices=("start", "check", "watch", "hint", "next", "progress", "reset", "compare"))
     parser.add_argument("word", nargs="?", default="", help="an exercise, such as hammer")
     parser.add_argument("--key", help="start: the word from which your own numbers are drawn, if your teacher gave you one")
