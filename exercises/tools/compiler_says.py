@@ -23,6 +23,15 @@ def first_message(output, header, kind="error"):
     return ""
 
 
+def why_not(output, exercise):
+    """The first error for whoever wrote the exercise's header. Where it lies in the code that calls its functions, one of them is
+    missing or declared in another way, and the compiler's own words are of no use."""
+    message = first_message(output, exercise.header)
+    if re.match(r"answers(?:_\w+\.cpp|\.hpp):", message) and f"{exercise.header}:" not in message:
+        return f"{exercise.header} must declare, as its starter does: {', '.join(exercise.functions)}.\n{message}"
+    return message
+
+
 def _quoted(lines):
     """The lines with which the compiler shows the place: "   12 |   return 1;" and the mark below it."""
     quoted = []

@@ -19,6 +19,7 @@ from complaint import Complaint
 from made import CommandFailed
 from programs import prepare_all
 from reports import FORMATS, write_marks
+from sealed import can_seal
 from submission import read_header, require_folders, student_of
 from toolchain import read_toolchain
 
@@ -132,7 +133,8 @@ def main(words):
     if arguments.similarity:
         export_for_similarity(arguments.similarity, arguments.folders, exercises)
     if os.geteuid() != 0:
-        print("Not run as root, so the students' code had your own rights; exercises/instructor.md says what that means.", file=sys.stderr)
+        print("Not run as root: the students' code could " + ("read what you can read, but change nothing." if can_seal() else
+              "do what you can do; exercises/instructor.md says what that means."), file=sys.stderr)
     return 0
 
 

@@ -11,7 +11,7 @@ import time
 from pathlib import Path
 
 from catalogue import read_catalogue
-from compiler_says import first_message
+from compiler_says import why_not
 from confined import adopt_strays, end_strays, run_compiler
 from limits import Limits
 from made import CommandFailed
@@ -29,7 +29,7 @@ def grade(task):
     root, folder = Path(task["root"]), Path(task["submission"])
     toolchain = read_toolchain(task["toolchain"], root / "exercises" / "common", Path(task["toolchain"]).parent)
     catalogue = {exercise.path: exercise for exercise in read_catalogue(root, task["private"])}
-    limits = Limits(seconds=task["seconds"], file=0, processes=1, user=task["user"])
+    limits = Limits(seconds=task["seconds"], file=0, processes=1, user=task["user"], sealed=True)
     graded = []
     for path in task["exercises"]:
         exercise = catalogue[path]
@@ -59,7 +59,7 @@ def _outcomes(toolchain, exercise, header, scratch, task, limits):
     try:
         worker = build_worker(toolchain, exercise, place, scratch / "worker", run=run_compiler)
     except CommandFailed as failure:
-        return f"it doesn't compile: {first_message(failure.output, exercise.header)}", not_run
+        return f"it doesn't compile: {why_not(failure.output, exercise)}", not_run
     finally:
         end_strays()
     foreign = [file for file in worker.read if not _allowed(toolchain, exercise, scratch, file)]

@@ -5,6 +5,8 @@ import os
 import resource
 from dataclasses import dataclass
 
+from sealed import seal
+
 MEBIBYTE = 1 << 20
 
 
@@ -16,6 +18,7 @@ class Limits:
     output: int = MEBIBYTE        # what it may print
     processes: int = 0            # more than it has; 0: as many as it likes
     user: int = 0                 # whose rights it gets; 0: those of the caller
+    sealed: bool = False          # whether it can only calculate, see sealed.py
 
 
 def confine(limits):
@@ -31,3 +34,5 @@ def confine(limits):
         os.setgroups([])
         os.setgid(limits.user)
         os.setuid(limits.user)
+    if limits.sealed:
+        seal()

@@ -27,9 +27,9 @@ def prepare(toolchain, exercise):
     make(target, command, dependencies=dependencies)
     _compile(toolchain, toolchain.common / "exercise" / "serve.cpp", _shared(toolchain, "serve.o"), "common")
     _compile(toolchain, toolchain.common / "exercise" / "judge.cpp", _shared(toolchain, "judge.o"), "common")
-    checks = folder_of(toolchain, exercise) / "checks.o"
+    judge = judge_of(toolchain, exercise)
+    checks = judge.with_name("checks.o")
     _compile(toolchain, exercise.folder / "checks.cpp", checks, exercise.chapter)
-    judge = checks.with_name("judge")
     parts = [checks, _shared(toolchain, "judge.o")]
     make(judge, toolchain.link(parts, judge), inputs=parts)
     return judge
@@ -91,6 +91,10 @@ def answers_source(exercise, real):
             "      argument_count, arguments,\n"
             "      {\n" + offers + "      });\n"
             "}\n")
+
+
+def judge_of(toolchain, exercise):
+    return folder_of(toolchain, exercise) / "judge"
 
 
 def folder_of(toolchain, exercise):

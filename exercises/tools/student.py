@@ -8,11 +8,11 @@ import time
 from pathlib import Path
 
 from catalogue import find, read_catalogue
-from compiler_says import first_message
+from compiler_says import first_message, why_not
 from complaint import Complaint
 from hints import read_hints
 from made import CommandFailed
-from programs import build_worker, folder_of, prepare
+from programs import build_worker, folder_of, judge_of, prepare
 from progress import Progress, bar
 from replay import has_replay, make_replay
 from starter import solution_without_marks
@@ -54,7 +54,9 @@ class Student:
         self.progress.note(exercise.path, "started")
         print(f"{exercise.title}, about {exercise.minutes} minutes, {exercise.points} points")
         print(f"  the task   {self._shown(self.place.folder_of(exercise) / 'task.md')}")
-        print(f"  your copy  {self._shown(self.place.header_of(exercise))}" + ("" if fresh else ", kept as you left it"))
+        print(f"  your copy  {self._shown(self.place.header_of(exercise))}" + ("" if fresh else ", kept as you left it"), flush=True)
+        if not judge_of(self.toolchain(), exercise).exists():
+            print("Its checks are compiled once; then you can begin.", flush=True)
         prepare(self.toolchain(), exercise)  # so that the first verdict comes as soon as all others
         print(f"Edit your copy, then ./course check {exercise.name}; or leave ./course watch {exercise.name} running.")
         return 0
@@ -152,7 +154,7 @@ class Student:
             worker = build_worker(toolchain, exercise, header.parent, folder)
         except CommandFailed as failure:
             print("\nIt doesn't compile. The compiler's first complaint:\n")
-            print(first_message(failure.output, header))
+            print(why_not(failure.output, exercise))
             self._times(began, None)
             return False
         compiled = time.monotonic() - began
@@ -203,9 +205,9 @@ class Student:
 
 
 def main(words):
-    parser = argparse.ArgumentParser(prog="./course")
-    parser.add_argument("--root", type=Path, required=True)
-    parser.add_argument("--toolchain", type=Path)
+    parser = argparse.ArgumentParser(prog="course", usage="./course COMMAND [NAME] [OPTION]; ./course help lists them")
+    parser.add_argument("--root", type=Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("--toolchain", type=Path, help=argparse.SUPPRESS)
     parser.add_argument("command", choices=("start", "check", "watch", "hint", "next", "progress", "reset", "compare"))
     parser.add_argument("word", nargs="?", default="", help="an exercise, such as hammer")
     parser.add_argument("--key", help="start: the word from which your own numbers are drawn, if your teacher gave you one")

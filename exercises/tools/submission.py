@@ -37,8 +37,9 @@ class Header:
 
 
 def read_header(folder, exercise):
-    """The header for an exercise: in the folder itself, or below it in CHAPTER/NAME/."""
-    for place in (folder / exercise.header, folder / exercise.path / exercise.header, folder / exercise.name / exercise.header):
+    """The header for an exercise: in the folder itself, or below it in NAME/, CHAPTER/NAME/ or work/CHAPTER/NAME/."""
+    for below in ("", exercise.name, exercise.path, f"work/{exercise.path}"):
+        place = folder / below / exercise.header
         if os.path.lexists(place):
             try:
                 return _judged(_bytes_of(folder, place))

@@ -57,7 +57,7 @@ EXERCISE_CHECK("Under a constant force it lands on the parabola, however long a 
                  "too low by a h t: the half kick is added to the velocity of the step's end. "
                  "Which velocity "
                  "does it belong to?")
-        .must_be(parabola, 2 * steps * 32 * unit_roundoff<Real>);
+        .must_be(parabola, 2 * steps * 32 * double(unit_roundoff<Real>));
   }
 }
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <exercise/todo.hpp>
+#include <tumble/mass_properties.hpp>
 #include <tumble/torque.hpp>
-#include <tumble/validate_inertia.hpp>
 
 /// The velocity (m/s) of `point` just after a free body at rest was struck with `blow` N s at the
 /// point `at`. Both points are in m, as seen from the centre of mass; all in the model's axes.

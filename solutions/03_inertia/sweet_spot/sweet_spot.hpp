@@ -3,8 +3,8 @@
 #pragma once
 
 #include <exercise/todo.hpp>
+#include <tumble/mass_properties.hpp>
 #include <tumble/torque.hpp>
-#include <tumble/validate_inertia.hpp>
 
 /// The velocity (m/s) of `point` just after a free body at rest was struck with `blow` N s at the
 /// point `at`. Both points are in m, as seen from the centre of mass; all in the model's axes.
@@ -13,7 +13,7 @@ tumble::Vec3<Real> velocity_after_blow(const tumble::MassProperties<Real>& body,
                                        const tumble::Vec3<Real>& blow, const tumble::Vec3<Real>& at,
                                        const tumble::Vec3<Real>& point) {
   //! [solution] the velocity of the centre of mass, and that of the turn about it
-  const tumble::Vec3<Real> spin = tumble::inverse_inertia("bat", body.inertia) * at.cross(blow);
+  const tumble::Vec3<Real> spin = body.inertia.inverse() * at.cross(blow);
   return blow / body.mass + spin.cross(point);
   //! [end]
 }

@@ -1,5 +1,5 @@
 // earns: 1
-// because: it wrote a file larger than it may
+// because: opens files
 #pragma once
 #include <unistd.h>
 

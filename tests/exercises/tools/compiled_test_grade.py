@@ -15,6 +15,7 @@ from xml.etree import ElementTree
 
 from fixture import HERE, ROOT, FixtureCourse
 from gradescope_format import mistakes_in
+from sealed import can_seal
 
 HOSTILE = HERE.parent / "hostile"
 RIGHT = """#pragma once
@@ -117,7 +118,7 @@ class AClass(Grading):
         self.assertIn("seconds is -1.0", self.grade("--seconds", "-1", code=2))
 
 
-@unittest.skipUnless(os.geteuid() == 0, "only root can give a submission another user's rights")
+@unittest.skipUnless(can_seal() or os.geteuid() == 0, "here the code of a submission has the tester's own rights")
 class Hostile(Grading):
     def hand_in_all(self):
         expected = {}

@@ -17,10 +17,12 @@ class Headers(InAFolder):
         self.assertEqual((header.text, header.reason, header.flags), (PLAIN, "", []))
 
     def test_it_may_lie_in_the_folders_of_the_course(self):
-        place = self.folder / "03_inertia" / "hammer"
-        place.mkdir(parents=True)
-        (place / "hammer.hpp").write_text(PLAIN, encoding="utf-8")
-        self.assertEqual(read_header(self.folder, exercise()).text, PLAIN)
+        for below in ("hammer", "03_inertia/hammer", "work/03_inertia/hammer"):
+            with self.subTest(below):
+                place = self.folder / below.replace("/", "_") / below
+                place.mkdir(parents=True)
+                (place / "hammer.hpp").write_text(PLAIN, encoding="utf-8")
+                self.assertEqual(read_header(self.folder / below.replace("/", "_"), exercise()).text, PLAIN)
 
     def test_includes_that_lead_outside_are_refused_however_they_are_written(self):
         for line in ('#include "/etc/passwd"', '#include "../judge.cpp"', "#include <tumble/../../x.hpp>", "# include FILE",

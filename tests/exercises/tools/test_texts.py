@@ -4,7 +4,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from compiler_says import first_message
+from compiler_says import first_message, why_not
 from complaint import Complaint
 from exercise import Check, Exercise, Parameter
 from hints import read_hints
@@ -110,6 +110,12 @@ class CompilerSays(unittest.TestCase):
 
     def test_the_linkers_words_are_passed_on(self):
         self.assertIn("undefined reference", first_message("x.o: undefined reference to f\n", "hammer.hpp"))
+
+    def test_a_function_that_is_missing_is_named(self):
+        missing = "/b/mine/answers_double.cpp:9:9: error: 'f' was not declared in this scope\n"
+        self.assertTrue(why_not(missing, exercise()).startswith("hammer.hpp must declare, as its starter does: f.\n"))
+        own = "/w/hammer.hpp:3:1: error: 'g' was not declared in this scope\n"
+        self.assertEqual(why_not(own, exercise()), "hammer.hpp:3: error: 'g' was not declared in this scope")
 
     def test_no_warning_is_an_empty_text(self):
         self.assertEqual(first_message("", "hammer.hpp", "warning"), "")

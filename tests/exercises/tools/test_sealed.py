@@ -1,0 +1,42 @@
+"""What a sealed program can do, and what not."""
+
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from limits import Limits, confine
+from sealed import can_seal
+
+
+@unittest.skipUnless(can_seal(), "this system cannot seal a program")
+class Sealed(unittest.TestCase):
+    def run_sealed(self, code):
+        result = subprocess.run([sys.executable, "-B", "-S", "-E", "-c", f"import os\n{code}"], stdin=subprocess.DEVNULL,
+                                capture_output=True, text=True, timeout=60, preexec_fn=lambda: confine(Limits(sealed=True)))
+        return result.stdout.strip() or result.stderr.strip().splitlines()[-1]
+
+    def test_it_calculates_and_reads(self):
+        self.assertEqual(self.run_sealed(f"print(6 * 7, len(open({__file__!r}).read()) > 0)"), "42 True")
+
+    def test_it_changes_nothing_and_reaches_nobody(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "file"
+            file.write_text("as it was", encoding="utf-8")
+            for code in (f"open({str(file)!r}, 'w')", f"open({str(file)!r}, 'a')", f"open({folder + '/new'!r}, 'x')",
+                         f"os.open({str(file)!r}, os.O_RDONLY | os.O_TRUNC)", f"os.truncate({str(file)!r}, 0)",
+                         f"os.remove({str(file)!r})", f"os.rename({str(file)!r}, {folder + '/new'!r})",
+                         f"os.mkdir({folder + '/new'!r})", f"os.chmod({str(file)!r}, 0)", f"os.symlink('a', {folder + '/new'!r})",
+                         f"os.kill({os.getpid()}, 9)", "os.fork()", "os.pipe()", "import _socket; _socket.socket()",
+                         f"import resource; resource.prlimit({os.getpid()}, resource.RLIMIT_CPU, (1, 1))",
+                         f"import fcntl; fcntl.fcntl(1, fcntl.F_SETOWN, {os.getpid()})"):
+                with self.subTest(code):
+                    self.assertIn("PermissionError: [Errno 1]", self.run_sealed(code))
+            self.assertEqual((file.read_text(encoding="utf-8"), list(Path(folder).iterdir())), ("as it was", [file]))
+
+    def test_it_may_end_itself(self):
+        result = subprocess.run(["/bin/sh", "-c", "exec python3 -c 'import os; os.abort()'"], stdin=subprocess.DEVNULL,
+                                capture_output=True, timeout=60, preexec_fn=lambda: confine(Limits(sealed=True)))
+        self.assertEqual(result.returncode, -6, result.stderr)
