@@ -35,13 +35,14 @@ CHANGES = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND | 0o20
 LOAD, EQUALS, EXCEEDS, HOLDS_ANY_OF, RETURN = 0x20, 0x15, 0x25, 0x45, 0x06
 ALLOWED, REFUSED = 0x7FFF0000, 0x00050000 | 1  # EPERM
 NUMBER, MACHINE, FIRST_ARGUMENT = 0, 4, 16     # where they stand in what the filter is shown
-NO_NEW_PRIVILEGES, SET_SECCOMP, FILTER = 38, 22, 2
+NO_NEW_PRIVILEGES, GET_SECCOMP, SET_SECCOMP, FILTER = 38, 21, 22, 2
 
 _library = ctypes.CDLL(None, use_errno=True)
 
 
 def can_seal():
-    return sys.platform.startswith("linux") and platform.machine() in CALLS and struct.calcsize("P") == 8
+    return (sys.platform.startswith("linux") and platform.machine() in CALLS and struct.calcsize("P") == 8 and
+            _library.prctl(GET_SECCOMP, 0, 0, 0, 0) >= 0)
 
 
 def seal():
