@@ -19,7 +19,7 @@ from catalogue import read_catalogue
 from complaint import Complaint
 from starter import regions_of
 
-LEFT_OUT = re.compile(r"(solutions|work|build|third_party)/|tests/exercises/(?!CMakeLists|tools/(run|test_))|"
+LEFT_OUT = re.compile(r"(solutions|work|build|third_party)/|tests/exercises/(?!CMakeLists|tools/(run|test_|gradescope_format))|"
                       r"(.*/)?(instructor[^/]*|node_modules|__pycache__)(/|$)|MANIFEST\.json$")
 LICENCES = {"eigen3.txt": "/usr/share/doc/libeigen3-dev/copyright", "doctest.txt": "/usr/share/doc/doctest-dev/copyright",
             "MPL-2.0.txt": "/usr/share/common-licenses/MPL-2.0"}
