@@ -15,7 +15,7 @@ export function list_of_exercises(exercises, pages) {
     {html: `${link_to(exercise)}<span class="goals">${escape(exercise.goals.join('; '))}</span>`},
     exercise.difficulty, String(exercise.minutes), String(exercise.points),
   ];
-  const columns = [{text: 'exercise and goals'}, {text: 'kind'}, number('minutes'), number('points')];
+  const columns = [{text: 'exercise'}, {text: 'kind'}, number('minutes'), number('points')];
   const tables = chapters_of(pages).map(page => {
     const own = exercises.filter(({chapter}) => chapter === page.chapter);
     const sums = [['together', '', sum(own, 'minutes'), sum(own, 'points')]];
