@@ -4,7 +4,7 @@ namespace tumble::course {
 namespace {
 
 template <class Real>
-void contest(std::vector<Measurement>& all, const Effort& effort) {
+void contest_free_tops_in(std::vector<Measurement>& all, const Effort& effort) {
   for (const FreeProblem<Real>& problem : free_problems<Real>()) {
     auto list = contestants(problem, turning_ladder<Real>);
     list.push_back(exact_contestant(problem));
@@ -17,8 +17,8 @@ void contest(std::vector<Measurement>& all, const Effort& effort) {
 
 std::vector<Measurement> free_tops(const Effort& effort) {
   std::vector<Measurement> all;
-  contest<float>(all, effort);
-  contest<double>(all, effort);
+  contest_free_tops_in<float>(all, effort);
+  contest_free_tops_in<double>(all, effort);
   return all;
 }
 

@@ -4,7 +4,7 @@ namespace tumble::course {
 namespace {
 
 template <class Real>
-void contest(std::vector<Measurement>& all, const Effort& effort) {
+void contest_moving_points_in(std::vector<Measurement>& all, const Effort& effort) {
   const auto on = [&]<class Gather>(const Problem<Particle<Real>, Gather>& problem,
                                     peers::Force force, const std::array<double, 2>& parameters) {
     auto list = contestants(problem, motion_ladder<Real, Gather>);
@@ -23,8 +23,8 @@ void contest(std::vector<Measurement>& all, const Effort& effort) {
 
 std::vector<Measurement> moving_points(const Effort& effort) {
   std::vector<Measurement> all;
-  contest<float>(all, effort);
-  contest<double>(all, effort);
+  contest_moving_points_in<float>(all, effort);
+  contest_moving_points_in<double>(all, effort);
   return all;
 }
 

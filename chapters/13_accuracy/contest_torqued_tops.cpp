@@ -4,7 +4,7 @@ namespace tumble::course {
 namespace {
 
 template <class Real>
-void contest(std::vector<Measurement>& all, const Effort& effort) {
+void contest_torqued_tops_in(std::vector<Measurement>& all, const Effort& effort) {
   for (const auto& [name, spin] : {std::pair("heavy top, slow", 3), {"heavy top, fast", 20}}) {
     const auto problem = heavy_top<Real>(name, spin);
     auto list = contestants(problem, torque_ladder<Real, Weight<Real>>);
@@ -28,8 +28,8 @@ void contest(std::vector<Measurement>& all, const Effort& effort) {
 
 std::vector<Measurement> torqued_tops(const Effort& effort) {
   std::vector<Measurement> all;
-  contest<float>(all, effort);
-  contest<double>(all, effort);
+  contest_torqued_tops_in<float>(all, effort);
+  contest_torqued_tops_in<double>(all, effort);
   return all;
 }
 

@@ -11,9 +11,9 @@ namespace tumble {
 /// Multiplies the orientation by the quaternion c + s axis, about body axis 0, 1 or 2, and turns L
 /// back by as much: it stands still in the world.
 ///
-/// With the half angle's c and s, sin a = 2 s c and 1 − cos a = 2 s². So L_x + sin a L_y − (1 − cos
-/// a) L_x is L_x + 2 s (c L_y − s L_x), which keeps its digits where a is small. `twice` is 2 s/(c²
-/// + s²), so the quaternion need not be unit.
+/// With the half angle's c and s, sin a is 2 s c and 1 − cos a is 2 s². So the new L_x, which is
+/// L_x + sin a L_y − (1 − cos a) L_x, is L_x + 2 s (c L_y − s L_x). That keeps its digits where the
+/// angle is small. `twice` is 2 s/(c² + s²), so the quaternion need not be unit.
 //! [turn_by_half]
 template <int axis, class Real>
 void turn_by_half(Top<Real>& top, Same<Real> c, Same<Real> s, Same<Real> twice) {

@@ -1,5 +1,5 @@
 /// @file
-/// What keeps a world whole: a step that would leave a number that is no number is taken back.
+/// What keeps a world whole: a step that leads to a number that is no number is taken back.
 #pragma once
 
 #include <optional>
@@ -23,77 +23,83 @@ class SimulationError : public std::runtime_error {
   double time;         ///< s, at the start of the step
 };
 
-/// The momenta as they were before the kick.
+/// What a step changes, as it was before.
 template <class Real>
-struct Momenta {
-  std::vector<Vec3<Real>> velocities;
-  std::vector<Vec3<Real>> angular_momenta;
+struct Before {
+  std::vector<Vec3<Real>> positions, velocities, angular_momenta;
+  std::vector<Quaternion<Real>> orientations;
 };
 
 template <class Real>
-void remember(const Bodies<Real>& bodies, Momenta<Real>& before) {
+void remember(const Bodies<Real>& bodies, Before<Real>& before) {
+  before.positions.resize(bodies.centres.size());
   before.velocities.resize(bodies.centres.size());
   before.angular_momenta.resize(bodies.tops.size());
-  for (std::size_t i = 0; i < bodies.centres.size(); ++i)
+  before.orientations.resize(bodies.tops.size());
+  for (std::size_t i = 0; i < bodies.centres.size(); ++i) {
+    before.positions[i] = bodies.centres[i].position;
     before.velocities[i] = bodies.centres[i].velocity;
-  for (std::size_t i = 0; i < bodies.tops.size(); ++i)
+  }
+  for (std::size_t i = 0; i < bodies.tops.size(); ++i) {
     before.angular_momenta[i] = bodies.tops[i].angular_momentum_body;
+    before.orientations[i] = bodies.tops[i].orientation;
+  }
 }
 
 template <class Real>
-void restore(Bodies<Real>& bodies, const Momenta<Real>& before) {
-  for (std::size_t i = 0; i < bodies.centres.size(); ++i)
+void restore(Bodies<Real>& bodies, const Before<Real>& before) {
+  for (std::size_t i = 0; i < bodies.centres.size(); ++i) {
+    bodies.centres[i].position = before.positions[i];
     bodies.centres[i].velocity = before.velocities[i];
-  for (std::size_t i = 0; i < bodies.tops.size(); ++i)
+  }
+  for (std::size_t i = 0; i < bodies.tops.size(); ++i) {
     bodies.tops[i].angular_momentum_body = before.angular_momenta[i];
+    bodies.tops[i].orientation = before.orientations[i];
+  }
 }
 
-/// A bound of all angles (rad) that a rule of chapter 8 turns the top by in `time_step` seconds:
-/// the sphere's part, a |L| h, and those of the other two axes. |ω| h is no larger than their sum.
-//! [largest_turn]
+/// True if the body is somewhere, or turned somehow: every number is finite. Zero times a finite
+/// number is zero; times an infinite one or NaN it is NaN, which equals nothing.
+//! [is_whole]
 template <class Real>
-Real largest_turn(const Top<Real>& top, Same<Real> time_step) {
-  using std::abs;
-  const Vec3<Real>& i = top.inverse_moments;
-  const Vec3<Real>& L = top.angular_momentum_body;
-  return time_step *
-         ((i[0] * L).norm() + abs(i[1] - i[0]) * abs(L[1]) + abs(i[2] - i[0]) * abs(L[2]));
-}
-//! [largest_turn]
-
-/// True if the drift can be taken: the place it leads to is a place, and the turn an angle that
-/// sine_cosine() knows.
-//! [can_drift]
-template <class Real>
-auto can_drift(const Particle<Real>& centre, Same<Real> time_step) {
-  using std::abs;
-  const Vec3<Real> there = centre.position + time_step * centre.velocity;
-  const Real largest = std::numeric_limits<Real>::max();
-  return abs(there.x()) <= largest && abs(there.y()) <= largest && abs(there.z()) <= largest;
+auto is_whole(const Particle<Real>& centre) {
+  const Vec3<Real>&x = centre.position, &v = centre.velocity;
+  return 0 * x[0] + 0 * x[1] + 0 * x[2] + 0 * v[0] + 0 * v[1] + 0 * v[2] == 0;
 }
 
 template <class Real>
-auto can_drift(const Top<Real>& top, Same<Real> time_step) {
-  return largest_turn(top, time_step) <= 2 * SineCosineConstants<Real>::limit;
+auto is_whole(const Top<Real>& top) {
+  const Quaternion<Real>& q = top.orientation;
+  const Vec3<Real>&v = q.imaginary, &L = top.angular_momentum_body;
+  return 0 * q.real + 0 * v[0] + 0 * v[1] + 0 * v[2] + 0 * L[0] + 0 * L[1] + 0 * L[2] == 0;
 }
-//! [can_drift]
+//! [is_whole]
 
-/// A body that could not drift, as the kick had left it.
+/// A body that a step has led nowhere, as it was before it drifted.
 template <class Real>
 struct Stopped {
   BodyIndex index;
   RigidBody<Real> body;
 };
 
-/// The first body that can't drift. @return nothing if all can
+/// The first body that is no longer whole. @return nothing if all are
 template <class Real>
-std::optional<BodyIndex> first_stopped(const Bodies<Real>& bodies, const Planned<Real>& planned,
-                                       Real time_step) {
+std::optional<BodyIndex> first_lost(const Bodies<Real>& bodies, const Planned<Real>& planned) {
   for (const BodyIndex body : planned.movers)
-    if (!can_drift(bodies.centres[body], time_step)) return body;
+    if (!is_whole(bodies.centres[body])) return body;
   for (const BodyIndex top : planned.turners)
-    if (!can_drift(bodies.tops[top], time_step)) return bodies.body_of[top];
+    if (!is_whole(bodies.tops[top])) return bodies.body_of[top];
   return std::nullopt;
+}
+
+/// What no finite turn is found for, as the end of a sentence: the angle |ω| h (rad), and how far
+/// sine_cosine() reaches.
+template <class Real>
+std::string turn_too_far(const Top<Real>& top, Same<Real> time_step) {
+  const Vec3<Real> spin = angular_velocity_body(top);
+  const Real angle = time_step * std::hypot(spin[0], spin[1], spin[2]);  // no square overflows
+  return text_of(angle) + " rad in this step, and no finite orientation was found; at most " +
+         text_of(2 * SineCosineConstants<Real>::limit) + " rad can be turned";
 }
 
 /// Who is to blame: the first effect, in the order of the scene, that gives the body a push with an
@@ -126,7 +132,7 @@ const AnyEffect<Real>* culprit_for(BodyIndex body, const std::vector<Pass<Real>>
   return nullptr;
 }
 
-/// The error for a body that could not drift. `bodies` are as they were before the step.
+/// The error for a body that was led nowhere. `bodies` are as they were before the step.
 template <class Real>
 SimulationError failure(const std::string& name, const Stopped<Real>& stopped,
                         const std::vector<Pass<Real>>& passes, const Bodies<Real>& bodies,
@@ -142,13 +148,11 @@ SimulationError failure(const std::string& name, const Stopped<Real>& stopped,
     what += culprit->name() + " gives a " + (force ? "force of " : "torque of ") +
             text_of(force ? push.force : push.torque) + (force ? " N" : " N m") +
             "; every component must be finite";
-  } else if (!can_drift(failed.centre, moment.time_step)) {
+  } else if (!is_finite(Vec3<Real>(failed.centre.position + time_step * failed.centre.velocity))) {
     what += "with a velocity of " + text_of(failed.centre.velocity) +
             " m/s the step would lead to no finite position";
   } else {
-    what += "it would turn by up to " + text_of(largest_turn(failed.top, moment.time_step)) +
-            " rad in this step; at most " + text_of(2 * SineCosineConstants<Real>::limit) +
-            " rad can be turned";
+    what += "it would turn by " + turn_too_far(failed.top, moment.time_step);
   }
   what += "; the world is as it was before this step";
   return {what, name, culprit ? culprit->name() : std::string(), static_cast<double>(moment.time)};

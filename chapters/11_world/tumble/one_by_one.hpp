@@ -54,23 +54,13 @@ class OneByOne {
   std::optional<Stopped<Real>> step(const Planned<Real>& planned, std::int64_t tick, Real time_step,
                                     const AfterPass& after_pass) {
     const Moment<Real> moment = moment_of(tick, time_step);
-    auto pass = planned.passes.begin();
-    const auto run_until = [&](auto is_reached) {
-      for (; pass != planned.passes.end() && !is_reached(pass->effect->phase()); ++pass) {
-        pass->effect->act(bodies_, pass->group, moment);
-        after_pass(*pass->effect);
-      }
-    };
-    run_until([](Phase phase) { return phase >= Phase::kick; });
     remember(bodies_, before_);
-    run_until([](Phase phase) { return phase >= Phase::drift; });
-    if (const std::optional<BodyIndex> body = first_stopped(bodies_, planned, time_step)) {
-      const Stopped<Real> stopped{*body, this->body(*body)};
-      restore(bodies_, before_);
-      return stopped;
+    for (const Pass<Real>& pass : planned.passes) {
+      pass.effect->act(bodies_, pass.group, moment);
+      after_pass(*pass.effect);
     }
-    run_until([](Phase) { return false; });
-    return std::nullopt;
+    const std::optional<BodyIndex> lost = first_lost(bodies_, planned);
+    return lost ? std::optional(taken_back(planned, *lost, moment)) : std::nullopt;
   }
   //! [step]
 
@@ -80,8 +70,20 @@ class OneByOne {
   }
 
  private:
+  /// The body as it was before it drifted: the step once more, as far as that. Then all is as it
+  /// was before the step.
+  Stopped<Real> taken_back(const Planned<Real>& planned, BodyIndex lost,
+                           const Moment<Real>& moment) {
+    restore(bodies_, before_);
+    for (const Pass<Real>& pass : planned.passes)
+      if (pass.effect->phase() < Phase::drift) pass.effect->act(bodies_, pass.group, moment);
+    const Stopped<Real> stopped{lost, this->body(lost)};
+    restore(bodies_, before_);
+    return stopped;
+  }
+
   Bodies<Real> bodies_;
-  Momenta<Real> before_;
+  Before<Real> before_;
 };
 
 }  // namespace tumble

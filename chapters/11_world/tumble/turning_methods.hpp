@@ -14,8 +14,7 @@ namespace tumble {
 /// takes a Top of any Real is run on packs too (chapter 12); one that takes a single kind of number
 /// visits the bodies of a pack one after another.
 ///
-/// It should leave finite numbers wherever sine_cosine() reaches, since a step is taken back only
-/// before the drift.
+/// Where a rule finds no finite turn it should leave NaN; the world then takes the step back.
 //! [turning_rule]
 template <class Rule, class Real>
 concept TurningRule = requires(const Rule& rule, Top<Real>& top, const Real& time_step) {

@@ -247,21 +247,18 @@ class World {
   /// and asks its predicate each time. Slow, and simple enough to be believed.
   //! [step_by_reference]
   void step_by_reference() {
-    Bodies<Real> bodies = kept_.bodies();
+    Bodies<Real> bodies = kept_.bodies(), kicked;
     const Moment<Real> moment = moment_of(ticks_, time_step_);
     const std::vector<Entry<Real>> entries = in_order<Real, Keeping>(effects_, tumbling_);
     const std::vector<Facts> facts = facts_of_all(bodies, histories_, entries, slots_);
-    bool guarded = false;
     for (const Entry<Real>& entry : entries) {
-      if (!guarded && entry.effect->phase() == Phase::drift) {
-        plan();  // its passes name the culprit
-        if (const auto body = first_stopped(bodies, planned_, time_step_)) {
-          const BodyState<Real> state = state_of(bodies, *body);
-          stop({*body, {.centre = state.centre, .top = state.top}});
-        }
-        guarded = true;
-      }
       visit_one_by_one(entry, facts, bodies, moment);
+      if (entry.effect->phase() < Phase::drift) kicked = bodies;
+    }
+    plan();  // its passes name the culprit
+    if (const auto lost = first_lost(bodies, planned_)) {
+      const BodyState<Real> state = state_of(kicked, *lost);
+      stop({*lost, {.centre = state.centre, .top = state.top}});
     }
     kept_.set_bodies(std::move(bodies));
     ++ticks_;

@@ -67,12 +67,12 @@ class InPacks {
     if (!past_ || tick - past_->tick >= steps_to_repeat) past_ = Past{tick, bodies_, {}};
     next_tick_ = tick + 1;
     const Moment<Real> moment = moment_of(tick, time_step);
-    bool stopped = false;
+    bool lost = false;
     if constexpr (std::is_same_v<AfterPass, Silence>)
-      stopped = run_in_blocks(planned, moment);
+      lost = run_in_blocks(planned, moment);
     else
-      stopped = run_pass_by_pass(planned, moment, after_pass);
-    return stopped ? take_back(planned, tick, time_step) : std::nullopt;
+      lost = run_pass_by_pass(planned, moment, after_pass);
+    return lost ? take_back(planned, tick, time_step) : std::nullopt;
   }
 
   /// One pass of the plan alone, to measure what it costs.
@@ -116,7 +116,7 @@ class InPacks {
     std::vector<Change> changes;  ///< what the user has done since
   };
 
-  /// The world as it was before step number `tick`, and the body that could not take it: the steps
+  /// The world as it was before step number `tick`, and the body that it lost: the steps
   /// since the last copy once more, one body after another.
   std::optional<Stopped<Real>> take_back(const Planned<Real>& planned, std::int64_t tick,
                                          Real time_step) {
@@ -135,21 +135,19 @@ class InPacks {
   //! [past]
 
   /// The stages one after another. Each thread takes the blocks of its own share one by one through
-  /// a whole stage. @return whether a body could not drift
+  /// a whole stage. @return whether a body was led nowhere
   //! [run_in_blocks]
   bool run_in_blocks(const Planned<Real>& planned, const Moment<Real>& moment) {
-    std::atomic<bool> stopped = false;
+    std::atomic<bool> lost = false;
     const auto run_share = [&](const auto& passes, const auto& packs, const auto& drifters,
                                Share share) {
       if (passes.empty()) return;
       for (auto [begin, last] = share.of(packs.size()); begin < last; begin += packs_in_block) {
         const std::uint32_t end = std::min(begin + packs_in_block, last);
-        auto pass = passes.begin();
-        for (; pass != passes.end() && phase_of(planned, *pass) < Phase::drift; ++pass)
-          act(planned, *pass, begin, end, moment);
-        if (pass != passes.end() && any_stopped(packs, drifters, begin, end, moment.time_step))
-          stopped = true;
-        for (; pass != passes.end(); ++pass) act(planned, *pass, begin, end, moment);
+        for (const PackedPass<Real, width>& pass : passes) act(planned, pass, begin, end, moment);
+        if (phase_of(planned, passes.back()) >= Phase::drift &&
+            any_lost(packs, drifters, begin, end))
+          lost = true;
       }
     };
     for (const Stage<Real, width>& stage : schedule_.stages) {
@@ -164,25 +162,19 @@ class InPacks {
       else
         team_.run([&](int member) { run_stage({member, team_.size()}); });
     }
-    return stopped;
+    return lost;
   }
   //! [run_in_blocks]
 
   template <class AfterPass>
   bool run_pass_by_pass(const Planned<Real>& planned, const Moment<Real>& moment,
                         const AfterPass& after_pass) {
-    bool is_guarded = false;
     for (std::size_t i = 0; i < planned.passes.size(); ++i) {
-      if (!is_guarded && planned.passes[i].effect->phase() == Phase::drift) {
-        if (any_stopped(bodies_.centres.packs(), schedule_.movers, 0, no_index, moment.time_step) ||
-            any_stopped(bodies_.tops.packs(), schedule_.turners, 0, no_index, moment.time_step))
-          return true;
-        is_guarded = true;
-      }
       run_pass(planned, i, moment);
       after_pass(*planned.passes[i].effect);
     }
-    return false;
+    return any_lost(bodies_.centres.packs(), schedule_.movers, 0, no_index) ||
+           any_lost(bodies_.tops.packs(), schedule_.turners, 0, no_index);
   }
 
   static Phase phase_of(const Planned<Real>& planned, const PackedPass<Real, width>& pass) {

@@ -63,20 +63,19 @@ Schedule<Real, width> schedule_of(const Planned<Real>& planned, std::size_t body
 }
 //! [schedule]
 
-/// True if one of the group's members in the packs from `begin` to before `end` can't drift.
+/// True if one of the group's members in the packs from `begin` to before `end` is no longer whole.
 template <class Real, int width, class Packed>
-bool any_stopped(const std::vector<Packed>& array, const PackGroup<Real, width>& group,
-                 std::uint32_t begin, std::uint32_t end, Same<Real> time_step) {
-  typename PackMask<Real, width>::Lanes stopped{};
+bool any_lost(const std::vector<Packed>& array, const PackGroup<Real, width>& group,
+              std::uint32_t begin, std::uint32_t end) {
+  typename PackMask<Real, width>::Lanes lost{};
   for_each_whole(group, begin, end, [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t pack = first; pack < last; ++pack)
-      stopped |= (!can_drift(array[pack], time_step)).lanes;
+    for (std::uint32_t pack = first; pack < last; ++pack) lost |= (!is_whole(array[pack])).lanes;
   });
   for_each_part(group, begin, end, [&](std::uint32_t pack, const auto& members) {
-    stopped |= (members && !can_drift(array[pack], time_step)).lanes;
+    lost |= (members && !is_whole(array[pack])).lanes;
   });
   for (int lane = 0; lane < width; ++lane)
-    if (stopped[lane]) return true;
+    if (lost[lane]) return true;
   return false;
 }
 

@@ -56,7 +56,7 @@ struct Longer<TurningRules<Rules...>, More...> {
 
 /// Chapter 8's rules, and the rungs that stay finite wherever sine_cosine() reaches. Those that
 /// look ahead or solve equations can leave the finite numbers within a single step of a few
-/// radians; a world guards a step before the drift and would learn of it too late.
+/// radians, and the world would stop there; nobody would choose that for a scene.
 //! [rungs_of_worlds]
 using RungsOfWorlds = Longer<FirstTurningRules, LinearlyImplicit, SplittingSuzuki,
                              SplittingBlanesMoanFourth, SplittingYoshida, SplittingBlanesMoanSixth,
