@@ -85,7 +85,7 @@ EXERCISE_CHECK(
 
 EXERCISE_CHECK("The outward force is how the potential energy falls") {
   using Vector = Vec3<Real>;
-  const Vector spin(Real(0.5), -1, 2), place(1, 2, -1), zero = Vector::Zero();
+  const Vector spin(Real(0.5), -1, 2), place(1, 2, -1);
   Vector falls;
   // The energy is of second degree, so a difference across a metre is its slope to rounding.
   for (int axis = 0; axis < 3; ++axis) {

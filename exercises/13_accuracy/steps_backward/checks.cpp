@@ -24,7 +24,7 @@ std::string with(int pairs) {
 /// Weights are below 2 in size; each is rounded a few times, so that their sum is off by no more.
 template <class Real>
 double tolerance(int pairs) {
-  return 2 * (2 * pairs + 1) * 8 * unit_roundoff<Real>;
+  return 2 * (2 * pairs + 1) * 8 * double(unit_roundoff<Real>);
 }
 
 const Vec3d start(0.6, 1.2, -0.9);
