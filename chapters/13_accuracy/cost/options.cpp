@@ -52,8 +52,8 @@ double between(const std::string& option, const std::string& text, const std::st
   if (!value) throw UsageError("--" + option + " is " + text + "; it must be a number of " + unit);
   if (*value >= smallest && *value <= largest && *value > 0) return *value;
   throw UsageError("--" + option + " is " + text + " " + unit + "; it must be " +
-                   (smallest > 0 ? "at least " + text_of(smallest) : "greater than 0") +
-                   " and at most " + text_of(largest) + " " + unit);
+                   (smallest > 0 ? "at least " + tumble::text_of(smallest) : "greater than 0") +
+                   " and at most " + tumble::text_of(largest) + " " + unit);
 }
 
 std::array<double, 3> three_numbers(const std::string& option, const std::string& text,
@@ -132,7 +132,8 @@ Frames frames_of(const std::string& seconds, const std::string& rate) {
   frames.count = std::lround(count);
   if (frames.count < 1 || std::abs(count - std::round(count)) > 1e-9 * count)
     throw UsageError("--for is " + seconds + " s; with " + rate +
-                     " states a second it must be a whole number of states, not " + text_of(count));
+                     " states a second it must be a whole number of states, not " +
+                     tumble::text_of(count));
   if (frames.count > 10'000'000)
     throw UsageError("--for is " + seconds + " s; that makes " + std::to_string(frames.count) +
                      " states, and at most 10000000 are looked at: lower --rate");

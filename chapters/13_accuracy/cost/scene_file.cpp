@@ -20,7 +20,7 @@ struct Snapshot {
 };
 
 /// More frames than this are not looked at; they are then spread evenly, with the last among them.
-constexpr long most_frames_seen = 100;
+constexpr long most_snapshots = 100;
 
 template <class Real>
 Scene<Real> scene_with(const std::filesystem::path& file, const Frames& frames, long steps,
@@ -43,7 +43,7 @@ Snapshot snapshot_of(const Bodies<Real>& bodies) {
 /// The whole run, a snapshot for each frame that is looked at. @throws SimulationError.
 template <class Real>
 std::vector<Snapshot> snapshots_of(World<Real> world, const Frames& frames, long steps) {
-  const long between = (frames.count + most_frames_seen - 1) / most_frames_seen;
+  const long between = (frames.count + most_snapshots - 1) / most_snapshots;
   std::vector<Snapshot> snapshots;
   for (long frame = 1; frame <= frames.count; ++frame) {
     for (long n = 0; n < steps; ++n) world.step();
