@@ -80,7 +80,7 @@ def _outcomes(toolchain, exercise, header, scratch, task, limits):
 def _allowed(toolchain, exercise, scratch, file):
     """Whether a student's header may make the compiler read this file."""
     allowed = [*toolchain.folders_of(exercise.chapter), *toolchain.system_folders, toolchain.common, scratch,
-               toolchain.build / "precompiled", "/usr/include", "/usr/lib", "/usr/local/include", "/usr/local/lib"]
+               toolchain.precompiled, "/usr/include", "/usr/lib", "/usr/local/include", "/usr/local/lib"]
     real = Path(os.path.realpath(file))
     return any(real.is_relative_to(os.path.realpath(folder)) for folder in allowed)
 

@@ -1,9 +1,11 @@
 """Files made by a command, made again only when the command or something that it read has changed."""
 
+import fcntl
 import json
 import os
 import subprocess
 import time
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -29,13 +31,20 @@ def make(target, command, inputs=(), dependencies=None, limit=120, run=None):
 
     `dependencies` is a file in make's form that the command writes, and names what else it read.
     `run` starts the command another way than subprocess.run, such as with the rights of another user.
+
+    Who else makes it at the same time waits: a compiler that reads half a precompiled header takes all memory.
     """
-    target, record = Path(target), Path(f"{target}.made")
-    command = [str(word) for word in command]
+    target = Path(target)
+    target.parent.mkdir(parents=True, exist_ok=True)
+    with _held(target):
+        return _make(target, [str(word) for word in command], inputs, dependencies, limit, run)
+
+
+def _make(target, command, inputs, dependencies, limit, run):
+    record = Path(f"{target}.made")
     known = _read(record)
     if known and known["command"] == command and target.exists() and _stamps(known["stamps"]) == known["stamps"]:
         return Made(known["output"], 0.0, list(known["stamps"]))
-    target.parent.mkdir(parents=True, exist_ok=True)
     record.unlink(missing_ok=True)
     began = time.monotonic()
     try:
@@ -50,6 +59,14 @@ def make(target, command, inputs=(), dependencies=None, limit=120, run=None):
     stamps = _stamps(dict.fromkeys(read))
     record.write_text(json.dumps({"command": command, "output": output, "stamps": stamps}), encoding="utf-8")
     return Made(output, time.monotonic() - began, read)
+
+
+@contextmanager
+def _held(target):
+    """Keeps others, threads and processes, from making the same; the lock goes with its holder, however that ends."""
+    with open(f"{target}.lock", "w", encoding="utf-8") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
 
 
 def dependencies_in(file):

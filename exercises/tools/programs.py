@@ -102,7 +102,7 @@ def folder_of(toolchain, exercise):
 
 
 def _shared(toolchain, name):
-    return toolchain.build / "shared" / name
+    return (toolchain.build / "shared").resolve() / name
 
 
 def _compile(toolchain, source, target, floor):

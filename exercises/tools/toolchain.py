@@ -28,20 +28,25 @@ class Toolchain:
             raise Complaint(f"there is no chapter {floor}; the chapters are {', '.join(self.floors)}")
         return self.floors[floor]
 
+    @property
+    def precompiled(self):
+        """The folder of the precompiled header; by its real name, for a compiler asked by another would make it again."""
+        return (self.build / "precompiled").resolve()
+
     def compile(self, source, target, floor, first_folders=(), last_folders=(), precompiled=True):
         """The command that compiles one file, and the file in which it names what it has read."""
         dependencies = f"{target}.d"
         folders = [*first_folders, self.common, *self.folders_of(floor), *last_folders]
         command = [*self.launcher, self.compiler, *OPTIONS, *self.options, "-MD", "-MF", dependencies]
         if precompiled:
-            command += ["-include", self.build / "precompiled" / "exercise.hpp"]
+            command += ["-include", self.precompiled / "exercise.hpp"]
         command += [word for folder in self.system_folders for word in ("-isystem", folder)]
         command += [f"-I{folder}" for folder in folders if folder not in self.system_folders]
         return [*command, "-c", source, "-o", target], dependencies
 
     def precompile(self):
         """The command for the precompiled header, its target, and the file that names what it read."""
-        header = self.build / "precompiled" / "exercise.hpp"
+        header = self.precompiled / "exercise.hpp"
         target = f"{header}.gch"
         command, dependencies = self.compile(header, target, "common", precompiled=False)
         command[command.index("-c"):command.index("-c") + 1] = ["-x", "c++-header"]
@@ -58,5 +63,5 @@ def read_toolchain(file, common, build, launched=False):
     except FileNotFoundError:
         raise Complaint(f"{file} is missing; CMake writes it when it configures the build") from None
     return Toolchain(compiler=said["compiler"], options=said["options"], system_folders=said["system_folders"],
-                     player_folders=said["player_folders"], floors=said["floors"], common=common, build=build,
+                     player_folders=said["player_folders"], floors=said["floors"], common=Path(common).resolve(), build=build,
                      launcher=tuple(word for word in said["launcher"] if word) if launched else ())

@@ -20,7 +20,8 @@ PLACE = "01_force/doubled"
 
 @unittest.skipUnless(TOOLCHAIN, "TUMBLE_TOOLCHAIN names no toolchain.json")
 class FixtureCourse(unittest.TestCase):
-    """Each test gets a fresh course; what is compiled from the real one's files is shared."""
+    """Each test gets a fresh course; what is compiled from the real one's files is shared by the tests of a file, which run
+    one after another."""
     maxDiff = None
 
     def setUp(self):
@@ -36,10 +37,9 @@ class FixtureCourse(unittest.TestCase):
         self.make_starter()
         self.build = self.root / "build"
         self.build.mkdir()
-        shared = Path(TOOLCHAIN).parent / "fixture"
-        shared.mkdir(exist_ok=True)
+        shared = Path(TOOLCHAIN).parent / "fixture" / type(self).__module__
         for name in ("precompiled", "shared"):
-            (shared / name).mkdir(exist_ok=True)
+            (shared / name).mkdir(parents=True, exist_ok=True)
             (self.build / name).symlink_to(shared / name)
         self.toolchain_file = self.build / "toolchain.json"
         shutil.copyfile(TOOLCHAIN, self.toolchain_file)

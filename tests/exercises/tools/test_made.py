@@ -1,0 +1,47 @@
+import multiprocessing
+import tempfile
+import unittest
+from pathlib import Path
+
+from made import CommandFailed, make
+
+
+def make_slowly(folder):
+    """Each run of the command leaves a line, and takes its time."""
+    source, target, runs = (Path(folder, name) for name in ("source", "target", "runs"))
+    command = ["sh", "-c", f"echo once >> '{runs}'; sleep 0.3; cp '{source}' '{target}'"]
+    return make(target, command, inputs=[source]).seconds
+
+
+class Made(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+        (self.folder / "source").write_text("1", encoding="utf-8")
+
+    def runs(self):
+        return len((self.folder / "runs").read_text(encoding="utf-8").splitlines())
+
+    def test_what_several_want_at_once_is_made_once_and_never_seen_half_made(self):
+        with multiprocessing.get_context("fork").Pool(4) as pool:
+            seconds = pool.map(make_slowly, [self.folder] * 4, chunksize=1)
+        self.assertEqual(self.runs(), 1)
+        self.assertEqual(sum(each > 0 for each in seconds), 1)
+
+    def test_it_is_made_again_when_what_it_was_made_of_changes_and_not_before(self):
+        make_slowly(self.folder)
+        make_slowly(self.folder)
+        self.assertEqual(self.runs(), 1)
+        (self.folder / "source").write_text("22", encoding="utf-8")
+        make_slowly(self.folder)
+        self.assertEqual(self.runs(), 2)
+        self.assertEqual((self.folder / "target").read_text(encoding="utf-8"), "22")
+
+    def test_after_a_failure_the_next_one_may_try(self):
+        target = self.folder / "target"
+        for _ in range(2):
+            with self.assertRaises(CommandFailed) as failed:
+                make(target, ["sh", "-c", "echo no; exit 3"])
+            self.assertEqual(failed.exception.output, "no\n")
+        self.assertEqual(make(target, ["sh", "-c", f"touch '{target}'"]).output, "")
