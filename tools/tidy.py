@@ -36,16 +36,18 @@ def flags_of(entry):
 
 
 def folders_of(entries):
-    """For each folder its files, and the flags of all that are compiled there, or else in the folder around it. The longest
-    list comes first, so that in the end none is waited for."""
-    flags = {}
+    """For each folder its files, each with its flags: its own where it is compiled, else those of all that are compiled in the
+    folder or in the one around it. The longest list comes first, so that in the end none is waited for."""
+    own, together = {}, {}
     for entry in entries:
-        flags.setdefault(Path(entry["file"]).parent, {}).update(dict.fromkeys(flags_of(entry)))
+        file, flags = Path(entry["file"]), flags_of(entry)
+        own[file] = flags
+        together.setdefault(file.parent, {}).update(dict.fromkeys(flags))
     folders = {}
     for file in sorted([*root.glob("common/**/*.cpp"), *root.glob("chapters/**/*.cpp")]):
-        folders.setdefault(file.parent, []).append(file)
-    nearest = {folder: next((flags[f] for f in [folder, *folder.parents] if f in flags), {}) for folder in folders}
-    return sorted(((files, list(nearest[folder])) for folder, files in folders.items()), key=lambda folder: -len(folder[0]))
+        nearest = next((together[folder] for folder in file.parents if folder in together), {})
+        folders.setdefault(file.parent, {})[file] = own.get(file, list(nearest))
+    return sorted(folders.values(), key=len, reverse=True)
 
 
 def read_as_one(files):
@@ -70,14 +72,14 @@ def tidy(file, flags):
     return looked.stdout + errors if looked.returncode else ""
 
 
-def tidy_folder(files, flags, scratch):
+def tidy_folder(files, scratch):
     """What clang-tidy says of a folder's files, and how often it had to read."""
     one = Path(tempfile.mkdtemp(dir=scratch), "many.cpp")
     one.write_text(read_as_one(files))
-    said = tidy(one, flags)
+    said = tidy(one, dict.fromkeys(flag for flags in files.values() for flag in flags))
     if "clang-diagnostic-error" not in said:
         return said, 1
-    return "".join(tidy(file, flags) for file in files), len(files)
+    return "".join(tidy(file, flags) for file, flags in files.items()), len(files)
 
 
 def main():
@@ -87,10 +89,10 @@ def main():
     folders = folders_of(entries)
     found = 0
     with tempfile.TemporaryDirectory() as scratch, ThreadPoolExecutor(int((sys.argv + ["2"])[2])) as pool:
-        looks = pool.map(lambda folder: tidy_folder(*folder, scratch), folders)
-        for (files, _), (said, times) in zip(folders, looks):
+        looks = pool.map(lambda files: tidy_folder(files, scratch), folders)
+        for files, (said, times) in zip(folders, looks):
             alone = " alone" if times > 1 else ""
-            print(f"{files[0].parent.relative_to(root)}: {len(files)} files{alone}", flush=True)
+            print(f"{next(iter(files)).parent.relative_to(root)}: {len(files)} files{alone}", flush=True)
             if said:
                 found += 1
                 print(said, flush=True)
