@@ -65,8 +65,9 @@ void report(Notebook& notebook, const std::string& precision, const std::vector<
   // renormalized() lets 16 roundings of |q|² be and may misjudge it by 4; |q| has half of that.
   // |L| walks at random: two roundings a step, and three times the root of the number of steps is
   // rare. The energy wavers by what problem A shows, and walks as |L|² does. The direction of L in
-  // the world creeps, in proportion to time: what a step rounds is not quite without a bias. It is
-  // a hundredth of a rounding a step, which was measured and not derived; twice that is let pass.
+  // the world creeps, in proportion to time: what a step rounds is not quite without a bias. In
+  // float it is a hundredth of a rounding a step, which was measured and not derived; twice that is
+  // let pass.
   const double u = std::numeric_limits<Real>::epsilon() / 2,
                walk = 3 * std::sqrt(double(steps)) * u;
   expect(worst.norm <= 10 * u * 1.01, "|q| is 1 to ten roundings");
@@ -77,6 +78,7 @@ void report(Notebook& notebook, const std::string& precision, const std::vector<
   notebook.value("energy_" + precision, number("%.0e", worst.energy));
   notebook.value("size_" + precision, number("%.0e", worst.size));
   notebook.value("direction_" + precision, number("%.0e rad", worst.direction));
+  notebook.value("creep_" + precision, number("%.1g", worst.direction / (double(steps) * u)));
   notebook.value("phase_" + precision, number("%.1f rad", worst.phase));
 }
 

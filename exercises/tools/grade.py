@@ -24,6 +24,7 @@ from submission import read_header, require_folders, student_of
 from toolchain import read_toolchain
 
 FIRST_USER = 64000  # numbers that no account has; each submission that runs at the same time gets one of its own
+SECONDS = 5  # of computing, for one check
 
 
 def grade_all(arguments, exercises):
@@ -101,7 +102,7 @@ def main(words):
     parser.add_argument("--keep", choices=("all", "best", "last"), default="all", help="of resubmissions, such as ada@1 and ada@2")
     parser.add_argument("--marks", type=Path, help="a table of points as CSV")
     parser.add_argument("--similarity", type=Path, help="a folder for programs that look for copied code")
-    parser.add_argument("--seconds", type=float, default=5, help="of computing, for one check")
+    parser.add_argument("--seconds", type=float, default=SECONDS, help="of computing, for one check")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     arguments = parser.parse_args(words)
     try:

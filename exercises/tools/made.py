@@ -36,7 +36,7 @@ def make(target, command, inputs=(), dependencies=None, limit=120, run=None):
     """
     target = Path(target)
     target.parent.mkdir(parents=True, exist_ok=True)
-    with _held(target):
+    with held(target):
         return _make(target, [str(word) for word in command], inputs, dependencies, limit, run)
 
 
@@ -62,7 +62,7 @@ def _make(target, command, inputs, dependencies, limit, run):
 
 
 @contextmanager
-def _held(target):
+def held(target):
     """Keeps others, threads and processes, from making the same; the lock goes with its holder, however that ends."""
     with open(f"{target}.lock", "w", encoding="utf-8") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)

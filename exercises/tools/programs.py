@@ -3,7 +3,7 @@
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
-from made import make
+from made import held, make
 
 
 PRECISIONS = ("double", "float")
@@ -22,8 +22,9 @@ def prepare(toolchain, exercise):
     header, command, target, dependencies = toolchain.precompile()
     header.parent.mkdir(parents=True, exist_ok=True)
     text = "#include <exercise/precompiled.hpp>\n"
-    if not header.exists() or header.read_text(encoding="utf-8") != text:
-        header.write_text(text, encoding="utf-8")
+    with held(header):
+        if not header.exists() or header.read_text(encoding="utf-8") != text:
+            header.write_text(text, encoding="utf-8")
     make(target, command, dependencies=dependencies)
     _compile(toolchain, toolchain.common / "exercise" / "serve.cpp", _shared(toolchain, "serve.o"), "common")
     _compile(toolchain, toolchain.common / "exercise" / "judge.cpp", _shared(toolchain, "judge.o"), "common")

@@ -89,4 +89,10 @@ def with_parameters(task, exercise, values):
         if name not in shown:
             raise Complaint(f"{exercise.folder / 'task.md'} names the parameter {name}, which exercise.json does not")
         return shown[name]
-    return re.sub(r"\{\{parameter ([a-z0-9_]+)\}\}", value_of, task)
+
+    filled = re.sub(r"\{\{parameter ([a-z0-9_]+)\}\}", value_of, task)
+    if "{{" in filled:
+        left = filled[filled.index("{{"):].partition("}}")[0] + "}}"
+        raise Complaint(f"{exercise.folder / 'task.md'} holds {left!r}; what a student's number replaces is written "
+                        "{{parameter NAME}}, on one line")
+    return filled

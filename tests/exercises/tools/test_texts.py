@@ -95,6 +95,11 @@ class Parameters(InAFolder):
         self.assertIn("names the parameter length",
                       self.complaint(lambda: with_parameters("{{parameter length}}", exercise(), [("mass", 1)])))
 
+    def test_one_that_is_written_in_another_way_is_refused(self):
+        for task in ("{{parameter\nmass}}", "{{Parameter mass}}", "{{mass}}"):
+            with self.subTest(task):
+                self.assertIn(f"holds {task!r}; ", self.complaint(lambda task=task: with_parameters(task, exercise(), [("mass", 1)])))
+
 
 class CompilerSays(unittest.TestCase):
     def test_an_error_in_the_students_file_is_shown_with_its_line(self):
