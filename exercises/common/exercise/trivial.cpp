@@ -45,7 +45,7 @@ std::map<std::string, double, std::less<>> parameters;
 std::vector<Place> places;
 std::initializer_list<Offer> offers;
 Search* state = nullptr;
-int needed = -1;        ///< the place for which nothing is chosen yet
+int needed = -1;  ///< the place for which nothing is chosen yet
 
 Outcome outcome_of(void (*run)()) {
   needed = -1;
@@ -154,8 +154,8 @@ int search(int argument_count, char** arguments, std::initializer_list<Place> it
     const std::size_t equals = std::min(text.find('='), text.size() - 1);
     parameters[std::string(text.substr(0, equals))] = std::strtod(&text[equals + 1], nullptr);
   }
-  void* const shared = mmap(nullptr, sizeof(Search), PROT_READ | PROT_WRITE,
-                            MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  void* const shared =
+      mmap(nullptr, sizeof(Search), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (shared == MAP_FAILED) return 2;
   state = new (shared) Search;
   while (!state->is_done) {

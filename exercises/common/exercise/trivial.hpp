@@ -145,7 +145,11 @@ struct Echo {
       if (wanted-- == 0) found = value;
     } else if constexpr (requires { fields(value); }) {
       std::apply([this](const auto&... field) { (look_at(field), ...); }, fields(value));
-    } else if constexpr (requires { value.data(); value.size(); value[0]; }) {
+    } else if constexpr (requires {
+                           value.data();
+                           value.size();
+                           value[0];
+                         }) {
       for (std::size_t i = 0; i < static_cast<std::size_t>(value.size()) && i < 3; ++i)
         look_at(value.data()[i]);
     }
@@ -199,7 +203,10 @@ Result trivial(int place, Arguments&... arguments) {
     Result result{};
     if constexpr (requires { result.setZero(); }) result.setZero();
     if (answer.kind == TrivialAnswer::default_value) return result;
-    if constexpr (requires { result.resize(3); result.push_back(result[0]); })
+    if constexpr (requires {
+                    result.resize(3);
+                    result.push_back(result[0]);
+                  })
       result.resize(length_from(arguments...));
     take_on(result, answer);
     return result;
