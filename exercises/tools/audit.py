@@ -111,9 +111,9 @@ def look_at_behaviour(root, toolchain, exercise, quick=False):
         for outcomes in verdicts(places.solution(exercise), "solution"):
             complaints += [f'{exercise.path}: the solution fails "{sentence}": {outcome.message}'
                            for sentence, outcome in outcomes.items() if outcome.status != PASSED]
-        for earned in earned_by_little(toolchain, exercise, drawn_parameters(exercise, "")):
-            complaints.append(f'{exercise.path}: "{earned.sentence}" {"is passed" if earned.passes else "breaks down"} where '
-                              f"{earned.answers}")
+        for key in keys:
+            complaints += [f'{exercise.path}: "{earned.sentence}" {"is passed" if earned.passes else "breaks down"} where '
+                           f"{earned.answers}" for earned in earned_by_little(toolchain, exercise, drawn_parameters(exercise, key))]
         if quick:
             return complaints
         if has_replay(exercise):

@@ -116,8 +116,8 @@ std::string spoken(const Search::Combination& combination) {
 
 }  // namespace
 
-Check::Check(const char* sentence_, void (*in_double_)(), void (*in_float_)())
-    : sentence(sentence_), in_double(in_double_), in_float(in_float_) {
+Check::Check(const char* said, void (*run)(), void (*run_in_float)())
+    : sentence(said), in_double(run), in_float(run_in_float) {
   checks().push_back(*this);
 }
 
