@@ -1,0 +1,3 @@
+#include "kept_in_scene.hpp"
+
+template double scene_error<float>(const Json&, const Json&);
