@@ -297,6 +297,11 @@ TEST_CASE_TEMPLATE("Beyond its stability limit a damped spring grows, just below
   CHECK(largest_stable_time_step(Real(4), Real(0), Real(1)) == 1);          // 2/w
   CHECK(largest_stable_time_step(Real(0), Real(4), Real(1)) == Real(0.5));  // 2 m/c
   CHECK(std::isinf(largest_stable_time_step(Real(4), Real(4), Real(0))));
+  // The squares of these two leave the range; their root does not. 4/(c/m + √((c/m)² + 4 k/m)).
+  const Real huge = std::ldexp(Real(1), std::numeric_limits<Real>::max_exponent - 4);
+  CHECK(largest_stable_time_step(Real(0), huge, Real(1)) == 2 / huge);
+  const Real tiny = 1 / huge;
+  CHECK(largest_stable_time_step(Real(0), tiny, Real(1)) == 2 / tiny);
 }
 
 TEST_CASE_TEMPLATE("A stiffness, damping or inverse mass that cannot be is refused by name", Real,
