@@ -47,12 +47,33 @@ TEST_CASE_TEMPLATE(
   add_force_at(wrench, push, centre);
   CHECK(same_bits(wrench.torque, Vec3<Real>(1, 2, 3)));
 
-  Particle<Real> body = make_particle(Real(2), centre);
+  // The centre of mass moves as a particle that is pushed there, and the torque has no say in it.
+  Particle<Real> body = make_particle(Real(2), centre), pushed = body;
   add_force(body, wrench.force);
-  step(body, Real(0.5));
-  CHECK(same_bits(body.velocity, push / 4));
+  add_force(pushed, push);
+  for (int n = 0; n < 3; ++n) {
+    step(body, Real(0.5));
+    step(pushed, Real(0.5));
+  }
+  CHECK(same_bits(body.velocity, 3 * push / 4));
+  CHECK(same_bits(body.position, pushed.position));
 }
 //! [at_the_centre]
+
+TEST_CASE_TEMPLATE("Under a couple the centre of mass keeps its velocity", Real, EVERY_PRECISION) {
+  const Vec3<Real> force(Real(0.1), -3, Real(7.7)), velocity(4, Real(-0.3), 2);
+  Particle<Real> centre = make_particle(Real(2), Vec3<Real>(1, 2, 3), velocity);
+  for (int n = 0; n < 10; ++n) {
+    Wrench<Real> wrench{.about = centre.position};
+    add_force_at<Real>(wrench, force, centre.position + Vec3<Real>(0, 1, 0));
+    add_force_at<Real>(wrench, -force, centre.position - Vec3<Real>(0, 1, 0));
+    CHECK(wrench.torque.norm() > 1);
+    clear_force(centre);
+    add_force(centre, wrench.force);
+    step(centre, Real(0.125));
+  }
+  CHECK(same_bits(centre.velocity, velocity));
+}
 
 //! [couple]
 TEST_CASE_TEMPLATE("A couple has a torque, the same about every point, and no net force", Real,

@@ -64,8 +64,9 @@ TEST_CASE_TEMPLATE(
 }
 //! [energy_splits]
 
-TEST_CASE_TEMPLATE("Without the centre of mass as reference the energy does not split", Real,
-                   EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "Without the centre of mass as reference the energy does not split, except about a pivot", Real,
+    EVERY_PRECISION) {
   const std::vector<Particle<Real>> particles = {make_particle(Real(1), {1, 0, 0}),
                                                  make_particle(Real(3), {2, 0, 0})};
   const Vec3<Real> V(0, 1, 0), omega(0, 0, 1);
@@ -77,6 +78,13 @@ TEST_CASE_TEMPLATE("Without the centre of mass as reference the energy does not 
   // The cross term is V·(ω × Σ m r) = 1 (1·1 + 3·2) = 7 J.
   CHECK(std::abs(total - (4 * Real(0.5) + turning_energy(about_origin, omega)) - 7) <=
         40 * unit_roundoff<Real> * total);
+  // A door on its hinge: the reference stands still, and the whole energy is that of turning.
+  Real of_door = 0;
+  for (const Particle<Real>& particle : particles)
+    of_door += mass_of(particle) * omega.cross(particle.position).squaredNorm() / 2;
+  CHECK(of_door == Real(6.5));  // (1 1² + 3 2²)/2
+  CHECK(std::abs(of_door - turning_energy(about_origin, omega)) <=
+        40 * unit_roundoff<Real> * of_door);
 }
 
 TEST_CASE_TEMPLATE("Turning energy is the same number in every frame", Real, EVERY_PRECISION) {

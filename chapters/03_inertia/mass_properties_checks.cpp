@@ -223,3 +223,16 @@ TEST_CASE_TEMPLATE("Parts, turns and shifts that make no sense are refused", Rea
           moved(ball, upright, {0, 0, std::numeric_limits<Real>::infinity()});
         }) == "the shift that moves a body is (0, 0, inf) m; every component must be finite");
 }
+
+TEST_CASE_TEMPLATE("A matrix that moves a body may be off by 1024 roundings, and no more", Real,
+                   EVERY_PRECISION) {
+  const MassProperties<Real> box = mass_properties(Box<Real>{{1, 2, 3}}, 4);
+  const auto complaint = [&](Real roundings) {
+    // One column longer by so much: its square is off by twice as much.
+    Mat3<Real> matrix = Mat3<Real>::Identity();
+    matrix(1, 1) += roundings / 2 * unit_roundoff<Real>;
+    return complaint_of([&] { moved<Real>(box, matrix, Vec3<Real>(0, 0, 0)); });
+  };
+  CHECK(complaint(1000) == "nothing thrown");
+  CHECK(complaint(1100).find("the matrix that moves a body does not turn rigidly") == 0);
+}

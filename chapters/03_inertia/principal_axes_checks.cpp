@@ -53,6 +53,33 @@ TEST_CASE_TEMPLATE("Bodies with two or three equal moments get a right-handed fr
     }
 }
 
+TEST_CASE_TEMPLATE(
+    "In a frame turned back by phi the product of inertia is what the formula says, and none is "
+    "left",
+    Real, EVERY_PRECISION) {
+  Dice dice(25);
+  for (int n = 0; n < 100; ++n) {
+    const Mat3<Real> inertia = turned(Vec3<Real>(1, 2, Real(2.5)), dice);
+    const Real phi = dice.vector<Real>().x(), sine = std::sin(phi), cosine = std::cos(phi);
+    Mat3<Real> back;  // in its columns the frame's axes, turned by −φ about z
+    back << cosine, sine, 0, -sine, cosine, 0, 0, 0, 1;
+    const auto formula = [&](Real s) {
+      return (cosine * cosine - s * s) * inertia(0, 1) +
+             s * cosine * (inertia(0, 0) - inertia(1, 1));
+    };
+    const Mat3<Real> seen = back.transpose() * inertia * back;
+    CHECK(std::abs(seen(0, 1) - formula(sine)) <= slack<Real> * inertia.norm());
+    const Mat3<Real> forth = back * inertia * back.transpose();  // turned by +φ: φ changes its sign
+    CHECK(std::abs(forth(0, 1) - formula(-sine)) <= slack<Real> * inertia.norm());
+
+    Mat3<Real> removed = inertia, axes = Mat3<Real>::Identity();
+    remove_product(removed, axes, 0, 1);
+    CHECK(removed(0, 1) == 0);
+    CHECK((axes.transpose() * inertia * axes - removed).norm() <= slack<Real> * inertia.norm());
+    CHECK(axes(0, 0) >= std::sqrt(Real(0.5)) * (1 - slack<Real>));  // by 45 degrees at most
+  }
+}
+
 TEST_CASE_TEMPLATE("Another method, Eigen's, finds the same moments", Real, EVERY_PRECISION) {
   Dice dice(23);
   for (int n = 0; n < 100; ++n) {

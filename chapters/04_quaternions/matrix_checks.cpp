@@ -103,4 +103,22 @@ TEST_CASE_TEMPLATE("A matrix that is no rotation is refused: stretched, mirrored
   CHECK(complaint(broken) ==
         "a column of orientation is (0, nan, 1); every component must be finite");
   CHECK(complaint(matrix_of(quaternion_about(Vec3<Real>(1, 2, 3), 2))) == "nothing thrown");
+  // The limit is 0.01 in RᵀR − 1, of a slant and of a length.
+  sheared(0, 1) = Real(0.011);
+  CHECK(complaint(sheared) != "nothing thrown");
+  sheared(0, 1) = Real(0.009);
+  CHECK(complaint(sheared) == "nothing thrown");
+  CHECK(complaint(Real(1.0051) * Mat3<Real>::Identity()) != "nothing thrown");
+  CHECK(complaint(Real(1.0049) * Mat3<Real>::Identity()) == "nothing thrown");
+}
+
+TEST_CASE_TEMPLATE("A matrix that is nearly a rotation still gives a quaternion of norm 1", Real,
+                   EVERY_PRECISION) {
+  for (const Real angle : {Real(0.1), Real(2), Real(3)}) {
+    const Quaternion<Real> q = quaternion_about(Vec3<Real>(1, -2, 3), angle);
+    const Quaternion<Real> found = quaternion_of<Real>(Real(1.004) * matrix_of(q));
+    CHECK(std::abs(norm(found) - 1) <= 8 * unit_roundoff<Real>);
+    // Stretched evenly, R is off by 0.004 of itself, so each of the sixteen products by 0.012.
+    CHECK(distance_up_to_sign(found, q) <= Real(0.012));
+  }
 }

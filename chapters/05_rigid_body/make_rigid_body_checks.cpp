@@ -225,3 +225,45 @@ TEST_CASE_TEMPLATE("A body that cannot be is refused by name, value, unit and ru
           make_static_body<Real>("wall", {.position = Vec3<Real>(0, 0, nan)});
         }) == "wall: position is (0, 0, nan) m; every component must be finite");
 }
+
+TEST_CASE_TEMPLATE("A spin about a locked axis is refused from 64 roundings of it on", Real,
+                   EVERY_PRECISION) {
+  const MassProperties<Real> rod = mass_properties(ThinRod<Real>{2}, 3);  // along z
+  const auto complaint = [&](Real roundings) {
+    return complaint_of([&] {
+      make_rigid_body("rod", rod, {}, Vec3<Real>::Zero(),
+                      Vec3<Real>(1, 0, roundings * unit_roundoff<Real>),
+                      Turning::locked_where_thin);
+    });
+  };
+  CHECK(complaint(60) == "nothing thrown");
+  CHECK(complaint(70) == "rod: angular velocity is " +
+                             text_of(Vec3<Real>(1, 0, 70 * unit_roundoff<Real>)) +
+                             " rad/s; the body is locked about an axis that this turns about");
+}
+
+TEST_CASE_TEMPLATE("A moment too small to invert is refused, also where thin axes may be locked",
+                   Real, EVERY_PRECISION) {
+  MassProperties<Real> speck{.mass = 1};
+  // A quarter of the smallest normal number: not zero, but 1 by it is infinite.
+  speck.inertia.diagonal().setConstant(std::numeric_limits<Real>::min() / 4);
+  const std::string complaint = complaint_of([&] {
+    make_rigid_body("speck", speck, {}, Vec3<Real>::Zero(), Vec3<Real>::Zero(),
+                    Turning::locked_where_thin);
+  });
+  CHECK(complaint.find("speck: principal moment is ") == 0);
+  CHECK(complaint.find(" kg m^2; it must lie between ") != std::string::npos);
+}
+
+TEST_CASE_TEMPLATE("A static body stands as it was put, with a quaternion of norm 1", Real,
+                   EVERY_PRECISION) {
+  const Quaternion<Real> turn = quaternion_about(Vec3<Real>(1, -2, 3), Real(2));
+  const Vec3<Real> place(4, 5, 6);
+  // Typed to two digits: half a per cent too long.
+  const Quaternion<Real> typed{Real(1.005) * turn.real, Real(1.005) * turn.imaginary};
+  const RigidBody<Real> wall = make_static_body<Real>("wall", {place, typed});
+  CHECK(same_bits(wall.centre.position, place));
+  CHECK(distance(wall.top.orientation, turn) <= 16 * unit_roundoff<Real>);
+  CHECK(std::abs(norm(checked_pose<Real>({place, typed}, "wall").orientation) - 1) <=
+        8 * unit_roundoff<Real>);
+}

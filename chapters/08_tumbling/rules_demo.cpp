@@ -1,6 +1,7 @@
 // Seven rules on four problems: energy, angular momentum and phase together.
 #include <course/record.hpp>
 #include <course/rules.hpp>
+#include <numbers>
 
 using namespace tumble;
 using course::Motion;
@@ -53,4 +54,28 @@ int main(int argument_count, char** arguments) {
   const Motion implicit =
       course::watched<double>(course::tumbling_problems[0], turn_implicitly<double>);
   notebook.value("implicit_lost", number("%.0f %%", 100 * (1 - implicit.energy_ratio)));
+
+  // What the length of L keeps, shown by problem A at 3.3 rad a step: the energy between L²/2I₃ and
+  // L²/2I₁ and no better.
+  Topd top = course::top_of<double>(course::tumbling_problems[0]);
+  const double energy = kinetic_energy(top), square = top.angular_momentum_body.squaredNorm();
+  const double step = 3.3 / angular_velocity_body(top).norm();
+  double least = 1, most = 1;
+  for (int n = 0; n < 100'000; ++n) {
+    turn_by_splitting(top, step);
+    least = std::min(least, kinetic_energy(top) / energy);
+    most = std::max(most, kinetic_energy(top) / energy);
+  }
+  course::expect(least < 0.8 && most > 1.5, "at 3.3 rad a step the energy is not kept");
+  course::expect(least >= square / 6 / energy && most <= square / 2 / energy,
+                 "but it stays where the length of L holds it");
+  notebook.value("long_step_least", number("%.2f", least));
+  notebook.value("long_step_most", number("%.2f", most));
+
+  // The steady rule leads L round the cone about ω that it starts on: by twice the angle between
+  // the two, at the far side.
+  const Topd start = course::top_of<double>(course::tumbling_problems[0]);
+  const double sine = gyroscopic_torque(start).norm() /
+                      (angular_velocity_body(start).norm() * start.angular_momentum_body.norm());
+  notebook.value("steady_swing", number("%.0f°", 2 * std::asin(sine) * 180 / std::numbers::pi));
 }

@@ -43,10 +43,13 @@ int main(int argument_count, char** arguments) {
       run("angular momentum, world axes", "world_momentum", keep_world_momentum);
   const course::Motion velocity =
       run("angular velocity, world axes", "world_velocity", keep_world_velocity);
+  notebook.value("world_velocity_momentum", number("%.0f %%", 100 * velocity.momentum_error));
+  notebook.value("world_momentum_momentum", number("%.0e", world.momentum_error));
+  notebook.value("body_momentum_momentum", number("%.0e", body.momentum_error));
   course::expect(body.energy_error < 1e-4, "kept in body axes, the energy holds");
   course::expect(
       world.energy_error > 10 * body.energy_error && velocity.energy_error > 10 * body.energy_error,
       "kept in world axes it does not, in neither form");
   course::expect(velocity.momentum_error > 10 * world.momentum_error,
-                 "and with the velocity L is lost as well");
+                 "and with the velocity L is off as well");
 }

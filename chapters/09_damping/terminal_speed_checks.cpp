@@ -126,6 +126,24 @@ TEST_CASE("Quadratic drag alone leaves v0 / (1 + c v0 t / m), to first order") {
 }
 
 TEST_CASE(
+    "From the same first deceleration quadratic drag leaves more speed than damping, at every "
+    "moment") {
+  const double coefficient = 0.02, mass = 0.5, start = 30, rate = coefficient * start / mass;
+  const double h = 1.0 / 240;
+  Particled dragged = make_particle(mass, Vec3d(0, 0, 0), Vec3d(start, 0, 0)), damped = dragged;
+  const double kept = fraction_kept(rate, h);
+  for (int n = 1; n <= 12 * 240; ++n) {
+    clear_force(dragged);
+    add_force(dragged, quadratic_drag(coefficient, dragged.velocity, Vec3d(0, 0, 0)));
+    step(dragged, h);
+    damp(damped, kept);
+    // A kick makes a chord of the curve, which costs (k h)²/2 of the speed at the first one.
+    if (n > 1) CHECK(dragged.velocity.x() > damped.velocity.x());
+  }
+  CHECK(dragged.velocity.x() > 100 * damped.velocity.x());
+}
+
+TEST_CASE(
     "A falling body ends at the root of m g / c with quadratic drag, at m g / c with linear") {
   const double coefficient = 0.01, g = 9.81;
   for (const double mass : {0.1, 0.4, 1.6}) {
@@ -137,6 +155,18 @@ TEST_CASE(
       step(ball, 1.0 / 60);
     }
     CHECK(std::abs(-ball.velocity.z() / std::sqrt(mass * g / coefficient) - 1) < 1e-13);
+
+    // A force −c v: as long as 30 times m/c, which leave e^−30 of the way there.
+    const double linear = 0.5;
+    Particled bead = make_particle(mass);
+    const double h = 1.0 / 60;
+    for (int n = 0; n < 30 * mass / linear / h; ++n) {
+      clear_force(bead);
+      add_gravity(bead, Vec3d(0, 0, -g));
+      add_force(bead, -linear * bead.velocity);
+      step(bead, h);
+    }
+    CHECK(std::abs(-bead.velocity.z() / (mass * g / linear) - 1) < 1e-12);
   }
 }
 

@@ -115,6 +115,28 @@ TEST_CASE("An hour of 144 frames a second has exactly 216000 steps of a sixtieth
   CHECK(clock.remainder == 0);
 }
 
+TEST_CASE("A clock that nobody has set steps 60 times a second, for frames of 0.25 s and 8 steps") {
+  const StepClock clock, made = make_step_clock(steps_per_second(60));
+  for (const StepClock& by_default : {clock, made}) {
+    CHECK(by_default.step.numerator == 50'000'000);
+    CHECK(by_default.step.denominator == 3);
+    CHECK(by_default.longest_frame == 250 * millisecond);
+    CHECK(by_default.most_steps == 8);
+  }
+}
+
+TEST_CASE(
+    "A step given in parts of a nanosecond may last an hour to the last part, and no longer") {
+  const std::int64_t hour = 3600 * second;
+  for (const std::int64_t denominator : {std::int64_t(1), std::int64_t(3), std::int64_t(1000)}) {
+    const auto complaint = [&](std::int64_t numerator) {
+      return complaint_of([&] { require_step_length({numerator, denominator}, 1); });
+    };
+    CHECK(complaint(hour * denominator) == "nothing thrown");
+    CHECK(complaint(hour * denominator + 1).find("numerator of the step is ") == 0);
+  }
+}
+
 TEST_CASE("A step's length is exact in lowest terms, and its time step correctly rounded") {
   CHECK(steps_per_second(60).numerator == 50'000'000);
   CHECK(steps_per_second(60).denominator == 3);

@@ -120,6 +120,18 @@ TEST_CASE_TEMPLATE("Every step leaves the force and torque gathered for the time
     orbit.gather(particle, Real(0.01));
     CHECK(same_bits(left, particle.force));
   }
+  // And for a push that changes with time alone.
+  const auto push = [](Particle<Real>& particle, Real time) {
+    particle.force = {std::cos(2 * time), 0, 0};
+  };
+  for (const auto& rung : motion_ladder<Real, decltype(push)>) {
+    CAPTURE(std::string(rung.name));
+    Particle<Real> particle = orbit.start;
+    push(particle, 1);
+    rung.step(particle, push, 1, Real(0.125));
+    CHECK(std::abs(particle.force.x() - std::cos(2 * Real(1.125))) <=
+          100 * unit_roundoff<Real>);  // the time is a sum of portions
+  }
   const auto driven = driven_top<Real>();
   for (const auto& rung : torque_ladder<Real, Drive<Real>>) {
     CAPTURE(std::string(rung.name));
@@ -193,3 +205,30 @@ TEST_CASE_TEMPLATE("The exact solution as a rung: many steps lead where one does
   }
 }
 //! [turned_exactly]
+
+//! [locked]
+TEST_CASE_TEMPLATE("On every rung of the torque ladder L about a locked axis stays 0", Real,
+                   EVERY_PRECISION) {
+  for (int axis = 0; axis < 3; ++axis) {
+    auto driven = driven_top<Real>();
+    lock_axis(driven.start, axis);
+    for (const auto& rung : torque_ladder<Real, Drive<Real>>) {
+      CAPTURE(std::string(rung.name));
+      const Top<Real> top = after(driven, rung, 40);
+      CHECK(top.angular_momentum_body[axis] == 0);
+      CHECK(top.angular_momentum_body.norm() > Real(0.1));
+    }
+  }
+}
+//! [locked]
+
+TEST_CASE_TEMPLATE("Kick and drift takes the force of now, and then the velocity that it has made",
+                   Real, EVERY_PRECISION) {
+  const auto push = [](Particle<Real>& particle, Real time) { particle.force = {4 * time, 0, 0}; };
+  Particle<Real> particle = make_particle<Real>(1, {1, 0, 0}, {2, 0, 0});
+  push(particle, 3);
+  step_by_kick_and_drift(particle, push, Real(3), Real(0.25));
+  CHECK(particle.velocity.x() == 2 + 12 * Real(0.25));
+  CHECK(particle.position.x() == 1 + 5 * Real(0.25));
+  CHECK(particle.force.x() == 4 * Real(3.25));
+}

@@ -32,6 +32,7 @@ TEST_CASE_TEMPLATE("A body moves from the slowest speed on, and below it never d
       for (int n = 0; n < 100; ++n) drift(particle, h);
       return particle.position.x() - place;
     };
+    CHECK(slowest_drift_at(place, -h) == slowest_drift_at(place, h));  // backwards in time too
     CHECK(moved(Real(0.99) * slowest) == 0);
     // Rounded up each time, it goes twice as fast as it should.
     CHECK(moved(Real(1.01) * slowest) == 100 * std::copysign(spacing_at(place), place));
@@ -78,7 +79,10 @@ TEST_CASE_TEMPLATE("1 km and 10000 km away two bodies meet as at the origin, to 
 }
 //! [relative]
 
-TEST_CASE("A millimetre at 1 km fits a float's digits almost, one at 10000 km needs a double") {
+TEST_CASE("A millimetre at 1 km fits a float's digits, one at 10000 km needs a double") {
+  CHECK(spacing_at(999.0f) == 1.0f / 16384);  // 0.06 mm
+  CHECK(spacing_at(1e7f) == 1);
+  CHECK(spacing_at(1e7) < 1e-8);
   CHECK(digits_needed(1e3, 1e-3) == 20);
   CHECK(digits_needed(1e7, 1e-3) == 34);
   CHECK(digits_needed(16777215, 1) == 24);
@@ -88,4 +92,6 @@ TEST_CASE("A millimetre at 1 km fits a float's digits almost, one at 10000 km ne
   CHECK(complaint_of([] { digits_needed(1, -1); }) == "resolution is -1 m; it must be above 0");
   CHECK(complaint_of([] { digits_needed(1, std::numeric_limits<double>::infinity()); }) ==
         "resolution is inf m; it must be finite");
+  CHECK(complaint_of([] { digits_needed(std::numeric_limits<double>::infinity(), 1); }) ==
+        "distance from the origin is inf m; it must be finite");
 }

@@ -32,7 +32,8 @@ Real distance(const Vec3<Real>& a, const Vec3<Same<Real>>& b) {
   return std::max({std::abs(a.x() - b.x()), std::abs(a.y() - b.y()), std::abs(a.z() - b.z())});
 }
 
-/// True when all bits agree (and neither holds a NaN).
+/// True when all components are equal numbers: then every bit agrees, but that +0 and −0 count as
+/// equal, since no motion tells them apart. A NaN equals nothing.
 template <class First, class Second>
 bool same_bits(const Eigen::MatrixBase<First>& a, const Eigen::MatrixBase<Second>& b) {
   const typename First::PlainObject left = a;

@@ -127,6 +127,11 @@ TEST_CASE("Upright and without a push the heavy top sleeps, even where that is n
     const Topd later = exact.at(100);
     CHECK(std::abs(rotate(later.orientation, Vec3d(0, 0, 1)).z() - 1) <= 4 * unit_roundoff<double>);
     CHECK(same_bits(later.angular_momentum_body, start.angular_momentum_body));
+    // It turns about its axis at w3, whatever the moment across.
+    const Quaterniond turned =
+        start.orientation *
+        quaternion_about<double>({0, 0, 1}, std::remainder(100 * spin, 4 * M_PI));
+    CHECK(angle_between(later.orientation, turned) <= rounding_of_heavy_top(100 * spin));
   }
 }
 
@@ -194,6 +199,13 @@ TEST_CASE("A heavy top without a pull, or with three moments, is refused") {
   CHECK(complaint_of([&] {
           HeavyTop<double>(start, {0, 0, NAN});
         }) == "pull is (0, 0, nan) N m; every component must be finite");
+  for (int axis = 0; axis < 3; ++axis) {
+    Topd locked = start;
+    locked.inverse_moments[axis] = 0;
+    CHECK(complaint_of([&] {
+            HeavyTop<double>(locked, {0, 0, -1});
+          }).find("inverse moments of a heavy top is (") == 0);
+  }
   Topd uneven = start;
   uneven.inverse_moments = {1, 2, 3};
   CHECK(complaint_of([&] {
@@ -201,4 +213,22 @@ TEST_CASE("A heavy top without a pull, or with three moments, is refused") {
         }) ==
         "inverse moments of a heavy top is (1, 2, 3) 1/(kg m^2); the first two must be equal, and "
         "all greater than 0");
+}
+
+TEST_CASE(
+    "After a nutation period the heavy top's tilt is back, and in half of it at the other end") {
+  for (const double spin : {20.0, 3.0, 0.5}) {
+    const Topd start = start_of({"let go", 0.5, 0.2, 1, 0.6, {0, 0, spin}});
+    const HeavyTop<double> exact(start, {0, 0, -1});
+    const auto height = [&](double time) {
+      return rotate(exact.at(time).orientation, Vec3d(0, 0, 1)).z();
+    };
+    // Let go at rest it starts at its highest. Near its ends the height changes by the square of
+    // the time, so what the period rounds does not show.
+    const double allowed = rounding_of_heavy_top<double>(30 * exact.nutation_period());
+    CHECK(std::abs(height(0) - exact.highest()) <= allowed);
+    CHECK(std::abs(height(exact.nutation_period()) - exact.highest()) <= allowed);
+    CHECK(std::abs(height(exact.nutation_period() / 2) - exact.lowest()) <= allowed);
+    CHECK(exact.highest() - exact.lowest() > 1e-3);
+  }
 }

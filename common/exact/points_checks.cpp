@@ -220,11 +220,34 @@ TEST_CASE_TEMPLATE("The orbit keeps its energy and angular momentum, and closes"
   }
 }
 
+TEST_CASE(
+    "At the perihelion an orbit runs 1/(1 - e) of its mean motion, seen from the star far more") {
+  for (const double e : {0.0, 0.5, 0.8}) {
+    const double speed = std::sqrt((1 + e) / (1 - e)), time = 1e-5;  // n = 1, a = 1
+    const KeplerOrbit<double> orbit(make_particle<double>(1, {1 - e, 0, 0}, {0, speed, 0}), 1);
+    const auto ahead = orbit.at(time), behind = orbit.at(-time);
+    // On the circle around the ellipse, and as the star sees it.
+    const double anomaly = (ahead.position.y() - behind.position.y()) / std::sqrt(1 - e * e);
+    const double seen = std::atan2(ahead.position.y(), ahead.position.x()) -
+                        std::atan2(behind.position.y(), behind.position.x());
+    // The differences leave out t² times a rate squared, at most 15², and a rounding by t.
+    CHECK(std::abs(anomaly / (2 * time) * (1 - e) - 1) <= 1e-7);
+    const double expected = std::sqrt((1 + e) / ((1 - e) * (1 - e) * (1 - e)));
+    CHECK(std::abs(seen / (2 * time) / expected - 1) <= 1e-7);
+    if (e == 0.8) CHECK(std::abs(expected - 15) <= 1e-12);
+  }
+}
+
 TEST_CASE("What has no exact solution here is refused with the reason") {
   const auto start = make_particle<double>(1, {1, 0, 0}, {0, 2, 0});
   CHECK(complaint_of([&] { KeplerOrbit<double>(start, 1); }) ==
         "velocity is (0, 2, 0) m/s; its size must be less than the escape velocity "
         "1.4142135623730951 m/s; open orbits have no solution here");
+  // As fast as the escape velocity, to the bit: a parabola.
+  const auto parabola = make_particle<double>(1, {2, 0, 0}, {0, 1, 0});
+  CHECK(complaint_of([&] { KeplerOrbit<double>(parabola, 1); }) ==
+        "velocity is (0, 1, 0) m/s; its size must be less than the escape velocity 1 m/s; open "
+        "orbits have no solution here");
   CHECK(complaint_of([&] { KeplerOrbit<double>(start, 0); }) ==
         "attraction is 0 m^3/s^2; it must be greater than 0");
   const auto falling = make_particle<double>(1, {1, 0, 0}, {-0.5, 0, 0});

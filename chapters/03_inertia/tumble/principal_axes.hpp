@@ -18,12 +18,12 @@ struct PrincipalAxes {
 };
 //! [principal_axes_struct]
 
-/// Turns the frame in the plane of its axes p and q by the angle φ for which the product I_pq
-/// becomes 0.
+/// Turns the frame in the plane of its axes p and q so that the product I_pq becomes 0: by the
+/// angle −φ, that is from q towards p.
 ///
-/// In the turned frame I_pq is (cos²φ − sin²φ) I_pq + sin φ cos φ (I_pp − I_qq). With t = tan φ it
-/// is 0 when t² + 2θt − 1 = 0, where θ = (I_qq − I_pp)/(2 I_pq). Of the two roots the smaller one
-/// turns by 45° at most.
+/// The new axes are p cos φ − q sin φ and p sin φ + q cos φ, and in them I_pq is (cos²φ − sin²φ)
+/// I_pq + sin φ cos φ (I_pp − I_qq). With t = tan φ it is 0 when t² + 2θt − 1 = 0, where θ = (I_qq
+/// − I_pp)/(2 I_pq). Of the two roots the smaller one turns by 45° at most.
 //! [remove_product]
 template <class Real>
 void remove_product(Mat3<Real>& I, Mat3<Real>& axes, int p, int q) {

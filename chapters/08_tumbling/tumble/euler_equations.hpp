@@ -17,7 +17,8 @@ Vec3<Real> gyroscopic_torque(const Top<Real>& top) {
 }
 //! [gyroscopic_torque]
 
-/// True when L × ω can be other than zero: some moments differ, and no axis is locked. Every other
+/// True when L × ω can move L: some moments differ, and no axis is locked. With one axis locked,
+/// L and ω lie across it and L × ω along it, where whatever locks the axis bears it. Every other
 /// top turns steadily, see turn_steadily().
 //! [is_gyroscopic]
 template <class Real>

@@ -11,8 +11,8 @@ namespace tumble {
 /// of the turn, in body axes too. So L stays as it was in body axes, and turns with the body in the
 /// world.
 ///
-/// This is the rule "no torque, so ω is constant". It is exact where L × ω is zero: for equal
-/// moments, for a spin about a principal axis, and where an axis is locked.
+/// This is the rule "no torque, so ω is constant". It is exact where L × ω is zero, for equal
+/// moments and for a spin about a principal axis, and where an axis is locked, which bears it.
 //! [turn_steadily]
 template <class Real>
 void turn_steadily(Top<Real>& top, Same<Real> time_step) {
@@ -20,8 +20,8 @@ void turn_steadily(Top<Real>& top, Same<Real> time_step) {
 }
 //! [turn_steadily]
 
-/// Euler's equations by explicit Euler, L ← L + h L × ω, then the turn. What is added is square to
-/// L, so |L| grows in every step, and the energy with it, without bound.
+/// Euler's equations by explicit Euler, L ← L + h L × ω, then the turn. What is added is
+/// perpendicular to L, so |L| grows in every step, and the energy with it, without bound.
 //! [turn_explicitly]
 template <class Real>
 void turn_explicitly(Top<Real>& top, Same<Real> time_step) {

@@ -66,13 +66,15 @@ template <class Real>
 }
 //! [rates_of]
 
-/// The same with the torque gathered, which is given in world axes.
+/// The same with the torque gathered, which is given in world axes. About a locked axis L stays 0:
+/// whatever locks it bears the torque and L × ω.
 template <class Real>
 [[gnu::always_inline]] inline Numbers<Real, 7> rates_of(const Numbers<Real, 7>& numbers,
                                                         const Top<Real>& top) {
   Numbers<Real, 7> rates = rates_of(numbers, top.inverse_moments);
   const Vec3<Real> torque = rotate_back(top.orientation, top.torque);
-  for (std::size_t axis = 0; axis < 3; ++axis) rates[4 + axis] += torque[Eigen::Index(axis)];
+  const Vec3<Real> change = free_part<Real>(top, Vec3<Real>(rates[4], rates[5], rates[6]) + torque);
+  for (std::size_t axis = 0; axis < 3; ++axis) rates[4 + axis] = change[Eigen::Index(axis)];
   return rates;
 }
 

@@ -58,7 +58,8 @@ struct Unexplained {
 
 /// Steps a top, or a pack of them, under its steady torque τ, and keeps the books: each kick is
 /// worth h τ in angular momentum and h τ · ½(ω + ω') in energy. What the turn makes of the energy
-/// is entered under its own name.
+/// is entered as whatever it was: so the energy's book tests the kicks and the finiteness of all
+/// numbers, and says nothing of the turning. L's book does, for nothing is entered there for turns.
 //! [booked]
 template <class Number, class Turn>
 Unexplained<Number> booked(Top<Number>& top, const Turn& turn, Number time_step, int steps) {

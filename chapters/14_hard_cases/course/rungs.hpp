@@ -16,6 +16,10 @@ std::span<const TurningRung<float>> rungs<float>();
 template <>
 std::span<const TurningRung<double>> rungs<double>();
 
+/// The most turns that a rung makes in one step: those of the longest row, and the sphere's.
+inline constexpr std::size_t most_turns =
+    SofroniouSpaletta::row.kicks.size() + SofroniouSpaletta::row.drifts.size() + 1;
+
 /// The rung of that name. @throws std::invalid_argument if there is none.
 template <class Real>
 const TurningRung<Real>& rung_called(std::string_view name) {

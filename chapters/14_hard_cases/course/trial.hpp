@@ -52,15 +52,16 @@ HardCase<Real> problem_case(const TumblingProblem& problem, const Limits& limits
 }
 
 /// A disc of which |L|/I is 20 rad a step. Symmetric, so there is no excuse: the motion is two
-/// steady turns, however long the step. What is let pass is 110 turns in each of 30 steps, with
-/// three roundings of an angle of up to 40 rad each.
+/// steady turns, however long the step. What is let pass is the turns of the longest row in each of
+/// 30 steps, with three roundings of an angle of up to 40 rad each.
 template <class Real>
 HardCase<Real> long_step_case() {
   return {
       "20 rad a step", [](const TurningRung<Real>& rung) {
         const Top<Real> disc{.angular_momentum_body = {Real(0.6), 0, Real(0.8)},
                              .inverse_moments = {1, 1, Real(0.5)}};
-        const double rounding = 30 * 110 * 3 * 40 * std::numeric_limits<Real>::epsilon() / 2;
+        const double rounding =
+            30 * double(most_turns) * 3 * 40 * std::numeric_limits<Real>::epsilon() / 2;
         return judged(watched<Real>(disc, rung.turn, 30, 30, 20), {rounding, rounding, rounding});
       }};
 }
