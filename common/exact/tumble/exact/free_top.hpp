@@ -129,6 +129,10 @@ class FreeTop {
     const Real x_y = inverse[x] - inverse[y], y_z = inverse[y] - inverse[z],
                x_z = inverse[x] - inverse[z];
     const Real D_x = excess(x), D_y = excess(y), D_z = excess(z);
+    if (D_z == 0) {  // L is so close to its axis z that the square of the angle is no number
+      steady_ = true;
+      return;
+    }
     const Real square = y_z * D_x, rate = std::sqrt(square);
     first_momentum_ = {l[x], sign_[1] * l[y], l[z]};
 
