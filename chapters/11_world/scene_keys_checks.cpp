@@ -152,7 +152,7 @@ TEST_CASE("Turning is free, locked where the body is thin, or locked") {
 }
 
 //! [every_shape]
-TEST_CASE("Every shape weighs what textbooks say, about the axes that the page says") {
+TEST_CASE("Every shape weighs what textbooks say, along its own axes") {
   struct Case {
     std::string shape;     // its keys
     double volume;         // 0: it has none

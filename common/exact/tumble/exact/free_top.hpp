@@ -129,12 +129,12 @@ class FreeTop {
     const Real x_y = inverse[x] - inverse[y], y_z = inverse[y] - inverse[z],
                x_z = inverse[x] - inverse[z];
     const Real D_x = excess(x), D_y = excess(y), D_z = excess(z);
-    if (D_z == 0) {  // L is so close to its axis z that the square of the angle is no number
-      steady_ = true;
-      return;
-    }
     const Real square = y_z * D_x, rate = std::sqrt(square);
     first_momentum_ = {l[x], sign_[1] * l[y], l[z]};
+    // L is so close to its axis z, or to the plane of two like axes, that the square of the angle
+    // is no number.
+    steady_ = D_z == 0 || square == 0;
+    if (steady_) return;
 
     // dn never changes sign, cn begins with the sign of L_x, and λ > 0 leaves one sign to sn.
     amplitude_ = {std::copysign(std::sqrt(-D_z / x_z), l[x]), std::sqrt(-D_z / y_z),
@@ -142,10 +142,13 @@ class FreeTop {
     if ((amplitude_[0] < 0) != (amplitude_[2] < 0)) amplitude_[1] = -amplitude_[1];
     if (x_z < 0) amplitude_[1] = -amplitude_[1];
 
-    jacobi_ =
-        Jacobi<Real>(std::min(x_y * -D_z / square, Real(1)), std::min(x_z * D_y / square, Real(1)));
-    first_argument_ =
-        jacobi_.argument_of(first_momentum_[1] / amplitude_[1], first_momentum_[0] / amplitude_[0]);
+    const Real m = std::min(x_y * -D_z / square, Real(1)),
+               one_minus_m = std::min(x_z * D_y / square, Real(1));
+    const Real sn = first_momentum_[1] / amplitude_[1], cn = first_momentum_[0] / amplitude_[0];
+    steady_ = cn * cn + one_minus_m * (sn * sn) == 0;  // as close to the middle axis
+    if (steady_) return;
+    jacobi_ = Jacobi<Real>(m, one_minus_m);
+    first_argument_ = jacobi_.argument_of(sn, cn);
     first_ = jacobi_.at(first_argument_);
     argument_rate_ = rate * inverse_unit * momentum_unit_;
     mean_rate_ = twice_energy / size * inverse_unit * momentum_unit_;
