@@ -102,8 +102,8 @@ TEST_CASE_TEMPLATE("A wobble whose square is no number any more leaves a steady 
   // Squares of these parts of L are 0, or so small that they have lost digits.
   const Real none = std::sqrt(std::numeric_limits<Real>::denorm_min()) / 16,
              little = 2 * std::sqrt(std::numeric_limits<Real>::denorm_min());
-  for (const Vec3<Real>& inverse : {Vec3<Real>(3, 2, 1), Vec3<Real>(1, 2, 3),
-                                    Vec3<Real>(1, Real(1e4), 1), Vec3<Real>(2, 2, 1)})
+  for (const Vec3<Real>& inverse :
+       {Vec3<Real>(3, 2, 1), Vec3<Real>(1, 2, 3), Vec3<Real>(1, Real(1e4), 1), Vec3<Real>(2, 2, 1)})
     for (const Real part : {none, little})
       for (const int axis : {0, 1, 2}) {
         if (part == little && axis == 1) continue;  // about a middle axis this one grows

@@ -230,6 +230,16 @@ verify "if what is printed can't be written it says so" complains "what is print
 verify "and ends with 3" ends_with 3
 run rain --view rain.html
 verify "a page that would be too large is refused" complains "poses"
+printf '{"duration": 1, "bodies": [{"name": "far", "mass": 1, "position": [1e40, 0, 0]}]}' >far.json
+run far.json --view far.html
+verify "and so is a place that it can't hold" complains "a recording holds finite floats only"
+verify "with exit code 3" ends_with 3
+rm far.json
+if command -v gnuplot >/dev/null 2>&1; then
+  path=$PATH TMPDIR=/nowhere run t_handle --until 0.1 --plot t.svg
+  verify "without a place for what gnuplot draws from it says so" complains "/nowhere"
+  verify "and ends with 3" ends_with 3
+fi
 path=/nowhere run t_handle --plot t.svg
 verify "without gnuplot it says so" complains "gnuplot draws it and is not installed"
 verify "no mistake leaves a file" leaves_nothing

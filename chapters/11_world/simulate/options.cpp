@@ -23,6 +23,7 @@ SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or t
   --method METHOD     turn by another rule of chapter 8, or by a rung of chapter 13; a METHOD that does not exist is
                       answered with those that do
   --precision KIND    double (the default) or float
+  --seed N            draw the scene's random bodies anew: N, 0 to 2^53, is added to each seed of the file
   --threads N         let N threads share the work, 1 to 1024; by default one for each processor. No bit depends on it
 
   --csv FILE          write the trajectory: time, body, position and velocity of the centre of mass, orientation of the
@@ -30,10 +31,9 @@ SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or t
   --jsonl FILE        the same, an object of JSON in each line
   --plot FILE.svg     draw paths and energies
   --view FILE.html    write a page that replays the motion
+  --books FILE.json   write the books of energy and momentum with all their digits
   --every N           record each N-th step only (and the first and last moment)
 
-  --books FILE.json   write the books of energy and momentum with all their digits
-  --seed N            draw the scene's random bodies anew: N, 0 to 2^53, is added to each seed of the file
   --no-ledger         do not keep the books of energy and momentum
   --bill              measure what each effect costs
   --help              this text

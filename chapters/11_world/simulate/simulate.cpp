@@ -1,6 +1,7 @@
 // Simulates a scene file: prints the plan, takes the steps, prints the books, writes what is asked
 // for.
 #include <cstdio>
+#include <filesystem>
 #include <new>
 #include <system_error>
 #include <tumble/scene/scene_error.hpp>
@@ -35,6 +36,8 @@ int answer(int argument_count, char** arguments) {
     return said(error.what(), bad_input);
   } catch (const FileError& error) {
     return said(error.what(), file_failed);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return said(error.what(), file_failed);
   } catch (const std::bad_alloc&) {
     return said("the memory does not suffice for this scene and what is recorded of it",
                 too_little);
@@ -42,6 +45,8 @@ int answer(int argument_count, char** arguments) {
     return said(
         (std::string("the system refuses: ") + error.what() + "; fewer --threads may do").c_str(),
         too_little);
+  } catch (const std::exception& error) {  // such as a place that no replay can hold
+    return said(error.what(), file_failed);
   }
 }
 

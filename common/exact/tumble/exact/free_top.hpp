@@ -38,7 +38,9 @@ namespace tumble::exact {
 /// roundings times 1 + |ω| t, where ω is the fastest spin and t the time, for any moments, also in
 /// a ratio of a million. Near the edge between the two kinds of motion, where D_y is a small
 /// difference of large terms, time itself is that uncertain: each flip adds the rounding of D_y,
-/// relative to D_y. The sign of the quaternion may be either.
+/// relative to D_y. A part of L whose square, relative to |L|², is below the range of numbers
+/// counts as none, also beside the middle axis, where it would grow. The sign of the quaternion may
+/// be either.
 template <class Real>
 class FreeTop {
  public:
