@@ -237,7 +237,7 @@ verify "with exit code 3" ends_with 3
 rm far.json
 if command -v gnuplot >/dev/null 2>&1; then
   path=$PATH TMPDIR=/nowhere run t_handle --until 0.1 --plot t.svg
-  verify "without a place for what gnuplot draws from it says so" complains "/nowhere"
+  verify "without a place for what gnuplot draws from it says so" complains "there is no folder for temporary files"
   verify "and ends with 3" ends_with 3
 fi
 path=/nowhere run t_handle --plot t.svg
