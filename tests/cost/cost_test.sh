@@ -53,6 +53,9 @@ keeps other_order --inertia 3,1,2 --spin=-0.5,1,2 --for 10 --angle 1e-8
 keeps rod --inertia 1.7231e-4,6.58e-6,1.7243e-4 --spin 2,60,1 --for 1 --angle 1e-6
 keeps needle --inertia 1,1e-6,1.0000005 --spin 1,200,0.5 --for 1 --angle 1e-6
 keeps ball --inertia 2,2,2 --spin 1,2,3 --for 5 --angle 1e-9
+keeps hardly_a_wobble --inertia 1,1e-12,1 --spin 1e-200,1e-200,1 --for 1 --angle 1e-3
+keeps beside_the_middle_axis --inertia 1,2,3 --spin 1e-200,1,1e-300 --for 1 --angle 1e-6
+keeps two_like_axes --inertia 3,3,2 --spin 1,1e-7,1e-250 --for 1 --angle 1e-6
 keeps scene t_handle --for 3 --angle 1e-3
 keeps flight t_handle --for 3 --angle 1e-8
 keeps orbits orbit --for 120 --place 100 --rate 1

@@ -135,6 +135,12 @@ verify "simulate gives its options to the simulator, in the caller's folder" \
   says "/ 'a scene.json' '--csv' 'a file.csv' '--all'"
 verify "and ends as it does" ends_with 130
 verify "simulate compiles the simulator alone" called "--target simulate"
+stand_in python3 <<<'echo "python3 $PWD ${*@Q}"; exit 7'
+course sweep "a sweep.json" --shard 3/16 --no-install
+verify "sweep gives its options to its tool, in the caller's folder" says "python3 / "
+verify "and all of them" says "programs/11_world/simulate' 'a sweep.json' '--shard' '3/16'"
+verify "and ends as it does" ends_with 7
+rm "$scratch/bin/python3"
 course cost --spin -1,2,3 --json --no-install
 verify "cost gives its options to the adviser" says "/ '--spin' '-1,2,3' '--json'"
 verify "and ends as it does" ends_with 130

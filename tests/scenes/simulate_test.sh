@@ -4,6 +4,7 @@ set -u
 simulate=$1
 scratch=$2
 failures=0
+count=0
 
 rm -rf "$scratch"
 mkdir -p "$scratch"
@@ -34,6 +35,7 @@ ends_with() { [ "$code" -eq "$1" ]; }
 lines() { [ "$(wc -l <"$1")" -eq "$2" ]; }
 leaves_nothing() { [ -z "$(ls -A)" ]; }
 same_numbers() { cmp -s "$1" "$2"; }
+different_numbers() { ! cmp -s "$1" "$2"; }
 
 # What it prints.
 run t_handle --plan
@@ -70,6 +72,10 @@ turning dormand_prince_8
 run turning.json
 verify "a rung that worlds do not offer is refused" complains '/turning_method is "dormand_prince_8"; no method is called so'
 rm turning.json
+run t_handle --dt 3 --until 10
+verify "a time that is no whole number of steps is told" says "10 s are no whole number of steps: the last one ends at 9 s"
+run t_handle --until 0.1
+verify "and one that is one is not" says_not "whole number of steps"
 run t_handle --until 0.1 --precision float
 verify "--precision float is said" says "in float"
 run --help
@@ -103,6 +109,15 @@ SCENE
 run ./name.json --csv name.csv --jsonl name.jsonl
 verify "a name with commas and quotes is one cell" grep -qF '0,"a ""b"", c",0,0,0,1,0,0,0,0' name.csv
 verify "and one text of JSON" grep -qF '"body":"a \"b\", c"' name.jsonl
+printf '{"duration": 0.05, "bodies": [{"name": "a", "mass": 1}]}' >untitled.json
+run untitled.json
+verify "a scene runs without a title and a description" ends_with 0
+verify "and is called as its file is" says untitled.json
+for seed in 0 1 1; do run rain --until 0.02 --csv "seed$((++count)).csv" --seed $seed --no-ledger; done
+run rain --until 0.02 --csv file.csv --no-ledger
+verify "--seed 0 draws the random bodies as the file does" same_numbers seed1.csv file.csv
+verify "another seed draws others" different_numbers seed2.csv file.csv
+verify "and the same ones again" same_numbers seed2.csv seed3.csv
 rm -f -- *.csv *.jsonl *.html *.svg *.json
 
 # Mistakes: none leaves a file.
@@ -127,6 +142,10 @@ dt 1e-7 --dt is 1e-7 s; it must lie between 1e-6 and 3600 s
 dt 1s --dt is 1s; it must be a number of seconds
 until 0 --until is 0 s; it must be greater than 0
 until inf --until is inf; it must be a number of seconds
+until 1e-300 --until is 1e-300 s; that is less than half a step of 0.0041666
+dt 3600 the scene lasts 10 s; that is less than half a step of 3600 s, and only whole steps are taken
+seed -1 --seed is -1; it must be a whole number from 0 to 2^53
+seed 1 /bodies hold nothing random that a seed could change
 every 0 --every is 0; it must be a whole number of steps, 1 or more
 every 1.5 --every is 1.5; it must be a whole number of steps, 1 or more
 threads 0 --threads is 0; it must be from 1 to 1024
@@ -149,8 +168,78 @@ verify "/dev/null is still there" test -c /dev/null
 run t_handle --csv kept.csv --view nowhere/x.html
 verify "if one file can't be written, the others are not touched" test ! -e kept.csv
 rmdir folder
+name=$(printf 'n%.0s' {1..300})
+run t_handle --until 0.1 --csv "$name"
+verify "a name of 300 letters is told" complains "File name too long"
+verify "and ends with 3" ends_with 3
+run "$name"
+verify "and so is one of a scene" complains "no scene and no file is called"
+ln -s loop loop
+run t_handle --until 0.1 --csv loop
+verify "a link that leads to itself is told" complains "Too many levels of symbolic links"
+verify "and ends with 3" ends_with 3
+rm loop
+
+# No output goes over the scene or over another output, by whatever name.
+printf '{"duration": 0.05, "bodies": [{"name": "a", "mass": 1}]}' >scene.json
+cp scene.json kept.json
+ln scene.json hard.json
+ln -s scene.json soft.json
+for path in scene.json ./scene.json hard.json soft.json "$PWD/scene.json"; do
+  for option in csv jsonl plot view books; do
+    run scene.json "--$option" "$path"
+    verify "--$option $path does not overwrite the scene" complains "that is the scene itself"
+    verify "and ends with 2" ends_with 2
+  done
+done
+run scene.json --csv a --jsonl ./a
+verify "two outputs into one file are refused" complains "that is where --csv goes"
+ln -s scene.json link.json
+run kept.json --view soft.json --books link.json
+verify "and through two links too" complains "that is where --view goes"
+verify "the scene is as it was" cmp -s scene.json kept.json
+rm ./*.json
+
+# What the system lacks is a sentence, and nothing is left.
+run_within() { # KIBIBYTES ARGUMENT...: with so much memory
+  local limit=$1
+  shift
+  output=$( (ulimit -v "$limit" && "$simulate" "$@" 2>errors.txt </dev/null))
+  code=$?
+  errors=$(cat errors.txt)
+  rm errors.txt
+}
+if ! ldd "$simulate" | grep -q libasan; then # which needs terabytes of addresses
+  run_within 60000 rain --until 1 --csv rain.csv
+  verify "too little memory is told" complains "the memory does not suffice"
+  verify "and ends with 4" ends_with 4
+  run_within 400000 t_handle --until 1 --csv handle.csv --threads 1024
+  verify "too few threads are told" complains "fewer --threads may do"
+  verify "and ends with 4" ends_with 4
+fi
+output=$( (ulimit -f 10 && "$simulate" rain --until 1 --csv rain.csv 2>errors.txt </dev/null))
+code=$?
+errors=$(cat errors.txt)
+rm errors.txt
+verify "a file beyond the limit of its size is told" complains "cannot write"
+verify "and ends with 3" ends_with 3
+"$simulate" t_handle --until 0.1 >/dev/full 2>errors.txt
+code=$? errors=$(cat errors.txt) output=""
+rm errors.txt
+verify "if what is printed can't be written it says so" complains "what is printed can't be written"
+verify "and ends with 3" ends_with 3
 run rain --view rain.html
 verify "a page that would be too large is refused" complains "poses"
+printf '{"duration": 1, "bodies": [{"name": "far", "mass": 1, "position": [1e40, 0, 0]}]}' >far.json
+run far.json --view far.html
+verify "and so is a place that it can't hold" complains "a recording holds finite floats only"
+verify "with exit code 3" ends_with 3
+rm far.json
+if command -v gnuplot >/dev/null 2>&1; then
+  path=$PATH TMPDIR=/nowhere run t_handle --until 0.1 --plot t.svg
+  verify "without a place for what gnuplot draws from it says so" complains "there is no folder for temporary files"
+  verify "and ends with 3" ends_with 3
+fi
 path=/nowhere run t_handle --plot t.svg
 verify "without gnuplot it says so" complains "gnuplot draws it and is not installed"
 verify "no mistake leaves a file" leaves_nothing
@@ -173,23 +262,47 @@ verify "and keeps what was computed" lines crash.csv 4
 verify "the books are printed" says "unexplained"
 rm crash.json crash.csv
 
-# Ctrl-C, sent once the simulation has told that it runs.
+# Without a standard output nothing is printed, least of all into a file that is opened.
+"$simulate" t_handle --until 0.1 --csv closed.csv >&- 2>&-
+code=$? output="" errors=""
+verify "closed outputs are no failure" ends_with 0
+verify "and what is printed is not in the file" lines closed.csv 26
+rm closed.csv
+
+# A signal, sent once the simulation has told that it runs.
 set -m
-"$simulate" rain --until 1000 --csv rain.csv --every 1000000 >told.txt 2>&1 &
-program=$!
-for ((i = 0; i < 300; ++i)); do
-  ls rain.csv.partial-* >/dev/null 2>&1 && grep -q 'steps of' told.txt && break
-  sleep 0.1
-done
-kill -INT "$program"
-wait "$program"
-code=$?
-output=$(cat told.txt) errors=""
-verify "Ctrl-C ends with 130" ends_with 130
-verify "it says how far it came" says "interrupted after"
-verify "and prints the books" says "unexplained"
-verify "the file holds the first and the last moment, whole" lines rain.csv 200001
-verify "and nothing else is left" [ "$(echo ./*)" = "./rain.csv ./told.txt" ]
+while read -r signal expected; do
+  "$simulate" rain --until 1000 --csv rain.csv --every 1000000 >told.txt 2>&1 &
+  program=$!
+  for ((i = 0; i < 300; ++i)); do
+    ls rain.csv.partial-* >/dev/null 2>&1 && grep -q 'steps of' told.txt && break
+    sleep 0.1
+  done
+  kill "-$signal" "$program"
+  wait "$program"
+  code=$?
+  output=$(cat told.txt) errors=""
+  verify "SIG$signal ends with $expected" ends_with "$expected"
+  verify "it says how far it came" says "interrupted after"
+  verify "and prints the books" says "unexplained"
+  verify "the file holds the first and the last moment, whole" lines rain.csv 200001
+  verify "and nothing else is left" [ "$(echo ./*)" = "./rain.csv ./told.txt" ]
+  rm rain.csv
+done <<'SIGNALS'
+INT 130
+TERM 143
+HUP 129
+SIGNALS
+rm told.txt
+
+# The reader goes: with the next line that is printed the simulation ends.
+"$simulate" rain --until 0.5 --csv rain.csv --every 1000000 --no-ledger 2>errors.txt | head -1 >/dev/null
+code=${PIPESTATUS[0]} output="" errors=$(cat errors.txt)
+rm errors.txt
+verify "a reader who goes ends it with 141" ends_with 141
+verify "without a word" [ -z "$errors" ]
+verify "and the file is whole" lines rain.csv 200001
 rm rain.csv
+verify "nothing else is left" leaves_nothing
 
 [ "$failures" -eq 0 ]

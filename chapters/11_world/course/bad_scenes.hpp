@@ -68,7 +68,7 @@ inline std::vector<BadScene> bad_scenes() {
        "/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0/0 is nested more than 32 "
        "levels deep"},
       {"[]", "is []; it must be an object: a scene"},
-      {"{}", "needs the key title"},
+      {"{}", "needs the keys duration, in s; bodies"},
       whole(R"("gravity": 9.81, )", "/gravity is no key of a scene"),
       whole(R"("efects": [], )", "/efects is no key of a scene; did you mean effects?"),
       whole(R"("a/b~c": 1, )", "/a~1b~0c is no key of a scene"),

@@ -19,10 +19,11 @@ SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or t
 
   --plan              print the plan and do nothing else
   --dt SECONDS        another time step, 1e-6 to 3600; rounded to whole nanoseconds
-  --until SECONDS     simulate so long, in place of the scene's duration
+  --until SECONDS     simulate so long, in place of the scene's duration; as many whole steps as come nearest
   --method METHOD     turn by another rule of chapter 8, or by a rung of chapter 13; a METHOD that does not exist is
                       answered with those that do
   --precision KIND    double (the default) or float
+  --seed N            draw the scene's random bodies anew: N, 0 to 2^53, is added to each seed of the file
   --threads N         let N threads share the work, 1 to 1024; by default one for each processor. No bit depends on it
 
   --csv FILE          write the trajectory: time, body, position and velocity of the centre of mass, orientation of the
@@ -30,18 +31,22 @@ SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or t
   --jsonl FILE        the same, an object of JSON in each line
   --plot FILE.svg     draw paths and energies
   --view FILE.html    write a page that replays the motion
+  --books FILE.json   write the books of energy and momentum with all their digits
   --every N           record each N-th step only (and the first and last moment)
 
   --no-ledger         do not keep the books of energy and momentum
   --bill              measure what each effect costs
   --help              this text
 
-Ctrl-C ends the simulation; files then hold what was computed. Ends with 0 when all was simulated, 1 if a step could not be
-taken, 2 if the command line or the scene is wrong, 3 if a file could not be written, 130 after Ctrl-C.
+Ctrl-C ends the simulation; files then hold what was computed. So do a lost terminal, SIGTERM, and the end of the program that
+reads what is printed. Ends with 0 when all was simulated, 1 if a step could not be taken, 2 if the command line or the scene is
+wrong, 3 if a file could not be written, 4 if memory or threads did not suffice, 128 and the number of the signal after one: 130
+after Ctrl-C.
 )";
 
-const std::vector<std::string> options_with_value = {
-    "dt", "until", "method", "precision", "csv", "jsonl", "plot", "view", "every", "threads"};
+const std::vector<std::string> options_with_value = {"dt",    "until",   "method", "precision",
+                                                     "csv",   "jsonl",   "plot",   "view",
+                                                     "every", "threads", "books",  "seed"};
 const std::vector<std::string> switches = {"plan", "no-ledger", "bill", "help"};
 
 double seconds(const std::string& option, const std::string& text) {
@@ -77,8 +82,40 @@ std::vector<std::string> names_of_scenes() {
   return names;
 }
 
+/// Whether two paths lead to one file, through whatever links; a file that is not there yet is
+/// known by its path.
+bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other) {
+  namespace fs = std::filesystem;
+  std::error_code unknown;  // whoever opens the file says what is wrong with it
+  if (fs::equivalent(one, other, unknown)) return true;
+  const fs::path place = fs::weakly_canonical(fs::absolute(one, unknown), unknown);
+  return !place.empty() && place == fs::weakly_canonical(fs::absolute(other, unknown), unknown);
+}
+
+/// Throws if an output would go where the scene is, or where another one goes.
+void require_different_files(const Options& options) {
+  const std::vector<std::pair<std::string, std::filesystem::path>> outputs = {
+      {"--csv", options.csv},
+      {"--jsonl", options.json_lines},
+      {"--plot", options.plot},
+      {"--view", options.view},
+      {"--books", options.books}};
+  for (auto one = outputs.begin(); one != outputs.end(); ++one) {
+    const auto& [option, path] = *one;
+    if (path.empty()) continue;
+    if (is_same_file(path, options.scene))
+      throw UsageError(option + " is " + path.string() +
+                       "; that is the scene itself, and it would be overwritten");
+    for (auto other = outputs.begin(); other != one; ++other)
+      if (!other->second.empty() && is_same_file(path, other->second))
+        throw UsageError(option + " is " + path.string() + "; that is where " + other->first +
+                         " goes, and each needs a file of its own");
+  }
+}
+
 std::filesystem::path find_scene(const std::string& word) {
-  if (std::filesystem::is_regular_file(word)) return word;
+  std::error_code unknown;
+  if (std::filesystem::is_regular_file(word, unknown)) return word;
   const std::vector<std::string> names = names_of_scenes();
   if (std::find(names.begin(), names.end(), word) != names.end())
     return std::filesystem::path(TUMBLE_SCENES) / (word + ".json");
@@ -106,6 +143,8 @@ Options read(const cxxopts::ParseResult& given) {
   options.only_plan = given.count("plan") > 0;
   options.ledger = given.count("no-ledger") == 0;
   options.bill = given.count("bill") > 0;
+  if (!options.ledger && given.count("books"))
+    throw UsageError("--books writes the books that --no-ledger does not keep");
   if (given.count("dt")) options.changes.step = rounded_step(text("dt"), options.said);
   if (given.count("until")) {
     options.until = seconds("until", text("until"));
@@ -133,6 +172,9 @@ Options read(const cxxopts::ParseResult& given) {
   if (given.count("every"))
     options.every = whole_number("every", text("every"), "a whole number of steps, 1 or more", 1,
                                  std::numeric_limits<std::int64_t>::max());
+  if (given.count("seed"))
+    options.changes.seed = static_cast<std::uint64_t>(whole_number(
+        "seed", text("seed"), "a whole number from 0 to 2^53", 0, std::int64_t{1} << 53));
   const auto processors = static_cast<std::int64_t>(std::thread::hardware_concurrency());
   options.threads = static_cast<int>(
       given.count("threads") ? whole_number("threads", text("threads"), "from 1 to 1024", 1, 1024)
@@ -146,6 +188,8 @@ Options read(const cxxopts::ParseResult& given) {
   options.json_lines = path("jsonl");
   options.plot = path("plot");
   options.view = path("view");
+  options.books = path("books");
+  require_different_files(options);
   return options;
 }
 

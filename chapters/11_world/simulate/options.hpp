@@ -17,7 +17,8 @@ enum ExitCode {
   step_failed = 1,   ///< a step could not be taken; what was computed before is kept
   bad_input = 2,     ///< the command line or the scene is wrong; nothing was done
   file_failed = 3,   ///< a file could not be written; it was left as it was
-  interrupted = 130  ///< by Ctrl-C, as shells count it; what was computed before is kept
+  too_little = 4,    ///< memory or threads did not suffice
+  interrupted = 128  ///< plus the signal's number, as shells count; what was computed is kept
 };
 
 /// The command line is wrong.
@@ -35,7 +36,7 @@ struct Options {
   std::optional<double> until;  ///< s
   std::int64_t every = 1;       ///< steps between two records
   int threads = 1;
-  std::filesystem::path csv, json_lines, plot, view;  ///< empty if not asked for
+  std::filesystem::path csv, json_lines, plot, view, books;  ///< empty if not asked for
 };
 
 /// @return nothing if the help was printed and that was all.

@@ -4,10 +4,12 @@
 
 #include <unistd.h>
 
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 namespace tumble::simulate {
 
@@ -21,20 +23,11 @@ class FileError : public std::runtime_error {
 class OutputFile {
  public:
   /// @throws FileError if `path` is something other than a file, or nothing can be written there.
-  explicit OutputFile(const std::filesystem::path& path)
-      : path_(std::filesystem::weakly_canonical(std::filesystem::absolute(path))) {
-    namespace fs = std::filesystem;
-    if (fs::is_directory(path_)) throw FileError(path, "it is a directory");
-    if (fs::exists(path_) && !fs::is_regular_file(path_))
-      throw FileError(path, "it is no regular file");
-    if (!fs::is_directory(path_.parent_path()))
-      throw FileError(path, "there is no directory " + path_.parent_path().string());
-    if (::access(fs::exists(path_) ? path_.c_str() : path_.parent_path().c_str(), W_OK) != 0)
-      throw FileError(path, "no permission");
+  explicit OutputFile(const std::filesystem::path& path) : path_(checked_place(path)) {
     partial_ = path_;
     partial_ += ".partial-" + std::to_string(::getpid());
     out_.open(partial_, std::ios::binary | std::ios::trunc);
-    if (!out_) throw FileError(path, "no permission, or no space");
+    if (!out_) throw FileError(path, std::generic_category().message(errno));
   }
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
@@ -63,6 +56,24 @@ class OutputFile {
   const std::filesystem::path& partial_path() const { return partial_; }
 
  private:
+  /// Where `path` leads. @throws FileError
+  static std::filesystem::path checked_place(const std::filesystem::path& path) {
+    namespace fs = std::filesystem;
+    try {
+      const fs::path place = fs::weakly_canonical(fs::absolute(path));
+      if (fs::is_directory(place)) throw FileError(path, "it is a directory");
+      if (fs::exists(place) && !fs::is_regular_file(place))
+        throw FileError(path, "it is no regular file");
+      if (!fs::is_directory(place.parent_path()))
+        throw FileError(path, "there is no directory " + place.parent_path().string());
+      if (::access(fs::exists(place) ? place.c_str() : place.parent_path().c_str(), W_OK) != 0)
+        throw FileError(path, "no permission");
+      return place;
+    } catch (const fs::filesystem_error& error) {  // a loop of links, a name that is too long
+      throw FileError(path, error.code().message());
+    }
+  }
+
   std::filesystem::path path_, partial_;
   std::ofstream out_;
   bool finished_ = false;

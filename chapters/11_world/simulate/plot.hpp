@@ -43,11 +43,14 @@ class Plot {
   static constexpr std::size_t most_paths = 6;
 
  public:
-  /// @throws FileError without gnuplot, or if the file can't be written.
+  /// @throws FileError without gnuplot or a folder for its tables, or if the file can't be written.
   explicit Plot(const std::filesystem::path& path) : file_(path) {
     if (std::system("command -v gnuplot >/dev/null 2>&1") != 0)
       throw FileError(path,
                       "gnuplot draws it and is not installed (Debian's package is gnuplot-nox)");
+    std::error_code missing;
+    if (std::filesystem::temp_directory_path(missing).empty())
+      throw FileError(path, "there is no folder for temporary files; TMPDIR names it");
   }
 
   template <class Real, class Keeping>

@@ -2,10 +2,9 @@
 /// One simulation from the scene file to the last line.
 #pragma once
 
-#include <csignal>
-#include <tumble/ledger.hpp>
-
 #include "bill.hpp"
+#include "books.hpp"
+#include "interrupts.hpp"
 #include "options.hpp"
 #include "plot.hpp"
 #include "progress.hpp"
@@ -14,21 +13,13 @@
 
 namespace tumble::simulate {
 
-inline volatile std::sig_atomic_t was_interrupted = 0;
-
-/// Lets Ctrl-C end the loop of steps instead of the program.
-inline void catch_interrupts() {
-  const auto note = [](int) { was_interrupted = 1; };
-  std::signal(SIGINT, note);
-  std::signal(SIGTERM, note);
-}
-
 /// Whatever was asked to be written.
 struct Outputs {
   std::optional<CsvFile> csv;
   std::optional<JsonLinesFile> json_lines;
   std::optional<Plot> plot;
   std::optional<View> view;
+  std::optional<OutputFile> books;
 
   template <class Real, class Keeping>
   Outputs(const Options& options, const Scene<Real, Keeping>& scene, std::int64_t steps) {
@@ -36,6 +27,7 @@ struct Outputs {
     if (!options.json_lines.empty()) json_lines.emplace(options.json_lines);
     if (!options.plot.empty()) plot.emplace(options.plot);
     if (!options.view.empty()) view.emplace(options.view, scene, options.every, steps);
+    if (!options.books.empty()) books.emplace(options.books);
   }
 
   /// Records this moment. The page of a view has equal intervals only: it leaves out a last moment
@@ -56,6 +48,7 @@ struct Outputs {
     if (json_lines) json_lines->file().finish(), say(json_lines->file());
     if (plot) plot->finish(title), say(plot->file());
     if (view) view->finish(), say(view->file());
+    if (books) books->finish(), say(*books);
   }
 };
 
@@ -81,7 +74,7 @@ ExitCode take_steps(Scene<Real, Keeping>& scene, Ledger<Real>& ledger, const Opt
     is_recorded = step % options.every == 0;
     if (is_recorded) outputs.record(scene);
     progress.show(step);
-    if (was_interrupted) {
+    if (ended_by != 0) {
       code = interrupted;
       break;
     }
@@ -95,18 +88,33 @@ ExitCode take_steps(Scene<Real, Keeping>& scene, Ledger<Real>& ledger, const Opt
   return code;
 }
 
+/// The steps whose end comes nearest to the end of the simulation.
+/// @throws UsageError if that is none.
 template <class Real, class Keeping>
 std::int64_t steps_until(const Scene<Real, Keeping>& scene, const Options& options) {
   const double h = time_step_of<double>(scene.world.step_length());
   const double duration = options.until.value_or(scene.duration);
-  return std::max<std::int64_t>(1, std::llround(duration / h));
+  const std::int64_t steps = std::llround(duration / h);
+  if (steps == 0)
+    throw UsageError((options.until ? "--until is " : "the scene lasts ") + text_of(duration) +
+                     " s; that is less than half a step of " + text_of(h) +
+                     " s, and only whole steps are taken");
+  return steps;
 }
 
 template <class Real, class Keeping>
 void print_scene(Scene<Real, Keeping>& scene, const Options& options, std::int64_t steps) {
-  std::printf("%s\n%s\n\n", scene.title.c_str(), scene.description.c_str());
+  std::printf("%s\n", scene.title.c_str());
+  if (!scene.description.empty()) std::printf("%s\n", scene.description.c_str());
+  std::printf("\n");
   if (!options.said.empty()) std::printf("%s\n", options.said.c_str());
   const double h = time_step_of<double>(scene.world.step_length());
+  // A time step that was rounded to nanoseconds puts the end off by far less than this.
+  const double duration = options.until.value_or(scene.duration);
+  const double end = static_cast<double>(steps) * h;
+  if (std::abs(end - duration) > h / 1000)
+    std::printf("%.6g s are no whole number of steps: the last one ends at %.6g s\n", duration,
+                end);
   const std::size_t bodies = scene.world.body_count();
   std::printf("%s, %lld steps of %.6g s, in %s\n\n%s\n",
               bodies == 1 ? "1 body" : (std::to_string(bodies) + " bodies").c_str(),
@@ -115,7 +123,7 @@ void print_scene(Scene<Real, Keeping>& scene, const Options& options, std::int64
   std::fflush(stdout);
 }
 
-/// @throws SceneError, FileError.
+/// @throws UsageError, SceneError, FileError.
 template <class Real>
 ExitCode run(const Options& options) {
   using Keeping = InPacks<Real>;
@@ -125,12 +133,13 @@ ExitCode run(const Options& options) {
     print_scene(scene, options, steps);
     return all_simulated;
   }
-  catch_interrupts();
+  catch_signals();
   Outputs outputs(options, scene, steps);
   print_scene(scene, options, steps);
   const World<Real, Keeping> start = scene.world;
   scene.world.keeping().use_threads(options.threads);
   Ledger<Real> ledger(scene.world);
+  const double stored_at_the_start = outputs.books ? Ledger<Real>::stored(scene.world) : 0;
   std::string failure;
   const ExitCode code = take_steps(scene, ledger, options, steps, outputs, failure);
   if (code == step_failed) std::fprintf(stderr, "simulate: %s\n", failure.c_str());
@@ -141,8 +150,9 @@ ExitCode run(const Options& options) {
   if (options.ledger) std::printf("\n%s", table_of(ledger, scene.world).c_str());
   if (options.bill && code == all_simulated)
     std::printf("\n%s", Bill<Real, Keeping>(start, steps).table().c_str());
+  if (outputs.books) outputs.books->write(books_of(ledger, scene, stored_at_the_start));
   outputs.finish(scene.title);
-  return code;
+  return code == interrupted ? static_cast<ExitCode>(interrupted + ended_by) : code;
 }
 
 }  // namespace tumble::simulate

@@ -20,7 +20,8 @@ class ThreadTeam {
  public:
   using Work = std::function<void(int)>;
 
-  /// @throws std::invalid_argument if the size is not from 1 to 1024.
+  /// @throws std::invalid_argument if the size is not from 1 to 1024, std::system_error if the
+  /// system gives no more threads.
   explicit ThreadTeam(int size = 1) : size_(size) {
     if (size < 1 || size > 1024)
       throw std::invalid_argument(std::to_string(size) +
@@ -50,8 +51,13 @@ class ThreadTeam {
   class Others {
    public:
     explicit Others(int count) {
-      for (int member = 1; member <= count; ++member)
-        threads_.emplace_back([this, member] { serve(member); });
+      try {
+        for (int member = 1; member <= count; ++member)
+          threads_.emplace_back([this, member] { serve(member); });
+      } catch (...) {  // those that have come would wait for ever
+        call(nullptr);
+        throw;
+      }
     }
     ~Others() { call(nullptr); }
 

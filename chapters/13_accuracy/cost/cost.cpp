@@ -1,6 +1,7 @@
 // Says what accuracy costs on this machine: the cheapest method and step for a wanted error,
 // confirmed.
 #include <cstdio>
+#include <new>
 #include <tumble/guard.hpp>
 #include <tumble/scene/scene_error.hpp>
 
@@ -13,7 +14,10 @@ int main(int argument_count, char** arguments) {
     if (!options) return confirmed;
     const Answer answer = answer_to(*options);
     const std::string said = options->json ? json_of(answer) : text_of(answer);
-    std::fputs(said.c_str(), stdout);
+    if (std::fputs(said.c_str(), stdout) == EOF || std::fflush(stdout) != 0) {
+      std::fputs("cost: the answer can't be written\n", stderr);
+      return refused;
+    }
     return answer.verdict.winner ? confirmed : refused;
   } catch (const UsageError& error) {
     std::fprintf(stderr, "cost: %s\n", error.what());
@@ -23,6 +27,12 @@ int main(int argument_count, char** arguments) {
     return bad_input;
   } catch (const tumble::SimulationError& error) {
     std::fprintf(stderr, "cost: the scene can't be run: %s\n", error.what());
+    return refused;
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "cost: the memory does not suffice for this question\n");
+    return refused;
+  } catch (const std::exception& error) {  // Boost's integrals give up beyond the range of numbers
+    std::fprintf(stderr, "cost: this can't be computed: %s\n", error.what());
     return refused;
   }
 }

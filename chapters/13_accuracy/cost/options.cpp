@@ -102,7 +102,8 @@ std::vector<std::string> names_of_scenes() {
 }
 
 std::filesystem::path find_scene(const std::string& word) {
-  if (std::filesystem::is_regular_file(word)) return word;
+  std::error_code unknown;
+  if (std::filesystem::is_regular_file(word, unknown)) return word;
   const std::vector<std::string> names = names_of_scenes();
   if (std::find(names.begin(), names.end(), word) != names.end())
     return std::filesystem::path(TUMBLE_SCENES) / (word + ".json");

@@ -38,7 +38,9 @@ namespace tumble::exact {
 /// roundings times 1 + |ω| t, where ω is the fastest spin and t the time, for any moments, also in
 /// a ratio of a million. Near the edge between the two kinds of motion, where D_y is a small
 /// difference of large terms, time itself is that uncertain: each flip adds the rounding of D_y,
-/// relative to D_y. The sign of the quaternion may be either.
+/// relative to D_y. A part of L whose square, relative to |L|², is below the range of numbers
+/// counts as none, also beside the middle axis, where it would grow. The sign of the quaternion may
+/// be either.
 template <class Real>
 class FreeTop {
  public:
@@ -131,6 +133,10 @@ class FreeTop {
     const Real D_x = excess(x), D_y = excess(y), D_z = excess(z);
     const Real square = y_z * D_x, rate = std::sqrt(square);
     first_momentum_ = {l[x], sign_[1] * l[y], l[z]};
+    // L is so close to its axis z, or to the plane of two like axes, that the square of the angle
+    // is no number.
+    steady_ = D_z == 0 || square == 0;
+    if (steady_) return;
 
     // dn never changes sign, cn begins with the sign of L_x, and λ > 0 leaves one sign to sn.
     amplitude_ = {std::copysign(std::sqrt(-D_z / x_z), l[x]), std::sqrt(-D_z / y_z),
@@ -138,10 +144,13 @@ class FreeTop {
     if ((amplitude_[0] < 0) != (amplitude_[2] < 0)) amplitude_[1] = -amplitude_[1];
     if (x_z < 0) amplitude_[1] = -amplitude_[1];
 
-    jacobi_ =
-        Jacobi<Real>(std::min(x_y * -D_z / square, Real(1)), std::min(x_z * D_y / square, Real(1)));
-    first_argument_ =
-        jacobi_.argument_of(first_momentum_[1] / amplitude_[1], first_momentum_[0] / amplitude_[0]);
+    const Real m = std::min(x_y * -D_z / square, Real(1)),
+               one_minus_m = std::min(x_z * D_y / square, Real(1));
+    const Real sn = first_momentum_[1] / amplitude_[1], cn = first_momentum_[0] / amplitude_[0];
+    steady_ = cn * cn + one_minus_m * (sn * sn) == 0;  // as close to the middle axis
+    if (steady_) return;
+    jacobi_ = Jacobi<Real>(m, one_minus_m);
+    first_argument_ = jacobi_.argument_of(sn, cn);
     first_ = jacobi_.at(first_argument_);
     argument_rate_ = rate * inverse_unit * momentum_unit_;
     mean_rate_ = twice_energy / size * inverse_unit * momentum_unit_;

@@ -31,8 +31,8 @@ consteval std::array<Key, count> keys(const Key (&list)[count]) {
 
 //! [scene_keys]
 inline constexpr auto scene_keys = keys({{"$schema"},
-                                         {"title", "", true},
-                                         {"description", "", true},
+                                         {"title"},
+                                         {"description"},
                                          {"step"},
                                          {"duration", "s", true},
                                          {"turning_method"},

@@ -170,10 +170,7 @@ class Object {
       if (std::find(names.begin(), names.end(), name) == names.end())
         throw SceneError(value_.reading().file, pointer_to(value_.pointer(), name),
                          "is no key of " + with_article(kind_.name) + did_you_mean(name, names));
-    for (const Key& key : kind_.keys)
-      if (key.required && !has(key.name))
-        value_.fail("needs the key " + std::string(key.name) +
-                    (key.unit.empty() ? "" : ", in " + std::string(key.unit)));
+    require_keys();
   }
 
   const Value& value() const { return value_; }
@@ -191,6 +188,9 @@ class Object {
   }
   double not_negative(std::string_view key, double otherwise) const {
     return has(key) ? (*this)[key].not_negative() : otherwise;
+  }
+  std::string text(std::string_view key, const std::string& otherwise) const {
+    return has(key) ? (*this)[key].text() : otherwise;
   }
   bool boolean(std::string_view key) const { return has(key) && (*this)[key].boolean(); }
   Vec3d vector(std::string_view key, const Vec3d& otherwise = Vec3d::Zero()) const {
@@ -210,6 +210,19 @@ class Object {
   }
 
  private:
+  /// Throws with all the keys that are missing.
+  void require_keys() const {
+    std::string missing;
+    int count = 0;
+    for (const Key& key : kind_.keys) {
+      if (!key.required || has(key.name)) continue;
+      if (++count > 1) missing += "; ";
+      missing += key.name;
+      if (!key.unit.empty()) missing.append(", in ").append(key.unit);
+    }
+    if (count > 0) value_.fail((count > 1 ? "needs the keys " : "needs the key ") + missing);
+  }
+
   Value value_;
   ObjectKeys kind_;
 };

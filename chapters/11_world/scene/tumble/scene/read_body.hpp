@@ -194,7 +194,7 @@ void read_body(const Object& object, Scene<Real, Keeping>& scene, const SceneCha
   if (model.first + model.count > static_cast<std::size_t>(most_bodies))
     object.value().fail("brings more than " + std::to_string(most_bodies) +
                         " bodies into the scene; at most that many are allowed");
-  PortableRandom random(many.seed);
+  PortableRandom random(many.seed + changes.seed);
   for (std::size_t copy = 1; copy <= model.count; ++copy) {
     if (many.positions) pattern.pose.position = random.between(*many.positions);
     if (many.velocities) pattern.velocity = random.between(*many.velocities);

@@ -26,8 +26,8 @@ Scene<Real, Keeping> read_scene(std::string_view text, const std::string& file,
   const nlohmann::json json = parse_json(text, file);
   const Reading reading{file, range_of<Real>()};
   const Object object = object_called(Value(reading, "", json), "scene");
-  Scene<Real, Keeping> scene{.title = object["title"].text(),
-                             .description = object["description"].text()};
+  Scene<Real, Keeping> scene{.title = object.text("title", file),
+                             .description = object.text("description", "")};
   scene.duration = object["duration"].positive();
   if (scene.duration > longest_duration)
     object["duration"].reject("at most " + text_of(longest_duration) + " s are simulated");
@@ -43,12 +43,16 @@ Scene<Real, Keeping> read_scene(std::string_view text, const std::string& file,
   const Value bodies = object["bodies"];
   bodies.list("bodies");
   std::set<std::string> names;
+  bool is_random = false;
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Object body = object_called(bodies.at(i), "body");
     if (!names.insert(body["name"].text()).second)
       body["name"].reject("another body is called so, and names must differ");
     read_body(body, scene, changes);
+    is_random = is_random || body.has("many");
   }
+  if (changes.seed != 0 && !is_random)
+    bodies.fail("hold nothing random that a seed could change: none of them has the key many");
   if (!object.has("effects")) return scene;
   const Value effects = object["effects"];
   if (!effects.is_array()) effects.reject("it must be a list of effects");

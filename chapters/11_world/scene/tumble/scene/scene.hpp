@@ -32,8 +32,8 @@ struct DrawnEnd {
 //! [scene]
 template <class Real, class Keeping = OneByOne<Real>>
 struct Scene {
-  std::string title, description;
-  double duration = 0;  ///< s
+  std::string title, description;  ///< without a title: what errors call the file
+  double duration = 0;             ///< s
   World<Real, Keeping> world = World<Real, Keeping>();
   std::vector<BodyModel> models = {};  ///< in the order of the file
   std::vector<std::array<DrawnEnd, 2>> springs = {};
@@ -44,6 +44,7 @@ struct Scene {
 struct SceneChanges {
   std::optional<StepLength> step = {};
   std::optional<std::size_t> turning_method = {};  ///< its number in the list that is read with
+  std::uint64_t seed = 0;  ///< added to the seed of each "many"; but for 0 there must be one
   /// No element of "bodies" becomes more bodies than this.
   std::size_t most_copies = static_cast<std::size_t>(most_bodies);
 };

@@ -1,0 +1,152 @@
+"""sweep_test.py SIMULATE SCRATCH: a sweep simulates every combination once, whole or in shards, however often it is stopped."""
+import itertools
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+SIMULATE, SCRATCH = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
+SWEEP = pathlib.Path(__file__).resolve().parents[2] / "tools" / "sweep.py"
+TOPS = {"duration": 0.1, "bodies": [{"name": "top", "mass": 1, "inertia": [1, 2, 2.5],
+        "many": {"count": 3, "seed": 4, "angular_velocity_between": [[1, 1, 1], [2, 2, 2]]}}]}
+METHODS, STEPS, SEEDS = ["splitting", "axis_by_axis"], [0.02, 0.01], [0, 1, 2]
+SPEC = {"scenes": ["tops.json", "t_handle"], "methods": METHODS, "time_steps": STEPS, "seeds": SEEDS, "until": 0.1}
+
+# A simulate that takes its time, and says so in a list of the runs that it began.
+SLOW = """#!/bin/sh
+case "$*" in *--plan*) ;; *) echo "$*" | sed 's| --books.*||' >>"$0.begun"; sleep 0.2 ;; esac
+exec '{simulate}' "$@"
+"""
+
+
+class Sweep(unittest.TestCase):
+    def setUp(self):
+        shutil.rmtree(SCRATCH, ignore_errors=True)
+        SCRATCH.mkdir(parents=True)
+        self.write("tops.json", TOPS)
+        self.write("sweep.json", SPEC)
+
+    def write(self, name, content):
+        (SCRATCH / name).write_text(json.dumps(content))
+
+    def words(self, *words, simulate=SIMULATE):
+        return [sys.executable, "-B", str(SWEEP), "--simulate", str(simulate), *words]
+
+    def sweep(self, *words, code=0, simulate=SIMULATE):
+        done = subprocess.run(self.words(*words, simulate=simulate), cwd=SCRATCH, capture_output=True, text=True)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done.stdout if code == 0 else done.stderr
+
+    def slow(self):
+        program = SCRATCH / "slow"
+        program.write_text(SLOW.format(simulate=SIMULATE))
+        program.chmod(0o755)
+        return program
+
+    def test_every_combination_has_a_row(self):
+        head, *rows = [line.split("\t") for line in self.sweep("sweep.json").splitlines()]
+        self.assertEqual(head[:5], ["scene", "method", "precision", "time step (s)", "seed"])
+        steps = [str(step) for step in STEPS]
+        expected = [["tops.json", method, "double", step, str(seed)] for method, step, seed in itertools.product(METHODS, steps, SEEDS)]
+        expected += [["t_handle", method, "double", step, ""] for method, step in itertools.product(METHODS, steps)]
+        self.assertEqual([row[:5] for row in rows], expected)
+        self.assertEqual({row[head.index("ended")] for row in rows}, {"well"})
+        self.assertEqual([row[head.index("steps")] for row in rows[:6]], ["5"] * 3 + ["10"] * 3)
+        self.assertFalse(list(SCRATCH.glob("*.part*")))
+
+    def test_a_row_holds_what_the_books_of_its_run_say(self):
+        head, *rows = [line.split("\t") for line in self.sweep("sweep.json").splitlines()]
+        row = dict(zip(head, rows[4]))  # splitting, 0.01 s, the second seed
+        subprocess.run([SIMULATE, "tops.json", "--method", "splitting", "--dt", "0.01", "--seed", "1", "--until", "0.1", "--books",
+                        "books.json"], cwd=SCRATCH, check=True, stdout=subprocess.DEVNULL)
+        books = json.loads((SCRATCH / "books.json").read_text())
+        turning = next(line for line in books["effects"] if line["name"] == "tumbling: splitting")
+        self.assertEqual(float(row["energy at the start (J)"]), books["at_the_start"]["energy"])
+        self.assertEqual(float(row["energy at the end (J)"]), books["now"]["energy"])
+        self.assertEqual(float(row["energy from turning (J)"]), turning["energy"])
+        self.assertNotEqual(turning["energy"], 0)
+        self.assertEqual(float(row["unexplained energy (J)"]), books["unexplained"]["energy"])
+
+    def test_merged_shards_are_one_run_to_the_byte(self):
+        whole = self.sweep("sweep.json", "--jobs", "1")
+        for number in (3, 1, 2):
+            self.sweep("sweep.json", "--shard", f"{number}/3", "--jobs", "3")
+        parts = [f"sweep.{number}-of-3.part" for number in (2, 3, 1)]
+        self.assertEqual(self.sweep("merge", *parts), whole)
+        self.sweep("merge", *parts, "--output", "merged.tsv", "--digits", "3")
+        self.sweep("sweep.json", "--output", "whole.tsv", "--digits", "3")
+        self.assertEqual((SCRATCH / "merged.tsv").read_bytes(), (SCRATCH / "whole.tsv").read_bytes())
+        self.assertIn("have no row yet", self.sweep("merge", *parts[:2], code=2))
+        self.assertIn("each counts once", self.sweep("merge", *parts, parts[0], code=2))
+
+    def test_a_stopped_shard_is_taken_up_again(self):
+        whole = self.sweep("sweep.json")
+        self.sweep("sweep.json", "--shard", "2/2")
+        program, part, stops = self.slow(), SCRATCH / "sweep.1-of-2.part", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT]
+        resume = []
+        for rows, how in enumerate(stops, 1):
+            running = subprocess.Popen(self.words("sweep.json", "--shard", "1/2", "--jobs", "1", *resume, simulate=program), cwd=SCRATCH,
+                                       stderr=subprocess.DEVNULL)
+            while not part.exists() or len(part.read_bytes().splitlines()) <= rows:
+                self.assertIsNone(running.poll())
+                time.sleep(0.01)
+            running.send_signal(how)
+            self.assertEqual(running.wait(), -how if how == signal.SIGKILL else 128 + how)
+            resume = ["--resume"]
+        self.assertIn("--resume takes it up", self.sweep("sweep.json", "--shard", "1/2", code=2))
+        self.sweep("sweep.json", "--shard", "1/2", "--resume", simulate=program)
+        self.assertEqual(self.sweep("merge", "sweep.1-of-2.part", "sweep.2-of-2.part"), whole)
+        begun = (SCRATCH / "slow.begun").read_text().splitlines()
+        self.assertEqual(len(set(begun)), 8)  # of 16 combinations, this shard's
+        self.assertLessEqual(len(begun), 8 + len(stops))  # only what was interrupted is done again
+
+    def test_a_run_that_fails_is_tried_again_and_is_no_row(self):
+        broken = SCRATCH / "broken"
+        broken.write_text("#!/bin/sh\ncase \"$*\" in *--plan*) exit 0 ;; *'--dt 0.02 --seed 1 '*) echo simulate: no memory >&2; exit 4 ;; "
+                          f"esac\nexec '{SIMULATE}' \"$@\"\n")
+        broken.chmod(0o755)
+        errors = self.sweep("sweep.json", code=1, simulate=broken)
+        self.assertEqual(errors.count("failed twice: RuntimeError: no memory"), 2)
+        self.sweep("sweep.json", "--resume", "--output", "table.tsv")
+        self.assertEqual((SCRATCH / "table.tsv").read_text(), self.sweep("sweep.json"))
+
+    def test_a_step_that_can_not_be_taken_is_a_row(self):
+        self.write("crash.json", {"duration": 9, "step": {"nanoseconds": 250000000}, "bodies": [
+            {"name": "comet", "mass": 1, "position": [2, 0, 0], "velocity": [-4, 0, 0]}],
+            "effects": [{"kind": "point_gravity", "strength": 1e-200}]})
+        self.write("sweep.json", {"scenes": ["crash.json"]})
+        row = self.sweep("sweep.json").splitlines()[1].split("\t")
+        self.assertEqual(row[6], "2")
+        self.assertTrue(row[-1].startswith("'comet' at 0.5 s (step 2): point gravity gives a force of"), row[-1])
+
+    def test_mistakes_are_told_before_anything_is_simulated(self):
+        for change, complaint in (
+                ({"scenes": []}, "scenes must be a list with at least one element"),
+                ({"scenes": ["nowhere"]}, "no scene and no file is called nowhere"),
+                ({"methods": ["spliting"]}, "no method is called spliting; did you mean splitting?"),
+                ({"time_steps": [0.01, 0.01]}, "0.01 stands in time_steps twice"),
+                ({"time_steps": [0]}, "an element of time_steps is 0; it must be a number greater than 0"),
+                ({"time_steps": [1]}, "that is less than half a step of 1 s"),
+                ({"seeds": [1.5]}, "1.5 stands in seeds, where it can't"),
+                ({"until": "1"}, 'until is "1"; it must be a number'),
+                ({"colour": ["red"]}, "colour is no key of a sweep")):
+            with self.subTest(complaint):
+                self.write("sweep.json", {**SPEC, **change})
+                self.assertIn(complaint, self.sweep("sweep.json", code=2))
+        self.write("sweep.json", SPEC)
+        for words, complaint in ((["sweep.json", "--shard", "4/3"], "the shard is 4/3"), (["none.json"], "none.json can't be read"),
+                                 (["sweep.json", "--output", "nowhere/table"], "nowhere/table can't be written"),
+                                 (["sweep.json", "--part", "nowhere/part"], "nowhere/part can't be written"),
+                                 (["sweep.json", "extra"], "one word too many: extra")):
+            with self.subTest(complaint):
+                self.assertIn(complaint, self.sweep(*words, code=2))
+        self.assertEqual(sorted(path.name for path in SCRATCH.iterdir()), ["sweep.json", "tops.json"])
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

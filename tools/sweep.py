@@ -1,0 +1,228 @@
+#!/usr/bin/env python3
+"""./course sweep FILE             simulates every combination that FILE lists and prints one table
+   ./course sweep merge PART...    the table of a sweep whose shards ran apart
+
+FILE is JSON. Of its lists every combination is simulated; only "scenes" is required.
+
+  {"scenes": ["t_handle", "my_scene.json"],      names of shipped scenes, or paths as seen from FILE
+   "methods": ["splitting", "axis_by_axis"],     turning methods; without the key each scene's own
+   "precisions": ["float", "double"],            without the key double
+   "time_steps": [0.01, 0.001],                  s; without the key each scene's own
+   "seeds": [0, 1, 2],                           added to those of random bodies; a scene without any runs once
+   "until": 10}                                  s; without the key each scene's duration
+
+Results are kept in a part file as they come, and --resume takes up a run that was stopped. Merged shards give the table of one run,
+to the byte. A step that can't be taken is a result; the last column says so. Ends with 0 if there is a row for each combination, 1 if
+some have failed, 2 if something is wrong with what was given, 128 and the number of the signal after one.
+"""
+
+import argparse
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import threading
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(ROOT / "exercises" / "tools"))
+from complaint import Complaint  # noqa: E402
+from shards import WHOLE, Part, Stopped, merge, run, shard_of  # noqa: E402
+from sweep_file import combinations_of, job_of, read_sweep  # noqa: E402
+
+COLUMNS = ["scene", "method", "precision", "time step (s)", "seed", "bodies", "steps", "time (s)", "energy at the start (J)",
+           "energy at the end (J)", "energy from turning (J)", "unexplained energy (J)", "angular momentum at the start (kg m^2/s)",
+           "angular momentum from turning (kg m^2/s)", "ended"]
+
+
+class Simulator:
+    """Runs the program, and ends what runs."""
+
+    def __init__(self, program):
+        self.program, self.running, self.lock, self.is_stopped = program, set(), threading.Lock(), False
+
+    def run(self, *options):
+        """Its exit code and what it complained of."""
+        words = [str(self.program), *map(str, options)]
+        with self.lock:
+            if self.is_stopped:
+                raise RuntimeError("the sweep was stopped")
+            process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            self.running.add(process)
+        try:
+            _, errors = process.communicate()
+        finally:
+            self.running.discard(process)
+        return process.returncode, errors.strip().removeprefix("simulate: ")
+
+    def stop(self):
+        with self.lock:
+            self.is_stopped = True
+            for process in self.running:
+                process.kill()
+
+
+def require_runnable(simulator, combinations):
+    """Whatever differs by more than the seed is tried without a step, so that a mistake is told before hours have gone."""
+    tried = {}
+    for combination in combinations.values():
+        tried.setdefault(json.dumps({**combination["given"], "seeds": None}), combination["options"])
+    for options in tried.values():
+        code, errors = simulator.run(*options, "--plan")
+        if code != 0:
+            raise Complaint(errors)
+
+
+# --- What is answered ---------------------------------------------------------------------------------------------------------------
+
+
+def row_of(simulator, combination):
+    """A row of the table: texts, numbers, and None where there is nothing."""
+    with tempfile.TemporaryDirectory(prefix="tumble-sweep-") as scratch:
+        file = Path(scratch, "books.json")
+        code, errors = simulator.run(*combination["options"], "--books", file)
+        if code == 2:
+            raise Complaint(errors)
+        if code not in (0, 1):
+            raise RuntimeError(errors or f"simulate ended with {code}")
+        books = json.loads(file.read_text())
+    given, precision = combination["given"], combination["given"]["precisions"] or "double"
+    start, now, turning = books["at_the_start"], books["now"], turning_of(books)
+    numbers = [books["bodies"], books["steps"], books["time"], total(start["energy"], books["stored_at_the_start"]),
+               total(now["energy"], books["stored_now"]), turning["energy"], books["unexplained"]["energy"],
+               length(start["angular_momentum"]), length(turning["angular_momentum"])]
+    return [given["scenes"], given["methods"] or books["turning_method"], precision, books["time_step"], given["seeds"], *numbers,
+            "well" if code == 0 else errors]
+
+
+def turning_of(books):
+    """What the turning method put in, or nothing."""
+    nothing = {"energy": 0.0, "angular_momentum": [0.0, 0.0, 0.0]}
+    return next((line for line in books["effects"] if line["name"].startswith("tumbling: ")), nothing)
+
+
+def total(*energies):
+    return None if None in energies else sum(energies)
+
+
+def length(vector):
+    return None if None in vector else math.hypot(*vector)
+
+
+def cell(value, digits):
+    """Without a tab or a line's end."""
+    if isinstance(value, float):
+        return f"{value:.{digits}g}" if digits else repr(value)
+    return "" if value is None else " ".join(str(value).split())
+
+
+def table_of(rows, digits):
+    return "".join("\t".join(cell(value, digits) for value in row) + "\n" for row in (COLUMNS, *rows))
+
+
+class Output:
+    """The file for the table, opened before the work begins, or the standard output."""
+
+    def __init__(self, path):
+        self.path, self.partial = path, path and path.with_name(f"{path.name}.partial-{os.getpid()}")
+        try:
+            self.file = open(self.partial, "w", encoding="utf-8") if path else sys.stdout
+        except OSError as error:
+            raise Complaint(f"{path} can't be written: {error.strerror}") from None
+
+    def __enter__(self):
+        return self
+
+    def finish(self, text):
+        try:
+            self.file.write(text)
+            self.file.flush()
+            if self.path:
+                os.replace(self.partial, self.path)
+        except OSError as error:
+            raise Complaint(f"{self.path or 'the standard output'} can't be written: {error.strerror}") from None
+
+    def __exit__(self, *_):
+        if self.path:
+            self.file.close()
+            self.partial.unlink(missing_ok=True)
+
+
+def tell(done, of):
+    """How far it is: on a terminal always, elsewhere each quarter."""
+    if sys.stderr.isatty():
+        print(f"\r{done} of {of}", end="\n" if done == of else "", file=sys.stderr, flush=True)
+    elif 4 * done // of != 4 * (done - 1) // of:
+        print(f"{done} of {of}", file=sys.stderr, flush=True)
+
+
+def simulate_share(arguments):
+    """The exit code."""
+    file = Path(arguments.words[0])
+    shard = shard_of(arguments.shard) if arguments.shard else WHOLE
+    if shard != WHOLE and arguments.output:
+        raise Complaint("--output is for a whole sweep; the table of shards comes from ./course sweep merge")
+    if arguments.jobs < 1:
+        raise Complaint(f"--jobs is {arguments.jobs}; it must be 1 or more")
+    sweep = read_sweep(file)
+    combinations = combinations_of(sweep, file.parent)
+    simulator = Simulator(arguments.simulate)
+    require_runnable(simulator, combinations)
+    name = arguments.part or Path(f"{file.stem}.part" if shard == WHOLE else f"{file.stem}.{shard.number}-of-{shard.of}.part")
+    with Output(arguments.output) as output:
+        with Part(name, job_of(sweep, file.parent, combinations), shard, arguments.resume) as part:
+            failed = run(part, lambda task: row_of(simulator, combinations[task]), arguments.jobs, simulator.stop, tell)
+            rows = [part.done[task] for task in part.tasks if task in part.done]
+        for task, why in failed.items():
+            print(f"course: {task} failed twice: {why}", file=sys.stderr)
+        if failed:
+            return 1
+        if shard == WHOLE:
+            output.finish(table_of(rows, arguments.digits))
+            name.unlink()
+    return 0
+
+
+def merge_parts(arguments):
+    with Output(arguments.output) as output:
+        results, missing = merge([Path(word) for word in arguments.words[1:]])
+        if missing:
+            raise Complaint(f"{len(missing)} of {len(results) + len(missing)} combinations have no row yet, such as {missing[0]}; "
+                            "run their shards with --resume")
+        output.finish(table_of(results.values(), arguments.digits))
+    return 0
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="./course sweep", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
+                                     usage="%(prog)s FILE [OPTION...] | merge PART... [--output TABLE]")
+    parser.add_argument("--simulate", type=Path, required=True, help=argparse.SUPPRESS)
+    parser.add_argument("words", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
+    parser.add_argument("--shard", help="the part of the combinations to simulate, such as 3/16")
+    parser.add_argument("--part", type=Path, help="where results are kept as they come; NAME.part or NAME.3-of-16.part if not given")
+    parser.add_argument("--resume", action="store_true", help="take up what was stopped")
+    parser.add_argument("--output", type=Path, help="the file for the table, tabs between columns; the standard output if not given")
+    parser.add_argument("--digits", type=int, choices=range(1, 18), metavar="N", help="of each number, 1 to 17; all if not given")
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="simulations at a time; one for each processor if not given")
+    arguments = parser.parse_args()
+    try:
+        if arguments.words[0] == "merge" and len(arguments.words) > 1:
+            return merge_parts(arguments)
+        if len(arguments.words) > 1:
+            raise Complaint(f"one word too many: {arguments.words[1]}")
+        return simulate_share(arguments)
+    except Complaint as complaint:
+        print(f"course: {complaint}", file=sys.stderr)
+        return 2
+    except Stopped as stopped:
+        print("\ncourse: stopped; --resume takes it up", file=sys.stderr)
+        return 128 + stopped.signal
+    except KeyboardInterrupt:  # before anything was simulated
+        return 130
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,92 @@
+"""What a sweep asks for: the file that says so, and the combinations that it stands for."""
+
+import hashlib
+import itertools
+import json
+import math
+from pathlib import Path
+
+from complaint import Complaint
+from shards import Job
+
+SCENES = Path(__file__).resolve().parent.parent / "chapters" / "11_world" / "scenes"
+LISTS = {"scenes": str, "methods": str, "precisions": str, "time_steps": (int, float), "seeds": int}
+
+
+def read_sweep(file):
+    """The sweep in a file, with only keys that are known and lists of what belongs there."""
+    try:
+        sweep = json.loads(file.read_bytes())
+    except OSError as error:
+        raise Complaint(f"{file} can't be read: {error.strerror}") from None
+    except ValueError as error:
+        raise Complaint(f"{file} is no JSON: {error}") from None
+    if not isinstance(sweep, dict) or "scenes" not in sweep:
+        raise Complaint(f'{file} must be an object of JSON with the key "scenes"')
+    for key, value in sweep.items():
+        if key in LISTS:
+            _require_list(file, key, value)
+        elif key == "until":
+            _require_number(file, key, value)
+        else:
+            raise Complaint(f"{file}: {key} is no key of a sweep; there are {', '.join(LISTS)} and until")
+    return sweep
+
+
+def _require_list(file, key, values):
+    if not isinstance(values, list) or not values:
+        raise Complaint(f"{file}: {key} must be a list with at least one element")
+    for value in values:
+        if isinstance(value, bool) or not isinstance(value, LISTS[key]):
+            raise Complaint(f"{file}: {json.dumps(value)} stands in {key}, where it can't")
+        if values.count(value) > 1:
+            raise Complaint(f"{file}: {json.dumps(value)} stands in {key} twice")
+        if key in ("time_steps", "seeds"):
+            _require_number(file, f"an element of {key}", value, least=0 if key == "seeds" else None)
+
+
+def _require_number(file, what, value, least=None):
+    is_number = isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    if not is_number or not (value > 0 or value == least):
+        raise Complaint(f"{file}: {what} is {json.dumps(value)}; it must be a number greater than 0" + ("" if least is None else ", or 0"))
+
+
+def find_scene(word, folder):
+    shipped = SCENES / f"{word}.json"
+    path = shipped if "/" not in word and shipped.is_file() else folder / word
+    if path.is_file():
+        return path.resolve()
+    raise Complaint(f"no scene and no file is called {word}; looked for {shipped.name} among the scenes of the course, and in {folder}")
+
+
+def is_random(path):
+    try:
+        bodies = json.loads(path.read_bytes())["bodies"]
+        return any("many" in body for body in bodies)
+    except (ValueError, KeyError, TypeError):
+        return False  # simulate says what is wrong with it
+
+
+def combinations_of(sweep, folder):
+    """The options of simulate for each combination, by a name that says which it is."""
+    combinations = {}
+    axes = [[(key, value) for value in sweep[key]] if key in sweep else [(key, None)] for key in LISTS]
+    for cells in itertools.product(*axes):
+        given = dict(cells)
+        path = find_scene(given["scenes"], folder)
+        if not is_random(path):
+            given["seeds"] = None
+        options = [path, "--threads", 1]
+        for option, value in (("method", given["methods"]), ("precision", given["precisions"]), ("dt", given["time_steps"]),
+                              ("seed", given["seeds"]), ("until", sweep.get("until"))):
+            if value is not None:
+                options += [f"--{option}", json.dumps(value).strip('"')]
+        name = " ".join(json.dumps(value) for value in given.values())
+        combinations[name] = {"given": given, "options": options}
+    return combinations
+
+
+def job_of(sweep, folder, combinations):
+    """What must be equal in all shards: the sweep and the bytes of its scenes."""
+    scenes = {word: hashlib.sha256(find_scene(word, folder).read_bytes()).hexdigest() for word in sweep["scenes"]}
+    return Job({"sweep": sweep, "scenes": scenes}, list(combinations))
