@@ -1,0 +1,242 @@
+"""A long job in shards, whose results are kept as they come, so that a run that was stopped is taken up again and nothing is done twice.
+
+A job is what must be equal in every shard, and the names of its tasks in the order in which their results are wanted:
+
+    job = Job({"seed": 7, "inputs": {"ada": "sha256..."}}, ["ada", "bob", "eve"])    # any JSON; names are unlike each other
+    with Part(file, job, shard_of("3/16"), resume=True) as part:                     # a Complaint at once if it can't be written
+        failed = run(part, work, workers=4, stop=end_what_runs)                      # work(name) returns any JSON
+    results, missing = merge([Path("1.part"), Path("2.part")])                       # {name: result} in the job's order
+
+Shard 3/16 has the third task and every sixteenth after it. A part is a file of lines, each JSON: first the job and the shard, then a
+result each. What was cut off in the middle of a line is done again. A part of another job, and one that another run is writing, is
+refused. run() tries a task that raises an exception a second time and returns {name: why} of those that failed twice: a failure is no
+result, so --resume tries it again. A Complaint, a full disk among them, and Ctrl-C or SIGTERM (as Stopped) end the run after stop().
+The merged results are those of the unsharded run if work() depends on nothing but the job and the name.
+
+In tools/ it's found by sys.path.insert(0, str(ROOT / "exercises" / "tools")).
+"""
+
+import fcntl
+import json
+import os
+import re
+import signal
+import threading
+from collections import namedtuple
+from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
+from contextlib import contextmanager
+from pathlib import Path
+
+from complaint import Complaint
+
+Job = namedtuple("Job", "what tasks")
+Shard = namedtuple("Shard", "number of")
+WHOLE = Shard(1, 1)
+ATTEMPTS = 2
+BEGINNING = b'{"job": '  # of every part
+
+
+class Stopped(BaseException):
+    """Somebody wants the run to end: `signal` says how."""
+
+    def __init__(self, number):
+        super().__init__()
+        self.signal = number
+
+
+def shard_of(word):
+    """From 3/16: the third of sixteen."""
+    found = re.fullmatch(r"([0-9]{1,6})/([0-9]{1,6})", word)
+    shard = Shard(*map(int, found.groups())) if found else Shard(0, 0)
+    if not 1 <= shard.number <= shard.of:
+        raise Complaint(f"the shard is {word}; it must be NUMBER/OF, such as 3/16, with a number from 1 to OF")
+    return shard
+
+
+def share(tasks, shard):
+    return tasks[shard.number - 1::shard.of]
+
+
+class Part:
+    """The file with the results of one shard, locked while it is open. `done` holds them by the task's name."""
+
+    def __init__(self, file, job, shard=WHOLE, resume=False):
+        self.name, self.tasks, self.done = file, share(job.tasks, shard), {}
+        try:
+            self.file = open(file, "a+b", buffering=0)
+        except OSError as error:
+            raise Complaint(f"{file} can't be written, and results are kept there as they come: {error.strerror}") from None
+        try:
+            self._lock()
+            self._take_up(job, shard, resume)
+        except BaseException:
+            self.file.close()
+            raise
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.file.close()
+
+    def to_do(self):
+        return [name for name in self.tasks if name not in self.done]
+
+    def add(self, name, result):
+        line = _line({"task": name, "result": result})
+        self._append(line)
+        self.done[name] = json.loads(line)["result"]
+
+    def _lock(self):
+        try:
+            fcntl.flock(self.file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise Complaint(f"{self.name} is being written by another run") from None
+        except OSError:
+            pass  # a file system without locks; what two runs add is sound all the same
+
+    def _take_up(self, job, shard, resume):
+        self.file.seek(0)
+        header, results, length = _read(self.file.readall(), self.name)
+        if header is not None:
+            if not resume:
+                raise Complaint(f"{self.name} is there already, with {len(results)} of {len(self.tasks)} results; --resume takes it up, "
+                                "--part names another file")
+            _require_equal(self.name, header, {"job": job.what, "shard": list(shard), "tasks": job.tasks})
+            self.done = results
+        self.file.truncate(length)
+        if header is None:
+            self._append(_line({"job": job.what, "shard": shard, "tasks": job.tasks}))
+
+    def _append(self, line):
+        """The whole line or nothing of it."""
+        length = os.fstat(self.file.fileno()).st_size
+        try:
+            written = 0
+            while written < len(line):
+                written += self.file.write(line[written:])
+            os.fsync(self.file.fileno())
+        except BaseException as error:
+            self.file.truncate(length)
+            if not isinstance(error, OSError):
+                raise
+            raise Complaint(f"{self.name} can't be written: {error.strerror}. {len(self.done)} of {len(self.tasks)} results are in it; "
+                            "--resume takes it up") from None
+
+
+def run(part, work, workers=1, stop=lambda: None, tell=lambda done, of: None):
+    """Does what the part lacks, `workers` tasks at a time; the results are in part.done. Returns why, by the name of what failed twice."""
+    waiting = [(name, 1) for name in reversed(part.to_do())]
+    running, failed = {}, {}
+    with _signals_as_exceptions(), ThreadPoolExecutor(workers) as pool:
+        try:
+            while waiting or running:
+                while waiting and len(running) < workers:
+                    name, attempt = waiting.pop()
+                    running[pool.submit(work, name)] = name, attempt
+                for future in wait(running, return_when=FIRST_COMPLETED).done:
+                    name, attempt = running.pop(future)
+                    error = future.exception()
+                    if error is None:
+                        part.add(name, future.result())
+                        tell(len(part.done), len(part.tasks))
+                    elif isinstance(error, Complaint):
+                        raise error
+                    elif attempt < ATTEMPTS:
+                        waiting.append((name, attempt + 1))
+                    else:
+                        failed[name] = f"{type(error).__name__}: {error}"
+        except BaseException:
+            stop()
+            raise
+    return failed
+
+
+@contextmanager
+def _signals_as_exceptions():
+    """In the main thread, where alone Python lets signals be handled. A second signal changes nothing."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+    signals = [each for each in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP) if signal.getsignal(each) != signal.SIG_IGN]
+
+    def raise_stopped(number, _):
+        for each in signals:
+            signal.signal(each, signal.SIG_IGN)
+        raise Stopped(number)
+    before = [signal.signal(each, raise_stopped) for each in signals]
+    try:
+        yield
+    finally:
+        for each, handler in zip(signals, before):
+            signal.signal(each, handler)
+
+
+def merge(files):
+    """The results of a job's parts, {name: result} in the order of its tasks, and the names of the tasks that have none."""
+    first, shards, results = None, {}, {}
+    for file in files:
+        try:
+            header, found, _ = _read(Path(file).read_bytes(), file)
+        except OSError as error:
+            raise Complaint(f"{file} can't be read: {error.strerror}") from None
+        if header is None:
+            raise Complaint(f"{file} is no part of a job: it holds nothing")
+        number, of = header["shard"]
+        first = first or {**header, "shard": [1, of]}
+        _require_equal(file, {**header, "shard": [1, of]}, first)
+        if number in shards:
+            raise Complaint(f"{shards[number]} and {file} are both shard {number}/{of}; each counts once")
+        shards[number] = file
+        results.update(found)
+    tasks = first["tasks"]
+    return {name: results[name] for name in tasks if name in results}, [name for name in tasks if name not in results]
+
+
+def _line(said):
+    return (json.dumps(said) + "\n").encode("ascii")
+
+
+def _read(text, name):
+    """The header, or None where there is none yet; the results by name; and how many bytes of whole lines there are."""
+    *lines, rest = text.split(b"\n")
+    header, mine, results = None, (), {}
+    for count, line in enumerate(lines, 1):
+        try:
+            said = json.loads(line)
+            if header is None:
+                header = {key: said[key] for key in ("job", "shard", "tasks")}
+                mine = set(share(header["tasks"], Shard(*header["shard"])))
+            elif said["task"] in mine and said["task"] not in results:
+                results[said["task"]] = said["result"]
+            else:
+                raise ValueError
+        except (ValueError, KeyError, TypeError):
+            raise Complaint(f"{name} is no part of a job; see its line {count}") from None
+    if header is None and not rest.startswith(BEGINNING[:len(rest)]):
+        raise Complaint(f"{name} is no part of a job; see its line 1")
+    return header, results, len(text) - len(rest)
+
+
+def _require_equal(file, found, wanted):
+    place, one, other = _difference(found, wanted, "")
+    if place is not None:
+        raise Complaint(f"{file} belongs to another job: its {place} is {_short(one)}, and here it is {_short(other)}")
+
+
+def _difference(one, other, place):
+    """Where two values differ first, and how; None where they don't."""
+    if isinstance(one, dict) and isinstance(other, dict):
+        for key in [*one, *(key for key in other if key not in one)]:
+            found = _difference(one.get(key), other.get(key), f"{place} {key}".strip())
+            if found[0] is not None:
+                return found
+        return None, None, None
+    if json.dumps(one) == json.dumps(other):
+        return None, None, None
+    return place, one, other
+
+
+def _short(value):
+    text = "nothing" if value is None else json.dumps(value)
+    return text if len(text) <= 80 else text[:77] + "..."
