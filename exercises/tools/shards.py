@@ -134,7 +134,8 @@ def run(part, work, workers=1, stop=lambda: None, tell=lambda done, of: None):
                 while waiting and len(running) < workers:
                     name, attempt = waiting.pop()
                     running[pool.submit(work, name)] = name, attempt
-                for future in wait(running, return_when=FIRST_COMPLETED).done:
+                # Python notices a signal that comes just before it waits only when it has waited.
+                for future in wait(running, timeout=1, return_when=FIRST_COMPLETED).done:
                     name, attempt = running.pop(future)
                     error = future.exception()
                     if error is None:
