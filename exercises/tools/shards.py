@@ -8,7 +8,7 @@ A job is what must be equal in every shard, and the names of its tasks in the or
     results, missing = merge([Path("1.part"), Path("2.part")])                       # {name: result} in the job's order
 
 Shard 3/16 has the third task and every sixteenth after it. A part is a file of lines, each JSON: first the job and the shard, then a
-result each. What was cut off in the middle of a line is done again. A part of another job, and one that another run is writing, is
+result each, the later one where a task has two. What was cut off in the middle of a line is done again. A part of another job, and one that another run is writing, is
 refused. run() tries a task that raises an exception a second time and returns {name: why} of those that failed twice: a failure is no
 result, so --resume tries it again. A Complaint, a full disk among them, and Ctrl-C or SIGTERM (as Stopped) end the run after stop().
 The merged results are those of the unsharded run if work() depends on nothing but the job and the name.
@@ -98,12 +98,14 @@ class Part:
     def _take_up(self, job, shard, resume):
         self.file.seek(0)
         header, results, length = _read(self.file.readall(), self.name)
-        if header is not None:
-            if not resume:
-                raise Complaint(f"{self.name} is there already, with {len(results)} of {len(self.tasks)} results; --resume takes it up, "
-                                "--part names another file")
+        if results and not resume:
+            raise Complaint(f"{self.name} is there already, with {len(results)} of {len(self.tasks)} results; --resume takes it up, "
+                            "--part names another file")
+        if header is not None and resume:
             _require_equal(self.name, header, {"job": job.what, "shard": list(shard), "tasks": job.tasks})
             self.done = results
+        else:
+            header, length = None, 0
         self.file.truncate(length)
         if header is None:
             self._append(_line({"job": job.what, "shard": shard, "tasks": job.tasks}))
@@ -128,7 +130,7 @@ def run(part, work, workers=1, stop=lambda: None, tell=lambda done, of: None):
     """Does what the part lacks, `workers` tasks at a time; the results are in part.done. Returns why, by the name of what failed twice."""
     waiting = [(name, 1) for name in reversed(part.to_do())]
     running, failed = {}, {}
-    with _signals_as_exceptions(), ThreadPoolExecutor(workers) as pool:
+    with stoppable(), ThreadPoolExecutor(workers) as pool:
         try:
             while waiting or running:
                 while waiting and len(running) < workers:
@@ -154,8 +156,8 @@ def run(part, work, workers=1, stop=lambda: None, tell=lambda done, of: None):
 
 
 @contextmanager
-def _signals_as_exceptions():
-    """In the main thread, where alone Python lets signals be handled. A second signal changes nothing."""
+def stoppable():
+    """Signals that ask for the end raise Stopped, in the main thread, where alone Python handles any. A second one changes nothing."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
@@ -208,7 +210,7 @@ def _read(text, name):
             if header is None:
                 header = {key: said[key] for key in ("job", "shard", "tasks")}
                 mine = set(share(header["tasks"], Shard(*header["shard"])))
-            elif said["task"] in mine and said["task"] not in results:
+            elif said["task"] in mine:
                 results[said["task"]] = said["result"]
             else:
                 raise ValueError

@@ -42,7 +42,7 @@ class Grading(FixtureCourse):
         folders = sorted(self.submissions.iterdir()) if folders is None else folders
         result = subprocess.run([sys.executable, "-B", str(ROOT / "exercises" / "tools" / "grade.py"), "--root", str(self.root),
                                  "--toolchain", str(self.toolchain_file), "--seconds", "2", *options, *map(str, folders)],
-                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=1800)
+                                cwd=self.root, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=1800)
         self.assertEqual(result.returncode, code, result.stderr.decode())
         return result.stdout.decode() if code == 0 else result.stderr.decode()
 
@@ -115,7 +115,7 @@ class AClass(Grading):
         self.assertIn("is no folder; a submission is a folder", self.grade(folders=[place / "doubled.hpp"], code=2))
         self.assertIn("two submissions are called ada", self.grade(folders=[place, place], code=2))
         self.assertIn("no exercise is called hamer", self.grade("--exercises", "hamer", code=2))
-        self.assertIn("seconds is -1.0", self.grade("--seconds", "-1", code=2))
+        self.assertIn("seconds is -1; it must be greater than 0 and at most 3600", self.grade("--seconds", "-1", code=2))
 
 
 @unittest.skipUnless(can_seal() or os.geteuid() == 0, "here the code of a submission has the tester's own rights")

@@ -95,9 +95,25 @@ class Shards(InAFolder):
         (self.folder / "empty").touch()
         self.refused("it holds nothing", merge, [self.folder / "empty"])
         self.assertEqual(merge([two])[1], NAMES[::2])
-        twice = one.read_bytes() + one.read_bytes().split(b"\n")[1] + b"\n"
-        one.write_bytes(twice)
-        self.refused("see its line 14", merge, [one, two])
+        one.write_bytes(one.read_bytes() + two.read_bytes().split(b"\n")[1] + b"\n")
+        self.refused(f"{one} is no part of a job; see its line 14", merge, [one, two])
+
+    def test_what_is_done_once_more_replaces_what_was_done_before(self):
+        with self.part() as part:
+            run(part, lambda name: "before")
+            for name in NAMES[2:4]:
+                del part.done[name]
+            run(part, lambda name: "after")
+        with self.part(resume=True) as part:
+            self.assertEqual(part.done, {name: "after" if name in NAMES[2:4] else "before" for name in NAMES})
+        self.assertEqual(list(merge([self.folder / "part"])[0]), NAMES)
+
+    def test_a_part_without_results_is_begun_anew(self):
+        with self.part():
+            pass
+        with self.part(job=Job({}, ["other"])) as part:
+            run(part, lambda name: 1)
+        self.assertEqual(merge([self.folder / "part"]), ({"other": 1}, []))
 
     def test_a_failure_is_tried_again_and_is_no_result(self):
         tried = []
