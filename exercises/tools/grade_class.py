@@ -15,6 +15,7 @@ from submission import name_of, read_header, student_of
 
 GRADE_ONE = [sys.executable, "-E", "-B", str(Path(__file__).with_name("grade_one.py"))]
 FIRST_USER = 64000  # numbers that no account has; each submission that runs at the same time gets one of its own
+PATIENCE = 10  # seconds, for what was asked to end
 
 
 class GraderFailed(Exception):
@@ -99,7 +100,7 @@ def _end(process):
         if process.poll() is None:
             process.send_signal(number)
             try:
-                process.communicate(timeout=10)
+                process.communicate(timeout=PATIENCE)
             except subprocess.TimeoutExpired:
                 continue
     process.wait()
