@@ -10,16 +10,13 @@ import sys
 import threading
 from pathlib import Path
 
+from complaint import GraderFailed
 from shards import Job, run
 from submission import name_of, read_header, student_of
 
 GRADE_ONE = [sys.executable, "-E", "-B", str(Path(__file__).with_name("grade_one.py"))]
 FIRST_USER = 64000  # numbers that no account has; each submission that runs at the same time gets one of its own
 PATIENCE = 10  # seconds, for what was asked to end
-
-
-class GraderFailed(Exception):
-    """No fault of the submission's: it has no result, which is not the same as 0 points."""
 
 
 def job_of(arguments, exercises):

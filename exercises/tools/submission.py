@@ -18,14 +18,14 @@ SUSPICIOUS = (
     (r"\b(?:write|dup|dup2)\s*\(", "writes past the language's own output"),
     (r"\b(?:exit|_exit|_Exit|quick_exit|abort|atexit|signal|longjmp)\s*\(", "ends the program or catches its end"),
     (r"\basm\b|__asm__|incbin", "holds assembly"),
-    (r"[(,]\s*_*(?:constructor|destructor)(?:_|\b)", "runs before or after main"),
+    (r"__attribute__\s*\(\([^()]*(?:constructor|destructor)", "runs before or after main"),
     (r"/proc/|/dev/|/etc/", "names a file of the system"),
     (r"#\s*define\s+(?:main|return|if|while|for|double|float|TEST_CASE|CHECK|EXERCISE_\w+|template|private|public)\b",
      "redefines what belongs to the language or to the checks"),
     (r"\btumble::exercise::(?!todo)|exercise/(?:judge|answers|wire)", "meddles with the exercises' own code"),
     (r"#\s*pragma\s+(?!once)", "gives the compiler orders"),
 )
-INCLUDE = re.compile(r"^[^\S\n]*(?:#|%:)[^\S\n]*(?:include|include_next|import|embed)\b[^\S\n]*(.*)$", re.MULTILINE)
+INCLUDE = re.compile(r"^[ \t]*(?:#|%:)[ \t]*(?:include|include_next|import|embed)\b[ \t]*(.*)$", re.MULTILINE)
 # What ends nowhere goes on to the end, so that no letter is looked at twice: a text of any kind takes a time in proportion to its length.
 LEXEME = re.compile(r"""
     //[^\n]* | /\*(?:[^*]|\*(?!/))*(?:\*/)?
