@@ -2,6 +2,7 @@
 # leaves what it found in results/CHAPTER, where the book picks it up:
 #   checks.xml         the verdict of every check, in doctest's XML
 #   PROGRAM.txt        what a program printed
+#   PROGRAM.failed     what it expected in vain, if it did; empty where it crashed
 #   PROGRAM.values.tsv the numbers that the prose quotes, and any TABLE.tsv
 #   FIGURE.svg         what gnuplot drew from those tables
 #   COST.json          what Google Benchmark measured
@@ -140,9 +141,12 @@ function(tumble_add_program chapter name)
   set_tests_properties(programs.${name} PROPERTIES LABELS programs)
 
   set(folder ${TUMBLE_RESULTS}/${chapter})
+  # What a program expected in vain must reach the page too; the book prints it in red.
   add_custom_command(OUTPUT ${folder}/${name}.txt
     COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
-    COMMAND ${run_in_full} $<TARGET_FILE:${name}> ${folder} > ${folder}/${name}.txt
+    COMMAND ${CMAKE_COMMAND} -E rm -f ${folder}/${name}.failed
+    COMMAND ${run_in_full} $<TARGET_FILE:${name}> ${folder} > ${folder}/${name}.txt 2> ${folder}/${name}.errors ||
+      ${CMAKE_COMMAND} -E copy ${folder}/${name}.errors ${folder}/${name}.failed
     DEPENDS ${name} ${quiet} COMMENT "Running ${name}" VERBATIM)
   add_custom_target(run_${name} DEPENDS ${folder}/${name}.txt)
   add_dependencies(results run_${name})

@@ -3,7 +3,7 @@ import {existsSync, readFileSync} from 'node:fs';
 import {dirname, join, normalize} from 'node:path';
 import {spawnSync} from 'node:child_process';
 import {map_of_chapters} from './chapter_map.mjs';
-import {check_line} from './checks.mjs';
+import {check_line, failed_line} from './checks.mjs';
 import {list_of_exercises, semester, wrong_answers} from './exercise_tables.mjs';
 import {figure, graph} from './figures.mjs';
 import {player} from './players.mjs';
@@ -32,7 +32,7 @@ function reading_time(pages) {
 }
 
 export class Blocks {
-  quoted = new Set(); // the checks that some page shows
+  quoted = new Set(); // the checks, and the programs as CHAPTER/PROGRAM, that some page shows
 
   constructor(settings, results, pages, exercises) {
     this.settings = settings;
@@ -118,8 +118,15 @@ export class Blocks {
     const [chapter, program] = this.#of(page, argument);
     const text = this.results.text(chapter, program, '.txt', 'output of program');
     if (!text.trim()) throw new BookError(`the program ${program} printed nothing`);
+    this.quoted.add(`${chapter}/${program}`);
     return `<figure class="listing output"><figcaption>What ${this.#program_link(chapter, program)} prints</figcaption>` +
-      `<pre class="unindexed">${escape(text.trimEnd())}</pre></figure>`;
+      `<pre class="unindexed">${escape(text.trimEnd())}</pre></figure>${this.#complaint(chapter, program)}`;
+  }
+
+  /** In red, what a program expected in vain. */
+  #complaint(chapter, program) {
+    const complaint = this.results.complaint(chapter, program);
+    return complaint === undefined ? '' : failed_line(this.#program_link(chapter, program), complaint);
   }
 
   #table(page, argument) {
@@ -179,10 +186,13 @@ export class Blocks {
     return check_line(matches[0], this.#path(matches[0].file), source_link);
   }
 
-  /** The failed checks of a chapter that its pages do not quote. */
+  /** The failed checks and programs of a chapter that its pages do not quote. */
   unquoted_failures(chapter) {
-    return this.results.checks(chapter).filter(check => !check.passed && !this.quoted.has(check))
-      .map(check => check_line(check, this.#path(check.file), source_link)).join('');
+    const checks = this.results.checks(chapter).filter(check => !check.passed && !this.quoted.has(check))
+      .map(check => check_line(check, this.#path(check.file), source_link));
+    const programs = this.results.names(chapter, '.failed').filter(program => !this.quoted.has(`${chapter}/${program}`))
+      .map(program => this.#complaint(chapter, program));
+    return [...checks, ...programs].join('');
   }
 
   #costs(page, argument) {

@@ -84,7 +84,7 @@ function write_pages(folder, pages, written, directives) {
     const {html, headings} = finish(file);
     const more = page.chapter && !page.further ? directives.makers.unquoted_failures(page.chapter) : '';
     const whole = more
-      ? `${html}<h2 id="failed_checks">Checks that failed and that no page quotes</h2>${more}`
+      ? `${html}<h2 id="failed_checks">What failed and no page quotes</h2>${more}`
       : html;
     if (!file.endsWith('_source.html'))
       documents.push(
@@ -158,9 +158,17 @@ function build() {
   copy_theme(fresh);
   publish(fresh, settings.folder);
 
-  const chapters = new Set(pages.chapters.map(page => page.chapter));
-  const failed = [...chapters].flatMap(chapter => results.checks(chapter)).filter(check => !check.passed);
-  if (failed.length) throw new BookError(`${counted(failed.length, 'check')} failed; the pages show which`);
+  tell_red([...new Set(pages.chapters.map(page => page.chapter))], results);
+}
+
+/** What does not hold stops no book: the pages show it, and whoever asked for the book is told from this file. */
+function tell_red(chapters, results) {
+  const red = chapters.flatMap(chapter => [
+    ...results.checks(chapter).filter(check => !check.passed).map(check => `${chapter}: ${check.sentence}`),
+    ...results.names(chapter, '.failed').map(program => `${chapter}: ${program}: ${results.complaint(chapter, program)}`),
+  ]);
+  writeFileSync(join(settings.work, 'red.txt'), red.map(line => `${line}\n`).join(''));
+  if (red.length) process.stdout.write(`${counted(red.length, 'result')} in red; the pages show which\n`);
 }
 
 try {

@@ -36,3 +36,11 @@ export function check_line(check, path, source_link) {
     `${complaints.length ? `<ul>${complaints.join('')}</ul>` : ''}</div></div>`
   );
 }
+
+/** The same for a program that expected something in vain. */
+export function failed_line(program_link, complaint) {
+  return (
+    `<div class="check failed"><span class="mark" aria-hidden="true">✗</span>` +
+    `<div>${program_link} <span class="verdict"><b>failed</b>; ${escape(complaint)}</span></div></div>`
+  );
+}

@@ -65,6 +65,13 @@ export class Results {
       }));
   }
 
+  /** What a program expected in vain, or undefined if it ended well. */
+  complaint(chapter, program) {
+    if (!existsSync(join(this.folder, chapter, `${program}.failed`))) return undefined;
+    const said = this.text(chapter, program, '.failed', 'failure of program').trim();
+    return said.replaceAll('\n', '; ') || 'it broke off';
+  }
+
   /** Every check of a chapter: its sentence, where it stands and how it went in each precision. */
   checks(chapter) {
     const key = `checks of ${chapter}`;

@@ -8,6 +8,7 @@ import {after, before, test} from 'node:test';
 
 const folder = process.env.TUMBLE_TINY;
 const header = join(folder, 'chapters/01_tiny/tumble/tiny.hpp');
+const red = join(folder, 'build/book_work/red.txt');
 const sound = readFileSync(header, 'utf8');
 
 function make_book_with(length) {
@@ -40,16 +41,21 @@ test('Another number in the code is another number everywhere on the page.', () 
   assert.notEqual(still(page), still(first.page), 'the still picture of the player is the old one');
 });
 
-test('A check that the code no longer passes fails the build, and the page shows it failed.', () => {
+test('What the code no longer holds stops no book: the page shows it failed, and red.txt tells of it.', () => {
   const {status, said, page} = make_book_with('2.25');
-  assert.notEqual(status, 0);
-  assert.match(said, /1 check failed/);
-  assert.match(page, /class="check failed"/);
-  assert.match(page, /<b>failed<\/b>/);
+  assert.equal(status, 0, said);
+  assert.match(said, /2 results in red/);
+  assert.match(page, /The stick is 2\.25 m long\./);
+  const failures = [...page.matchAll(/class="check failed"[^]*?<b>failed<\/b>/g)];
+  assert.equal(failures.length, 2, 'the check and the program');
+  assert.match(page, /<b>failed<\/b>; expected, but not so: the stick is hardly longer than two metres/);
+  assert.equal(readFileSync(red, 'utf8'), '01_tiny: The stick is shorter than two metres\n' +
+    '01_tiny: tiny_demo: expected, but not so: the stick is hardly longer than two metres\n');
 });
 
 test('The old code makes the old page again.', () => {
   const {status, said, page} = make_book_with('1.25');
   assert.equal(status, 0, said);
   assert.equal(page, first.page);
+  assert.equal(readFileSync(red, 'utf8'), '');
 });

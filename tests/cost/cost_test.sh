@@ -155,6 +155,6 @@ top="--inertia 1,2,3 --spin 1,2,0.5 --for 10"
   refuses "one word too many: coin" t_handle coin --for 1 --angle 1
 }
 printf '{"title": ' >bad_scene.txt
-refuses "bad_scene.txt: parse error" bad_scene.txt --for 1 --angle 1
+refuses "bad_scene.txt: line 1, column 11: not valid JSON" bad_scene.txt --for 1 --angle 1
 
 [ "$failures" -eq 0 ]

@@ -16,6 +16,10 @@ done
 # The system that the copy believes to run on.
 sed -i.bak "s|^system_file=.*|system_file='$scratch/os-release'|" "$scratch/tree/tools/packages.sh"
 
+# And the memory that it believes to have.
+sed -i.bak "s|^memory_file=.*|memory_file='$scratch/meminfo'|; s|^memory_limit_file=[^ ]*|memory_limit_file='$scratch/limit'|" \
+  "$scratch/tree/tools/build.sh"
+
 # stand_in NAME: a program that does what its standard input says.
 stand_in() {
   { echo '#!/usr/bin/env bash' && cat; } >"$scratch/bin/$1"
@@ -205,6 +209,19 @@ if command -v flock >/dev/null; then
   wait
   verify "two first checks at once configure one after the other" [ "${called/two at once/}" = "$called" ]
 fi
+
+fresh debian 12
+rm "$scratch/bin/getconf"
+stand_in getconf <<<'echo 8'
+for case in "12500000:max:8" "2500000:max:2" "300000:max:1" "12500000:3221225472:3" "::8"; do
+  IFS=: read -r memory limit jobs <<<"$case"
+  rm -f "$scratch/called" "$scratch/meminfo" "$scratch/limit"
+  [ -z "$memory" ] || printf 'MemFree:  1 kB\nMemAvailable:   %s kB\n' "$memory" >"$scratch/meminfo"
+  [ -z "$limit" ] || echo "$limit" >"$scratch/limit"
+  course check 1
+  verify "with 8 cores, ${memory:-an unknown number of} kB free and a limit of ${limit:-none}, $jobs compile at a time" \
+    called "--parallel $jobs --"
+done
 
 fresh ubuntu 22.04
 course check 1

@@ -156,7 +156,7 @@ verify "without gnuplot it says so" complains "gnuplot draws it and is not insta
 verify "no mistake leaves a file" leaves_nothing
 printf '{"title": "", "description": "",\n "duration": }' >bad.json
 run bad.json
-verify "a scene that is no JSON gets line and column" complains "bad.json: parse error at line 2, column 14"
+verify "a scene that is no JSON gets line and column" complains "bad.json: line 2, column 14: not valid JSON"
 verify "and ends with 2" ends_with 2
 rm bad.json
 

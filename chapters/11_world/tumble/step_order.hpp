@@ -11,7 +11,7 @@ namespace tumble {
 /// The effect that turns by a rule, in the form that `Keeping` runs.
 template <class Real, class Keeping, class Rule>
 std::shared_ptr<const AnyEffect<Real>> tumbling_effect(const Rule& rule) {
-  return Keeping::erased(Tumble<Real, Rule>{"tumbling: " + std::string(Rule::name), rule});
+  return Keeping::erased(Tumble<Real, Rule>{std::string("tumbling: ").append(Rule::name), rule});
 }
 
 /// The scene's effects, in the order in which they came, and the motion that every world has, in

@@ -2,6 +2,7 @@
 /// From text to JSON, with limits, and with the place of whatever is wrong.
 #pragma once
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <tumble/scene/scene_error.hpp>
 
@@ -25,10 +26,13 @@ inline std::string pointer_to(const std::string& pointer, std::string_view key) 
 }
 
 /// Takes the parser's events and builds the value. The library's own builder silently drops the
-/// first of two equal keys, has no limit of depth, and can't say where a number was too large.
+/// first of two equal keys, has no limit of depth, and can't say where a number was too large. What
+/// is no JSON is told with our own line and column; the parser's words, which differ from version
+/// to version, stand behind them.
 class JsonBuilder : public nlohmann::json_sax<nlohmann::json> {
  public:
-  explicit JsonBuilder(std::string file) : file_(std::move(file)) {}
+  /// @param text what the parser is given, and the builder reads for its lines alone
+  JsonBuilder(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}
 
   nlohmann::json take() { return std::move(root_); }
 
@@ -52,16 +56,28 @@ class JsonBuilder : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
 
-  bool parse_error(std::size_t, const std::string& token,
+  bool parse_error(std::size_t bytes_read, const std::string& token,
                    const nlohmann::detail::exception& error) override {
     if (error.id == 406)  // the library's number for a number beyond all doubles
       throw SceneError(file_, pointer_to(pointer(), next_key()),
                        "is " + token + "; no number can be that large");
-    const std::string what = error.what();
-    throw SceneError(file_, "", what.substr(what.find("] ") + 2));
+    std::string words = error.what();
+    // Before the first ": " stand the library's number of the error and the place once more.
+    if (const std::size_t end = words.find(": "); end != words.npos) words.erase(0, end + 2);
+    throw SceneError(file_, "", place_of(bytes_read) + "not valid JSON (" + words + ")");
   }
 
  private:
+  /// The line and column of the last of the bytes that were read; the end of the text counts as
+  /// one.
+  std::string place_of(std::size_t bytes_read) const {
+    const std::string_view before = text_.substr(0, bytes_read == 0 ? 0 : bytes_read - 1);
+    const auto lines = std::count(before.begin(), before.end(), '\n');
+    const std::size_t line_begin = before.rfind('\n') + 1;  // npos + 1 = 0: the first line
+    return "line " + std::to_string(lines + 1) + ", column " +
+           std::to_string(before.size() - line_begin + 1) + ": ";
+  }
+
   std::string next_key() const {
     if (open_.empty()) return {};
     return open_.back()->is_array() ? std::to_string(open_.back()->size()) : keys_.back();
@@ -108,6 +124,7 @@ class JsonBuilder : public nlohmann::json_sax<nlohmann::json> {
     return true;
   }
 
+  std::string_view text_;
   std::string file_;
   nlohmann::json root_;
   std::vector<nlohmann::json*> open_;  // objects and arrays that have not ended
@@ -122,7 +139,7 @@ inline nlohmann::json parse_json(std::string_view text, const std::string& file)
     throw SceneError(file, "",
                      "it has " + std::to_string(text.size()) + " bytes; at most " +
                          std::to_string(most_bytes_of_scene) + " are read");
-  JsonBuilder builder(file);
+  JsonBuilder builder(text, file);
   nlohmann::json::sax_parse(text, &builder);
   return builder.take();
 }

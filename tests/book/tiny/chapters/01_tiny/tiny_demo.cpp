@@ -31,4 +31,5 @@ int main(int argument_count, char** arguments) {
   rising.add_body("stick", {tumble::course::Part::cylinder(0.05, length)});
   for (const double height : {0.0, 1.0}) rising.add_frame(std::array{Pose{{0, 0, height}}});
   rising.write(notebook.file_in_folder("stick.recording.json"));
+  tumble::course::expect(length < 2.1, "the stick is hardly longer than two metres");
 }

@@ -1,0 +1,127 @@
+#!/usr/bin/env bash
+# heal_test.sh SOURCE SCRATCH: breaks a build folder in every way that we have met or could think of. The next command
+# heals it, or says in one sentence what to do. The tools are the real ones; what they build is one small program.
+# shellcheck disable=SC2016  # what stands in single quotes belongs to other files
+set -u
+source=$1
+scratch=$2
+tree="$scratch/a tree"
+failures=0
+
+rm -rf "$scratch"
+mkdir -p "$tree/chapters/01_force"
+cp -R "$source/course" "$source/tools" "$tree"
+cat >"$tree/CMakeLists.txt" <<'END'
+cmake_minimum_required(VERSION 3.25)
+project(Healed LANGUAGES CXX)
+add_executable(01_force_checks main.cpp)
+set_target_properties(01_force_checks PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/checks)
+END
+echo 'int main() {}' >"$tree/main.cpp"
+cat >"$tree/CMakePresets.json" <<'END'
+{"version": 6, "configurePresets": [{"name": "default", "binaryDir": "${sourceDir}/build/default"}]}
+END
+build="$tree/build/default"
+
+course() { # its output and exit code go to `output` and `code`
+  output=$("$tree/course" check 1 --no-install 2>&1 </dev/null)
+  code=$?
+}
+
+verify() { # SENTENCE CONDITION...
+  local sentence=$1
+  shift
+  if "$@"; then
+    echo "passed: $sentence"
+  else
+    failures=$((failures + 1))
+    printf 'error: %s\n  exit code %s\n  it said: %s\n' "$sentence" "$code" "$output"
+  fi
+}
+
+told() { [ "$code" -eq 2 ] && [[ $output == *"$1"* && $output == *"Delete build"* ]]; }
+heals() { [ "$code" -eq 0 ] && [[ $output == *"The checks of 01_force hold."* ]] && [ -x "$build/checks/01_force_checks" ]; }
+
+course
+verify "a new checkout is configured and built" heals
+course
+verify "what is configured is not configured again" [ "${output/Configured/}" = "$output" ]
+
+rm "$build/CMakeCache.txt"
+course
+verify "without CMakeCache.txt, though it is marked as configured, it heals" heals
+rm -f "$build/build.ninja" "$build/Makefile"
+course
+verify "without the files of the build it heals" heals
+for file in build.ninja Makefile; do [ ! -f "$build/$file" ] || echo 'half a li' >"$build/$file"; done
+course
+verify "with the files of the build cut off it heals" heals
+echo 'half a li' >"$build/CMakeCache.txt"
+course
+verify "with half a CMakeCache.txt it heals" heals
+: >"$build/CMakeCache.txt"
+course
+verify "with an empty CMakeCache.txt it heals" heals
+rm -rf "$build/CMakeFiles"
+course
+verify "without CMakeFiles it heals" heals
+rm -f "$build/checks/01_force_checks"
+course
+verify "without the program it heals" heals
+find "$build" -type f -name '*.o' -exec sh -c ': >"$1"' _ {} \;
+rm -f "$build/.ninja_log" "$build/.ninja_deps"
+touch "$tree/main.cpp"
+course
+verify "with an interrupted compiler's empty files it heals" heals
+for file in .ninja_log .ninja_deps; do head -c 100 /dev/urandom >"$build/$file"; done
+course
+verify "with noise in Ninja's books it heals" heals
+rm "$build/configured" "$build/CMakeCache.txt"
+mkdir "$build/CMakeCache.txt"
+course
+verify "with a folder in the place of CMakeCache.txt it heals" heals
+rm -rf "$build"
+echo >"$build"
+course
+verify "with a file in the place of the build folder it heals" heals
+sed -i.bak 's|^CMAKE_CXX_COMPILER:.*|CMAKE_CXX_COMPILER:FILEPATH=/nowhere/g++|; s|^CMAKE_MAKE_PROGRAM:.*|CMAKE_MAKE_PROGRAM:FILEPATH=/nowhere/ninja|' \
+  "$build/CMakeCache.txt"
+rm "$build/configured"
+course
+verify "configured for a compiler and a Ninja that are gone, it heals" heals
+echo "another compiler 1.0; warnings as errors: " >"$build/configured"
+touch "$build/of_the_other"
+course
+verify "configured by another compiler, it heals" heals
+verify "and nothing of the other one's is kept" [ ! -e "$build/of_the_other" ]
+mv "$tree" "$scratch/moved"
+tree=$scratch/moved build=$scratch/moved/build/default
+course
+verify "moved to another place, it heals" heals
+
+rm -rf "$tree/build"
+echo >"$tree/build"
+course
+verify "a file called build is told of" told "nothing can be written to build/log"
+rm "$tree/build"
+ln -s /nowhere/at/all "$tree/build"
+course
+verify "a link that leads nowhere is told of" told "nothing can be written to build/log"
+rm "$tree/build"
+course
+
+# Another user's build folder: who is root here becomes nobody for the moment.
+as_another=()
+[ "$(id -u)" -ne 0 ] || as_another=(setpriv --reuid 65534 --regid 65534 --clear-groups)
+if [ "$(id -u)" -ne 0 ]; then chmod -R a-w "$tree/build"; else chmod 755 "$scratch" "$tree"; fi
+if "${as_another[@]}" test -x "$tree/course" 2>/dev/null; then
+  output=$("${as_another[@]}" "$tree/course" check 1 --no-install 2>&1 </dev/null)
+  code=$?
+  verify "a folder in which nothing may be written is told of in one sentence" \
+    told "nothing can be written to build/log: Permission denied"
+else
+  echo "passed over: another user can't come as far as $tree"
+fi
+chmod -R u+w "$tree/build"
+
+[ "$failures" -eq 0 ]
