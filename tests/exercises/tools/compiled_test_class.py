@@ -273,7 +273,7 @@ class OfTheCourse(Grading):
         moon = (ROOT / "solutions" / "01_force" / "moon" / "moon.hpp").read_text(encoding="utf-8")
         for name, text in (("ada", moon), ("bob", (ROOT / "exercises" / "01_force" / "moon" / "moon.hpp").read_text(encoding="utf-8")),
                            ("eve", "#include <stdexcept>\n" + moon.replace("return", 'throw std::runtime_error("\\xc2\\x9b" "31m"); return', 1)),
-                           ("fay", "nonsense\x1b[31m"), ("guy", None)):
+                           ("fay", "nonsense"), ("guy", None)):
             place = self.hand_in(name, None)
             if text:
                 (place / "moon.hpp").write_text(text, encoding="utf-8")
@@ -282,8 +282,7 @@ class OfTheCourse(Grading):
         self.of_the_course("merge", "grade.2_of_2.part", "grade.1_of_2.part", "--output", "two.xml", "--marks", "two.csv", "--format", "junit")
         for kind in ("xml", "csv"):
             self.assertEqual((self.root / f"two.{kind}").read_bytes(), (self.root / f"one.{kind}").read_bytes())
-        for said in (b"\\x9b31m", b"\\x1b[31m"):  # by a program, and by a compiler that quotes one
-            self.assertIn(said, (self.root / "two.xml").read_bytes())
+        self.assertIn(b"\\x9b31m", (self.root / "two.xml").read_bytes())
         with open(self.root / "two.csv", newline="", encoding="utf-8") as table:
             self.assertEqual([(row["student"], row["01_force/moon"]) for row in csv.DictReader(table)],
                              [("ada", "2"), ("bob", "0"), ("eve", "0"), ("fay", "0"), ("guy", "0")])
