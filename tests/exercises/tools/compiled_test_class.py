@@ -17,7 +17,7 @@ from pathlib import Path
 from unittest import mock
 
 import grade_class
-from compiled_test_grade import RIGHT, Grading
+from compiled_test_grade import Grading
 from fixture import ROOT, TOOLCHAIN
 
 TOOLS = ROOT / "exercises" / "tools"
