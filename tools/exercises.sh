@@ -32,6 +32,7 @@ exercise() {
 # instructor COMMAND WORD...: their folders are the caller's. What is printed is theirs to read by a program. Only merging compiles
 # nothing.
 instructor() {
+  case $1 in release | package) ensure "git:git" "" >&2 ;; esac
   if [ "$1 ${2-}" = "grade merge" ]; then ensure "$exercise_packages" ""; else configure_exercises; fi >&2
   cd -- "$caller" || exit 1
   exec python3 -E -B "$root/exercises/tools/$1.py" --root "$root" --toolchain "$toolchain" "${@:2}"
