@@ -16,7 +16,7 @@ from submission import name_of, read_header, student_of
 
 GRADE_ONE = [sys.executable, "-E", "-B", str(Path(__file__).with_name("grade_one.py"))]
 FIRST_USER = 64000  # numbers that no account has; each submission that runs at the same time gets one of its own
-PATIENCE = 10  # seconds, for what was asked to end
+PATIENCE = 20  # seconds that the grader of one submission has to tidy up
 
 
 def job_of(arguments, exercises):
@@ -73,16 +73,18 @@ class _Graders:
             self.processes.add(process)
         try:
             output, said = process.communicate(json.dumps(task).encode("ascii"), timeout=self.seconds)
-            return json.loads(output)
+            if process.returncode == 0:
+                return json.loads(output)
         except subprocess.TimeoutExpired:
             raise GraderFailed(f"it took more than {self.seconds:g} seconds") from None
         except ValueError:
-            why = said.decode("utf-8", "replace").strip()[-2000:]
-            raise GraderFailed(why or f"it ended with {process.returncode} and said nothing") from None
+            pass
         finally:
             with self.lock:
                 self.processes.discard(process)
             _end(process)
+        why = said.decode("utf-8", "replace").strip()[-2000:]
+        raise GraderFailed(why or f"it ended with {process.returncode} and said nothing that can be read")
 
     def end(self):
         with self.lock:

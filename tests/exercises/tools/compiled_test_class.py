@@ -66,11 +66,13 @@ class AClassOfStandIns(Grading):
     def names(self):
         return sorted(os.listdir(self.submissions))
 
-    def begin(self, *options, folders=None, where=None):
+    def begin(self, *options, folders=None):
         folders = [] if "merge" in options[:1] else sorted(self.submissions.iterdir()) if folders is None else folders
-        return subprocess.Popen([sys.executable, "-B", str(self.runner), "--root", str(self.root), "--toolchain", str(self.toolchain_file),
-                                 *map(str, options), *map(str, folders)], cwd=where or self.place, stdin=subprocess.DEVNULL,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        process = subprocess.Popen([sys.executable, "-B", str(self.runner), "--root", str(self.root), "--toolchain",
+                                    str(self.toolchain_file), *map(str, options), *map(str, folders)], cwd=self.place,
+                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(process.kill)
+        return process
 
     def run_to_the_end(self, *options, code=0, **others):
         """What it prints, and what it says besides."""

@@ -14,12 +14,12 @@ from unittest import mock
 from xml.etree import ElementTree
 
 from complaint import Complaint
-from fixture import ROOT
 from outputs import Outputs, write_whole
 from plain_text import all_plain, plain, say
 from reports import FORMATS, marks
 from test_student_files import InAFolder
 
+ROOT = Path(__file__).resolve().parents[3]
 EVERY_LETTER = "".join(map(chr, range(0x110000)))
 NASTY = "\x1b]0;owned\x07\x1b[2J\x9b31m\r\x08\x00\x85\u202e\u2028\ufffe\udce9\ud800<&>\"'"
 
@@ -79,10 +79,11 @@ class Files(InAFolder):
             outputs.open("--marks", file)
             raise ZeroDivisionError
         self.assertEqual((file.read_text(encoding="utf-8"), list(self.folder.iterdir())), ("before", [file]))
-        with Outputs() as outputs:
+        with Outputs() as outputs, open(file, encoding="utf-8") as reader:
             write = outputs.open("--marks", file)
             self.assertEqual(file.read_text(encoding="utf-8"), "before")
             write(b"after")
+            self.assertEqual(reader.read(), "before")  # whoever reads it has the old one or the new one, and never half of one
         self.assertEqual((file.read_bytes(), list(self.folder.iterdir())), (b"after", [file]))
         self.assertEqual(stat.S_IMODE(file.stat().st_mode), 0o640)
 
