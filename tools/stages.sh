@@ -15,14 +15,16 @@ now() { # in tenths of a second
 started=$(now)
 stage_names=()
 stage_times=()
+stage_peaks=()
 
 seconds() { printf '%d.%d' $(($1 / 10)) $(($1 % 10)); }
 
 # stage SENTENCE COMMAND...: runs it with its output in the log, and says how long it took.
 stage() {
-  local sentence=$1 begin status=0 before took
+  local sentence=$1 begin status=0 before took memory
   shift
   before=$(wc -l <"$log")
+  memory=$(memory_lines)
   begin=$(now)
   printf '%-62s' "$sentence"
   printf '\n--- %s\n+ %s\n' "$sentence" "$*" >>"$log"
@@ -30,6 +32,7 @@ stage() {
   took=$(($(now) - begin))
   stage_names+=("$sentence")
   stage_times+=("$took")
+  stage_peaks+=("$(peak_since "$memory")")
   if [ "$status" -eq 0 ]; then
     printf '%8s s\n' "$(seconds "$took")"
   else
@@ -57,9 +60,9 @@ failing_part() {
 finish() {
   local i
   if [ -n "$timings" ]; then
-    printf '\n%-62s%10s\n' "stage" "time"
+    printf '\n%-62s%10s %13s %13s\n' "stage" "time" "one process" "all at once"
     for i in "${!stage_names[@]}"; do
-      printf '%-62s%8s s\n' "${stage_names[$i]}" "$(seconds "${stage_times[$i]}")"
+      printf '%-62s%8s s %s\n' "${stage_names[$i]}" "$(seconds "${stage_times[$i]}")" "${stage_peaks[$i]}"
     done
   fi
   printf '%s (%s s; log: %s)\n' "$1" "$(seconds $(($(now) - started)))" "${log#"$root"/}"

@@ -8,6 +8,11 @@ export class BookError extends Error {}
 
 const known = names => (names.length ? `there are: ${names.join(', ')}` : 'there are none');
 
+export function table_in(text) {
+  const [columns, ...rows] = text.trimEnd().split('\n').map(line => line.split('\t'));
+  return {columns, rows};
+}
+
 export class Results {
   #cache = new Map();
 
@@ -34,11 +39,7 @@ export class Results {
   }
 
   table(chapter, name, ending = '.tsv', kind = 'table') {
-    const rows = this.text(chapter, name, ending, kind)
-      .trimEnd()
-      .split('\n')
-      .map(line => line.split('\t'));
-    return {columns: rows[0], rows: rows.slice(1)};
+    return table_in(this.text(chapter, name, ending, kind));
   }
 
   value(chapter, program, name) {

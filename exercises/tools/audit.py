@@ -2,8 +2,9 @@
 
   audit.py --root ROOT --toolchain FILE [--write] [--quick] [--only WORD] [--jobs N]
 
-Every starter is made from its solution and warning-free, and fails every check; every solution passes them all, warning-free, in
-both precisions, and a lab's makes its replay; every wrong answer is caught by the check that it names, with its message.
+Every starter is made from its solution and warning-free, and fails every check, also where its functions answer with something
+trivial such as 0, infinity or their input; every solution passes them all, warning-free, in both precisions, and a lab's makes its
+replay; every wrong answer is caught by the check that it names, with its message.
 --write makes the starters anew; --quick looks at starters and solutions alone.
 """
 
@@ -26,6 +27,7 @@ from replay import has_replay, make_replay
 from run_check import PASSED, TODO
 from starter import starter_of
 from toolchain import read_toolchain
+from trivial import earned_by_little
 from verdict import judge
 from workplace import drawn_parameters, with_parameters
 from wrong_answers import read_wrong_answers
@@ -109,6 +111,9 @@ def look_at_behaviour(root, toolchain, exercise, quick=False):
         for outcomes in verdicts(places.solution(exercise), "solution"):
             complaints += [f'{exercise.path}: the solution fails "{sentence}": {outcome.message}'
                            for sentence, outcome in outcomes.items() if outcome.status != PASSED]
+        for key in keys:
+            complaints += [f'{exercise.path}: "{earned.sentence}" {"is passed" if earned.passes else "breaks down"} where '
+                           f"{earned.answers}" for earned in earned_by_little(toolchain, exercise, drawn_parameters(exercise, key))]
         if quick:
             return complaints
         if has_replay(exercise):
@@ -124,6 +129,8 @@ def look_at_behaviour(root, toolchain, exercise, quick=False):
                 elif wrong.message not in outcome.message:
                     complaints.append(f'{exercise.path}: {wrong.name} gets the message "{outcome.message}"; it must hold '
                                       f'"{wrong.message}"')
+    except Complaint as complaint:
+        complaints.append(f"{exercise.path}: {complaint}")
     except CommandFailed as failure:
         complaints.append(f"{exercise.path} doesn't compile: {' '.join(failure.command[-3:])}\n"
                           f"{first_message(failure.output, exercise.header)}")

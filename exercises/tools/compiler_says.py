@@ -5,6 +5,8 @@ from pathlib import Path
 
 PLACE = re.compile(r"^(?P<file>[^\s:][^:]*):(?P<line>\d+):(?:(?P<column>\d+):)? *(?P<rest>.*)$")
 
+EXPRESSION = re.compile(r"(?:\bEigen::|')(?:Cwise\w+Op|Product|Transpose|Block|VectorBlock|Diagonal)\b")
+
 
 def first_message(output, header, kind="error"):
     """The first error (or warning), with the student's line that led to it; empty if there is none."""
@@ -25,11 +27,30 @@ def first_message(output, header, kind="error"):
 
 def why_not(output, exercise):
     """The first error for whoever wrote the exercise's header. Where it lies in the code that calls its functions, one of them is
-    missing or declared in another way, and the compiler's own words are of no use."""
+    missing or declared in another way, and the compiler's own words are of no use; nor are they where a brace is missing."""
+    brace = _open_brace(output, exercise.header)
+    if brace:
+        return brace
     message = first_message(output, exercise.header)
     if re.match(r"answers(?:_\w+\.cpp|\.hpp):", message) and f"{exercise.header}:" not in message:
         return f"{exercise.header} must declare, as its starter does: {', '.join(exercise.functions)}.\n{message}"
+    if "no matching function for call to" in message and EXPRESSION.search(output):
+        return ("A sum, product or part of vectors is an expression, and no vector yet, so a template can't tell its type. Make it "
+                f"one first: Vec3<Real>(a + b). Or name the type: f<Real>(a + b).\n{message}")
     return message
+
+
+def _open_brace(output, header):
+    """Which brace of the student's file is still open at its end; empty if none is."""
+    if not re.search(r"error: expected [‘']}[’'](?: at end of input)?$", output, re.MULTILINE):
+        return ""
+    lines = output.splitlines()
+    for index, line in enumerate(lines):
+        place = PLACE.match(line)
+        if place and Path(place["file"]).name == header and place["rest"].startswith("note: to match this"):
+            return "\n".join([f"{header}:{place['line']}: error: a closing brace is missing: this one is still open where the file "
+                              "ends", *_quoted(lines[index + 1:])])
+    return ""
 
 
 def _quoted(lines):

@@ -26,8 +26,8 @@ def prepare(toolchain, exercise):
         if not header.exists() or header.read_text(encoding="utf-8") != text:
             header.write_text(text, encoding="utf-8")
     make(target, command, dependencies=dependencies)
-    _compile(toolchain, toolchain.common / "exercise" / "serve.cpp", _shared(toolchain, "serve.o"), "common")
-    _compile(toolchain, toolchain.common / "exercise" / "judge.cpp", _shared(toolchain, "judge.o"), "common")
+    compile_shared(toolchain, "serve")
+    compile_shared(toolchain, "judge")
     judge = judge_of(toolchain, exercise)
     checks = judge.with_name("checks.o")
     _compile(toolchain, exercise.folder / "checks.cpp", checks, exercise.chapter)
@@ -83,15 +83,19 @@ def prepare_all(toolchain, exercises, jobs):
 
 def answers_source(exercise, real):
     """The worker's main: every function of the exercise by name."""
-    offers = "".join(f'          {{"{name}", answer<&{name}<{real}>>}},\n' for name in exercise.functions)
     return ("#include <exercise/answers.hpp>\n"
             f"#include <{exercise.header}>\n\n"
             "int main(int argument_count, char** arguments) {\n"
             "  using tumble::exercise::answer;\n"
             "  return tumble::exercise::serve(\n"
             "      argument_count, arguments,\n"
-            "      {\n" + offers + "      });\n"
+            "      {\n" + offers_of(exercise, real) + "      });\n"
             "}\n")
+
+
+def offers_of(exercise, real):
+    """The functions and their names, as the lines of a list."""
+    return "".join(f'          {{"{name}", answer<&{name}<{real}>>}},\n' for name in exercise.functions)
 
 
 def judge_of(toolchain, exercise):
@@ -100,6 +104,13 @@ def judge_of(toolchain, exercise):
 
 def folder_of(toolchain, exercise):
     return toolchain.build / exercise.chapter / exercise.name
+
+
+def compile_shared(toolchain, name):
+    """Makes an object file of the code that all exercises share."""
+    compiled = _shared(toolchain, f"{name}.o")
+    _compile(toolchain, toolchain.common / "exercise" / f"{name}.cpp", compiled, "common")
+    return compiled
 
 
 def _shared(toolchain, name):

@@ -193,8 +193,11 @@ class Student:
             say(complaint)
 
     def _next(self):
+        """The first unsolved exercise after the one last worked on, or else from the beginning on."""
         standings = self.progress.standings()
-        for exercise in self.catalogue:
+        paths = [exercise.path for exercise in self.catalogue]
+        begin = next((paths.index(path) for path in reversed(standings) if path in paths), 0)
+        for exercise in self.catalogue[begin:] + self.catalogue[:begin]:
             if not (exercise.path in standings and standings[exercise.path].solved):
                 return exercise
         raise Complaint("Every exercise is solved. What is left is to invent one." if self.catalogue

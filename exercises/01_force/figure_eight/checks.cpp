@@ -68,6 +68,11 @@ EXERCISE_CHECK("A step leaves the momentum of all three together as it was, and 
                                         " N is left. It would act again in the next: clear it");
   }
   const Vec3<Real> momentum = bodies[0].velocity + bodies[1].velocity + bodies[2].velocity;
+  // The third begins at the origin with 1.3 m/s, and the others are a metre away.
+  const Real moved = bodies[2].position.norm();
+  require(moved > Real(0.1) && moved < 1,
+          "after a quarter of a second the third body, which began with 1.3 m/s, is " +
+              shown(moved) + " m from where it was. Does a step move every body?");
   require((bodies[2].velocity - course::three_suns<Real>()[2].velocity).norm() > Real(0.01),
           "after four steps the velocities are still those of the start. Does every body feel the "
           "others?");

@@ -48,11 +48,13 @@ EXERCISE_CHECK("Under a constant force it lands on the parabola, however long a 
     // arithmetic may round, twice a step at heights below 32 m.
     Found("the height after 2 s in " + std::to_string(steps) + " steps", "m", ball.position.z())
         .mistake(parabola - lag,
-                 "too low by half of a h t, as in the chapter. The position used the velocity at "
-                 "the step's end")
+                 "too low by half of a h t, as in the chapter. Either the position used the "
+                 "velocity at the step's end, or the half of ½ a h² is missing: both come to v h + "
+                 "a h²")
         .mistake(parabola + lag,
-                 "too high by half of a h t. The position used the velocity at the step's "
-                 "beginning alone")
+                 "too high by half of a h t. Either the position used the velocity at the step's "
+                 "beginning alone, or ½ was written as 1/2, which C++ computes in whole numbers: "
+                 "it is 0")
         .mistake(parabola - 2 * lag,
                  "too low by a h t: the half kick is added to the velocity of the step's end. "
                  "Which velocity "

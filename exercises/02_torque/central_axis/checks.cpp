@@ -63,6 +63,11 @@ EXERCISE_CHECK("Twice the force with twice the torque has the same axis") {
   auto wrench = some_wrench<Real>();
   const Vec3<Real> once = axis_point(wrench);
   const Vec3<Real> way = once - wrench.about;
+  auto other = wrench;
+  other.torque = Vec3<Real>(-2, 5, 1);
+  require((axis_point(other) - once).norm() > Real(0.1),
+          "with another torque the point is the same, " + shown(once) +
+              " m. Where do force and torque come in?");
   wrench.force *= 2;
   wrench.torque *= 2;
   Found("the way to the point for a doubled wrench", "m",
@@ -77,6 +82,8 @@ EXERCISE_CHECK("Twice the force with twice the torque has the same axis") {
 
 EXERCISE_CHECK("A couple has no force and no axis, and is refused") {
   Wrench<Real> couple{.torque = Vec3<Real>(0, 0, 5)};
+  require(axis_point(some_wrench<Real>()).allFinite(),
+          "a wrench that has an axis must get a point of it");
   ask_refusal(
       "a couple got the answer of a point. Its torque is the same about every point and parallel "
       "to no force: "

@@ -60,6 +60,8 @@ EXERCISE_CHECK("Chapter 2's torque_about confirms the pull") {
 }
 
 EXERCISE_CHECK("A pull along the spanner is refused, and so is a spanner of no length") {
+  require(pull<Real>(40, Real(0.25), right_angle<Real>) > 0,
+          "a pull at a right angle turns a spanner, and must get an answer above 0");
   const std::string otherwise =
       "std::invalid_argument is what it should throw, with a sentence that names the value and the "
       "rule";

@@ -31,7 +31,11 @@ EXERCISE_CHECK("A roll leaves the nose where it points, whichever way that is") 
        {Vec3<Real>(0, Real(-0.7), 0), Vec3<Real>(0, 0, 2), Vec3<Real>(Real(0.3), Real(-0.5), 1)}) {
     const Quaternion<Real> start = quaternion_of_rotation_vector(way);
     const Vec3<Real> before = rotate(start, Vec3<Real>(1, 0, 0));
-    Found("the nose after a roll by 45°", "", nose(steered(start, bank)))
+    const Quaternion<Real> rolled = steered(start, bank);
+    const Vec3<Real> wing(0, 1, 0);
+    require((rotate(rolled, wing) - rotate(start, wing)).norm() > Real(0.5),
+            "after a roll by 45° the left wing points where it did before: nothing has rolled");
+    Found("the nose after a roll by 45°", "", nose(rolled))
         .mistake(rotate(quaternion_of_rotation_vector(bank), before),
                  "it went round the world's x axis. The pilot rolls about the aeroplane's own: on "
                  "which side of the product do turns in body axes stand?")

@@ -23,6 +23,13 @@ RigidBody<Real> rod(Same<Real> mass) {
   return body;
 }
 
+/// Those of two rods, the first with a student's own number: a number by itself fits one alone.
+template <class Real>
+std::array<Real, 2> two_masses() {
+  const Real mass = Real(parameter("rod_mass"));
+  return {mass, 2 * mass};
+}
+
 template <class Real>
 RigidBody<Real> brick(const Vec3<Same<Real>>& position, const Vec3<Same<Real>>& turn) {
   RigidBody<Real> body;
@@ -41,41 +48,42 @@ Real felt(const RigidBody<Real>& body, const Vec3<Same<Real>>& point,
 }  // namespace
 
 EXERCISE_CHECK("Struck through its centre a body feels as heavy as it is") {
-  const Real mass = Real(parameter("rod_mass"));
-  const auto body = rod<Real>(mass);
   const Vec3<Real> along(1, 0, 0), end(Real(0.5), 0, 0), centre(0, 0, 0), up(0, 0, 1);
-  for (const auto& [point, way] : {std::pair{centre, up}, std::pair{end, along}})
-    Found("the mass felt by a blow whose line goes through the centre of a rod of " + shown(mass) +
-              " kg",
-          "kg", felt(body, point, way))
-        .mistake(1 / mass, "that is the inverse mass. Invert once more, at the end")
-        .mistake(mass / 4,
-                 "the body does not turn when the blow goes through its centre. The lever arm is "
-                 "r × n, not r")
-        .must_be(mass, mass * roundings<Real>);
+  for (const Real mass : two_masses<Real>())
+    for (const auto& [point, way] : {std::pair{centre, up}, std::pair{end, along}})
+      Found("the mass felt by a blow whose line goes through the centre of a rod of " +
+                shown(mass) + " kg",
+            "kg", felt(rod<Real>(mass), point, way))
+          .mistake(1 / mass, "that is the inverse mass. Invert once more, at the end")
+          .mistake(mass / 4,
+                   "the body does not turn when the blow goes through its centre. The lever arm is "
+                   "r × n, not r")
+          .must_be(mass, mass * roundings<Real>);
 }
 
 EXERCISE_CHECK("Struck at its end a free rod feels like a quarter of itself") {
-  const Real mass = Real(parameter("rod_mass"));
   const Vec3<Real> end(Real(0.5), 0, 0);
-  for (const Vec3<Real>& across : {Vec3<Real>(0, 0, 1), Vec3<Real>(0, Real(-0.6), Real(0.8))})
-    Found("the mass felt at the end of a rod of " + shown(mass) + " kg, 1 m long", "kg",
-          felt(rod<Real>(mass), end, across))
-        .mistake(mass, "the rod also yields by turning")
-        .mistake(mass / 3,
-                 "a third is the rod on a hinge, or turning alone. It also moves as a "
-                 "whole")
-        .mistake(mass + mass / 3,
-                 "heavier than the whole rod: the masses of moving and of turning were added. Add "
-                 "how easily each yields, and invert the sum")
-        .mistake(1 / (1 / mass + mass / 12 / 4),
-                 "the tensor stands where its inverse belongs: a rod that is harder to turn must "
-                 "feel heavier")
-        .mistake(1 / (1 / mass + 6 / mass), "the lever arm counts with its square")
-        .mistake(-mass / 2,
-                 "it is negative: the turn takes away what it should add. The velocity of the turn "
-                 "is ω × r, with r last")
-        .must_be(mass / 4, mass * roundings<Real>);
+  for (const Real mass : two_masses<Real>())
+    for (const Vec3<Real>& across : {Vec3<Real>(0, 0, 1), Vec3<Real>(0, Real(-0.6), Real(0.8))})
+      Found("the mass felt at the end of a rod of " + shown(mass) + " kg, 1 m long", "kg",
+            felt(rod<Real>(mass), end, across))
+          .mistake(mass, "the rod also yields by turning")
+          .mistake(mass / 3,
+                   "a third is the rod on a hinge, or turning alone. It also moves as a "
+                   "whole")
+          .mistake(
+              mass + mass / 3,
+              "heavier than the whole rod: the masses of moving and of turning were added. Add "
+              "how easily each yields, and invert the sum")
+          .mistake(1 / (1 / mass + mass / 12 / 4),
+                   "the tensor stands where its inverse belongs: a rod that is harder to turn must "
+                   "feel heavier")
+          .mistake(1 / (1 / mass + 6 / mass), "the lever arm counts with its square")
+          .mistake(
+              -mass / 2,
+              "it is negative: the turn takes away what it should add. The velocity of the turn "
+              "is ω × r, with r last")
+          .must_be(mass / 4, mass * roundings<Real>);
 }
 
 EXERCISE_CHECK(

@@ -59,6 +59,9 @@ EXERCISE_CHECK("The readings are about the phone's own axes") {
   const auto start = tilted<Real>();
   const Vec3<Real> spin(0, 0, rate), screen(0, 0, 1);
   const auto found = faced(start, Readings<Real>(intervals + 1, spin), interval);
+  require(angle_between(start, found) > rate * interval,
+          "after 8 intervals of 0.0625 s at " + shown(rate) + " rad/s the phone has turned by " +
+              shown(angle_between(start, found)) + " rad. Is there a turn for each interval?");
   Quaternion<Real> about_world =
       quaternion_of_rotation_vector<Real>(Vec3<Real>(0, 0, rate * interval * intervals)) * start;
   Found("where the screen of a tilted phone points that turns about its own z", "",

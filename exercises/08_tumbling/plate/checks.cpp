@@ -42,6 +42,10 @@ EXERCISE_CHECK("A plate that wobbles a little wobbles twice while it turns once"
                "world goes round at |L|/I₁")
       .mistake(0, "the tangent or sine of the tilt stands where its cosine should")
       .must_be(2, roundings<Real>);
+  Found("and in a turn of a thick one, with the moments 0.5 across and 0.75 about the axis,", "",
+        wobbles<Real>(Real(0.5), Real(0.75), 0))
+      .mistake(2, "two are those of a flat plate. Where do the moments come in?")
+      .must_be(Real(1.5), roundings<Real>);
 }
 
 EXERCISE_CHECK("A rod wobbles less often than it turns, and a slanting axis goes round faster") {
@@ -91,6 +95,10 @@ EXERCISE_CHECK("Two steady turns are the whole motion, at any time") {
       Found("the angle by which the plate is off after " + shown(seconds) + " s", "rad", off(found))
           .mistake(off(turn(angular_velocity_world(start)) * q),
                    "that is one steady turn about the ω of the start. But ω itself goes round L")
+          .mistake(
+              off(turn(start.inverse_moments.x() * start.angular_momentum_body) * q * turn(own)),
+              "the turn about L takes L as the body sees it. L stands still in the world: take "
+              "it in world axes")
           .mistake(off(turn(round) * q),
                    "the turn about L is right, and the one about the plate's own axis is missing")
           .mistake(off(q * turn(own)), "the turn about L is missing")
@@ -113,8 +121,12 @@ EXERCISE_CHECK("A ball has one turn only, and without time nothing turns") {
   auto turned = ball;
   turn_by_splitting(turned, Real(0.5));
   const double rounding = 3 * (24 + 8 * 4) * double(unit_roundoff<Real>);
+  const auto found = after(ball, Real(0.5));
+  Found("the norm of a ball's orientation after half a second", "", norm(found))
+      .not_a_number("no number: for a ball the moments' difference is zero. Is it divided by?")
+      .must_be(1, rounding);
   Found("the angle by which a ball is off after half a second", "rad",
-        angle_between(turned.orientation, after(ball, Real(0.5))))
+        angle_between(turned.orientation, found))
       .not_a_number("no number: for a ball the moments' difference is zero. Is it divided by?")
       .must_be(0, rounding);
   const auto plate = thrown<Real>(Real(0.5), 1, Vec3<Real>(1, Real(-0.5), 3));

@@ -77,6 +77,9 @@ EXERCISE_CHECK("The clock never owes more than half of the spacing of its time")
     bool owes = false;
     for (int n = 0; n < 100; ++n) {
       clock = ticked<Real>(clock, sixtieth<Real>);
+      require(std::isfinite(clock.time) && clock.time >= start,
+              "after " + std::to_string(n + 1) + " ticks from " + shown(start) +
+                  " s on the clock shows " + shown(clock.time) + " s");
       const Real half = spacing_at(clock.time) / 2;
       // After a tick that leads across a power of two, or back, a spacing is twice the other.
       require(std::abs(clock.owed) <= half * (1 + 8 * unit_roundoff<Real>),

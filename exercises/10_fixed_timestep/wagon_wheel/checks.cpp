@@ -44,6 +44,13 @@ EXERCISE_CHECK("A small turn is seen as it is, forward and backward") {
         .mistake(turn * 180 / std::numbers::pi,
                  "that is in degrees; all angles here are in radians")
         .must_be(turn, tolerance<Real>(turn));
+    const double more = double(Real(turn + 2 * std::numbers::pi));
+    Found("and of a whole turn more, a turn that", "rad", seen_turn<Real>(more, spokes()))
+        .mistake(more, "after a whole turn the wheel looks as it did before")
+        .mistake(turn + gap(),
+                 "it went backward by less than half a gap, and it is seen so. Take the smallest "
+                 "turn, not the smallest positive one")
+        .must_be(turn, 2 * tolerance<Real>(more));
   }
 }
 

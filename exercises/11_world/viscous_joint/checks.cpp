@@ -59,6 +59,9 @@ EXERCISE_CHECK("A body that slides past another is braked by c times its speed")
 }
 
 EXERCISE_CHECK("Two bodies that move and turn as one feel nothing") {
+  const auto [one, another] = two<Real>();
+  require(pushed<Real>(1, one, another).force.norm() > Real(0.1),
+          "two bodies that move and turn each in its own way feel nothing either");
   const Vec3<Real> velocity(1, -2, 0), spin(Real(0.5), 1, -1);
   Moving<Real> a{{1, 0, 2}, {}, spin}, b{{-1, 1, 1}, {}, spin};
   for (Moving<Real>* each : {&a, &b}) each->velocity = velocity + spin.cross(each->place);
@@ -117,13 +120,18 @@ EXERCISE_CHECK("The joint takes away c times the square of the sliding speed, an
   const auto power = [&](const Pushed<Real>& p) {
     return p.force.dot(a.velocity - b.velocity) + p.torque.dot(a.spin) + p.other_torque.dot(b.spin);
   };
-  const Real truth = -c * sliding(a, b).squaredNorm();
-  Found("the power of the joint, with c = 0.75 N s/m and a sliding of " +
-            shown(sliding(a, b).norm()) + " m/s",
-        "W", power(push))
+  const Vec3<Real> all = sliding(a, b), along = (b.place - a.place).normalized();
+  const Real truth = -c * all.squaredNorm();
+  Found(
+      "the power of the joint, with c = 0.75 N s/m and a sliding of " + shown(all.norm()) + " m/s",
+      "W", power(push))
       .mistake(-truth, "it gives as much as it should take: a sign")
       .mistake(truth / c, "the coefficient is missing")
       .mistake(truth * c, "the coefficient counts twice")
+      .mistake(
+          Real(-c * (all - along.dot(all) * along).squaredNorm()),
+          "only what goes across the line between the centres is braked. So they come together "
+          "and part as if nothing were between them: grease brakes that too")
       .mistake(truth / 2, "half of what it should take: are the velocities those half-way?")
       .must_be(truth, 16 * tolerance<Real>);
   require(push.torque.norm() > 0,

@@ -41,9 +41,25 @@ double exact_sum(const std::vector<Real>& values) {
   return static_cast<double>(sum);
 }
 
+/// A worker that sums too many values, or too few, rounds none of them wrongly.
+template <class Real>
+void require_shares() {
+  // Powers of four, so that the sum tells how often each value is in it.
+  Found("the sum that two workers make of 1, 4, 16, 64 and 256 ticks", "ticks",
+        sum_on<Real>({1, 4, 16, 64, 256}, 1, 2))
+      .mistake(341 + 16,
+               "16 is in it twice. Where one share ends the next begins: values[last] is the next "
+               "worker's")
+      .mistake(341 - 4 - 256,
+               "each worker leaves out the last of its share, which is values[last - 1]")
+      .mistake(341 - 1 - 16, "each worker leaves out the first of its share")
+      .must_be(341, 0);
+}
+
 }  // namespace
 
 EXERCISE_CHECK("Any number of workers makes the same sum, to the bit") {
+  require_shares<Real>();
   const auto values = momenta<Real>(2000);
   const Real alone = sum_on<Real>(values, fine_tick, 1);
   require(std::abs(double(alone) - exact_sum(values)) < 1,
@@ -78,18 +94,21 @@ EXERCISE_CHECK("The bodies may stand in any order") {
 }
 
 EXERCISE_CHECK("The sum is off by at most half a tick for each value, either way") {
+  require_shares<Real>();
   const auto of = [](Real each, int count) {
     return sum_on<Real>(std::vector<Real>(static_cast<std::size_t>(count), each), 1, 2);
   };
-  Found("a hundred times -0.25 ticks, each rounded to the nearest, makes", "ticks",
+  Found("the sum of a hundred times -0.25 ticks, each rounded to the nearest,", "ticks",
         of(Real(-0.25), 100))
       .mistake(-100, "each was rounded down. The nearest to -0.25 is 0")
       .must_be(0, 0);
-  Found("and a hundred times 0.75 ticks", "ticks", of(Real(0.75), 100))
+  Found("the sum of a hundred times 0.75 ticks, each rounded to the nearest,", "ticks",
+        of(Real(0.75), 100))
       .mistake(0, "each lost its digits: a cast cuts them off. Take the nearest, with std::llround")
       .mistake(75, "nothing was rounded. Then how is the sum one of whole numbers?")
       .must_be(100, 0);
-  Found("and a hundred times -0.75 ticks", "ticks", of(Real(-0.75), 100))
+  Found("the sum of a hundred times -0.75 ticks, each rounded to the nearest,", "ticks",
+        of(Real(-0.75), 100))
       .mistake(0, "each lost its digits: a cast cuts them off. Take the nearest, with std::llround")
       .mistake(-75, "nothing was rounded. Then how is the sum one of whole numbers?")
       .must_be(-100, 0);

@@ -64,7 +64,10 @@ EXERCISE_CHECK("With half the step the error of a tumbling top is a sixteenth") 
   require(
       coarse / fine > 6,
       runs + "that is a rule of second order, which pays for four looks and has the worth of two");
-  require(coarse / fine > 11, runs + "that is a rule of third order");
+  require(coarse / fine > 11,
+          runs +
+              "that is a rule of third order. Another row than the wrong one can make the sum of "
+              "chains right, too: was yours right before? Put it back, and change the other");
   // The next order makes some part more or less of it at such steps.
   require(coarse / fine < 40, runs + "a rule of fourth order divides it by 16");
 }

@@ -66,6 +66,9 @@ EXERCISE_CHECK("Then no offset is beyond half a cell, however far it was and to 
     const auto now = settled<Real>({0, 0, 0}, offset);
     for (int axis = 0; axis < 3; ++axis) {
       const Real before = offset[axis], after = now.offset[axis];
+      require(after == before || !(std::abs(before) < 256),
+              "an offset of " + shown(before) + " m became " + shown(after) +
+                  " m. It was well within its cell: there is nothing to carry");
       if (std::abs(after) <= 512) continue;
       const std::string what =
           "an offset of " + shown(before) + " m was left at " + shown(after) + " m. ";

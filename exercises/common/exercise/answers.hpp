@@ -46,6 +46,9 @@ void answer(Words& question, std::string& reply) {
   call(function, question, reply);
 }
 
+/// The reply to a question: "value" with what the function made, or what it threw.
+std::string replied(Words& question, std::initializer_list<Offer> offers);
+
 /// Answers one question after the other until there are no more.
 int serve(int argument_count, char** arguments, std::initializer_list<Offer> offers);
 

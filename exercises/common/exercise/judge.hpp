@@ -131,8 +131,11 @@ class Found {
     return *this;
   }
 
-  /// Ends the check unless every component is within `tolerance` of the truth.
+  /// Ends the check unless every component is finite and within `tolerance` of the truth.
+  /// @throws std::logic_error if the tolerance is infinite or NaN, as one that was made from a
+  /// student's number may be: it would let everything pass.
   void must_be(const Value& truth, double tolerance) const {
+    if (!std::isfinite(tolerance)) throw std::logic_error("a tolerance is not finite");
     if (farthest(value_, truth) <= tolerance) return;
     const std::string found = what_ + " is " + shown(value_) + unit_;
     for (const auto& [value, message] : mistakes_) {
@@ -142,10 +145,12 @@ class Found {
       if (farthest(value_, value) <= near && farthest(value, truth) > near)
         fail(found + ": " + message);
     }
-    if (std::isnan(farthest(value_, truth))) fail(found + ": " + nan_message_);
-    std::string right = shown(truth);
-    if (right == shown(value_)) right += ", and it is off by " + shown(farthest(value_, truth));
-    fail(found + "; it must be " + right + unit_);
+    const double off = farthest(value_, truth);
+    if (std::isnan(off)) fail(found + ": " + nan_message_);
+    // So near that five digits hardly tell them apart.
+    const bool is_near = off < largest(truth) / 100;
+    fail(found + "; it must be " + shown(truth) + unit_ +
+         (is_near ? ", and it is off by " + shown(off) + unit_ : ""));
   }
 
  private:

@@ -4,8 +4,6 @@
 
 namespace tumble::exercise {
 
-namespace {
-
 std::string replied(Words& question, std::initializer_list<Offer> offers) {
   const std::string name(question.word());
   for (const Offer& offer : offers) {
@@ -28,8 +26,6 @@ std::string replied(Words& question, std::initializer_list<Offer> offers) {
   }
   return "unreadable no function is called " + name;
 }
-
-}  // namespace
 
 int serve(int argument_count, char** arguments, std::initializer_list<Offer> offers) {
   if (argument_count != 3) return 2;

@@ -16,13 +16,13 @@ tumble::Vec3<Real> gravity() {
 }
 
 /// How high (m) a ball rises that is thrown straight up with `speed` m/s, in steps of `time_step`
-/// seconds.
+/// seconds. What is a kilometre high by then has been lost.
 template <class Real>
 Real highest_point(Real speed, Real time_step) {
   using namespace tumble;
   Particle<Real> ball = make_particle(Real(1), Vec3<Real>::Zero(), Vec3<Real>(0, 0, speed));
   Real highest = 0;
-  while (ball.velocity.z() > 0) {
+  while (ball.velocity.z() > 0 && ball.position.z() < 1000) {
     accelerate(ball, gravity<Real>(), time_step);
     step(ball, time_step);
     highest = std::max(highest, ball.position.z());

@@ -8,8 +8,8 @@
 #include <tumble/effect.hpp>
 #include <vector>
 
-/// Thick grease between two bodies, half-way between their centres of mass. It resists when the one
-/// slides along the other there.
+/// Thick grease between two bodies, half-way between their centres of mass. It resists all of the
+/// velocity that the one has against the other there, whichever way it points.
 template <class Real>
 struct ViscousJoint {
   static constexpr std::string_view name = "viscous joint";

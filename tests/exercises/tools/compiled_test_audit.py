@@ -22,6 +22,30 @@ class Audit(FixtureCourse):
         self.make_starter()
         self.rejected('the unsolved starter passes "Half of two is one"')
 
+    def test_a_check_that_a_constant_passes_is_rejected(self):
+        self.change(self.exercise_folder / "checks.cpp", 'Found("half of 3 m"', 'if (false) Found("half of 3 m"')
+        self.rejected('"Half of two is one" is passed where halved answers with 1')
+
+    def test_a_check_that_a_refusal_passes_is_rejected(self):
+        self.change(self.exercise_folder / "checks.cpp", '  Found("half of 2 m", "m", ask<Real>("halved", Real(2))).must_be(1, 0);\n'
+                    '  Found("half of 3 m", "m", ask<Real>("halved", Real(3))).must_be(1.5, 0);\n',
+                    '  ask_refusal("an answer", "halved", Real(-1));\n')
+        self.rejected('"Half of two is one" is passed where halved answers with a refusal')
+
+    def test_a_check_that_the_input_passes_in_one_function_of_two_is_rejected(self):
+        self.change(self.exercise_folder / "checks.cpp", 'ask<Real>("halved", Real(2))).must_be(1, 0)',
+                    'ask<Real>("halved", Real(2)) + ask<Real>("doubled", Real(5))).must_be(7, 0);\n  return')
+        self.rejected('"Half of two is one" is passed where halved answers with its own code; doubled answers with the 1st input')
+
+    def test_a_tolerance_made_from_an_answer_is_rejected(self):
+        self.change(self.exercise_folder / "checks.cpp", "2 * number, 0", '2 * number, double(ask<Real>("doubled", number)) / 4')
+        self.rejected('"Twice two is four" breaks down where doubled answers with NaN')
+
+    def test_an_answer_that_never_ends_costs_no_more_than_itself(self):
+        self.change(self.solution, "// return number;", "// while (number < 9) number -= 1;\n  // return number;")
+        self.make_starter()
+        self.assertEqual(self.complaints(), [])
+
     def test_a_solution_that_fails_is_rejected(self):
         self.change(self.solution, "return number / 2;\n  //! [starter]", "return number / 3;\n  //! [starter]")
         self.rejected('the solution fails "Half of two is one": half of 2 m is 0.66667 m; it must be 1 m')

@@ -56,6 +56,30 @@ class Way(FixtureCourse):
         self.assertNotIn("[solution]", text)
         self.assertIn("Why: because.", text)
 
+    def test_the_next_one_comes_after_the_one_last_worked_on_and_the_first_after_the_last(self):
+        for name in ("tripled", "first"):
+            folder = self.exercise_folder.with_name(name)
+            shutil.copytree(self.exercise_folder, folder)
+            (folder / "doubled.hpp").rename(folder / f"{name}.hpp")
+        for name, expected in (("first", "tripled"), ("tripled", "doubled")):
+            self.says("start", name)
+            (self.root / "work" / "01_force" / name / f"{name}.hpp").write_text(SOLVED, encoding="utf-8")
+            self.assertIn(f"./course start {expected}", self.says("check"))
+            self.assertIn(f"./course start {expected}", self.says("next"))
+
+    def test_a_missing_brace_and_an_expression_in_a_vectors_place_are_explained(self):
+        self.says("start", "doubled")
+        self.write(SOLVED.replace("number / 2; }", "number / 2;"))
+        text = self.says("check", code=1)
+        self.assertIn("doubled.hpp:3: error: a closing brace is missing", text)
+        self.assertNotIn("answers_double.cpp", text)
+        self.write("#include <tumble/real.hpp>\n" + SOLVED.replace("#pragma once", """#pragma once
+            template <class Real> Real length(const tumble::Vec3<Real>& v) { return v.norm(); }
+            """).replace("number / 2", "length(tumble::Vec3<Real>(number, 0, 0) / 2)"))
+        text = self.says("check", code=1)
+        self.assertIn("Make it one first: Vec3<Real>(a + b)", text)
+        self.assertIn("error: no matching function", text)
+
     def test_three_hints_each_saying_more(self):
         self.says("start", "doubled")
         self.assertIn("Hint 1 of 3", self.says("hint"))

@@ -122,5 +122,26 @@ class CompilerSays(unittest.TestCase):
         own = "/w/hammer.hpp:3:1: error: 'g' was not declared in this scope\n"
         self.assertEqual(why_not(own, exercise()), "hammer.hpp:3: error: 'g' was not declared in this scope")
 
+    def test_a_brace_that_is_never_closed_is_named_and_not_where_the_file_that_includes_it_ends(self):
+        gcc = ("/b/answers_double.cpp:4:12: error: a function-definition is not allowed here before ‘{’ token\n"
+               "/b/answers_double.cpp:9:2: error: expected ‘}’ at end of input\n    9 | }\n      |  ^\n"
+               "In file included from /b/answers_double.cpp:2:\nwork/hammer.hpp:7:29: note: to match this ‘{’\n"
+               "    7 | Real f() {\n      |          ^\n")
+        clang = ("/b/answers_double.cpp:4:12: error: function definition is not allowed here\n"
+                 "/b/answers_double.cpp:9:2: error: expected '}'\n./hammer.hpp:7:29: note: to match this '{'\n")
+        for output in (gcc, clang):
+            self.assertTrue(why_not(output, exercise()).startswith("hammer.hpp:7: error: a closing brace is missing"))
+        self.assertIn("7 | Real f() {", why_not(gcc, exercise()))
+
+    def test_an_expression_handed_to_a_template_is_explained(self):
+        gcc = ("hammer.hpp:8:16: error: no matching function for call to ‘f(const Eigen::CwiseBinaryOp<Eigen::internal::scalar_sum_op"
+               "<double, double>, const Eigen::Matrix<double, 3, 1>, const Eigen::Matrix<double, 3, 1> >)’\n")
+        clang = ("./hammer.hpp:8:10: error: no matching function for call to 'f'\n"
+                 "./hammer.hpp:5:28: note: candidate template ignored: could not match 'Matrix' against 'CwiseBinaryOp'\n")
+        for output in (gcc, clang):
+            self.assertIn("Make it one first: Vec3<Real>(a + b)", why_not(output, exercise()))
+        other = "hammer.hpp:8:16: error: no matching function for call to ‘f(int)’\n"
+        self.assertNotIn("Vec3", why_not(other, exercise()))
+
     def test_no_warning_is_an_empty_text(self):
         self.assertEqual(first_message("", "hammer.hpp", "warning"), "")

@@ -1,0 +1,51 @@
+/// @file
+/// Random worlds in packs beside the same worlds with their bodies one by one.
+#pragma once
+
+#include <course/checks.hpp>
+#include <course/random_world.hpp>
+#include <tumble/in_packs.hpp>
+
+namespace tumble::course {
+
+/// Steps, and says why not if that could not be done.
+template <class AnyWorld>
+std::string complaint_of_step(AnyWorld& world) {
+  try {
+    world.step();
+  } catch (const SimulationError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+/// Random worlds with up to 40 bodies, kept in packs of `width` and stepped by `threads`, beside
+/// the same worlds with their bodies one by one.
+template <class Real, int width>
+void compare_with_one_by_one(std::uint64_t first_seed, int count, int threads) {
+  int moved = 0;
+  for (std::uint64_t seed = first_seed; seed < first_seed + static_cast<std::uint64_t>(count);
+       ++seed) {
+    CAPTURE(seed);
+    CAPTURE(width);
+    CAPTURE(threads);
+    Dice dice(seed), same_dice(seed);
+    World<Real> plain = random_world<Real>(dice, 40);
+    auto packed = random_world<Real, InPacks<Real, width>>(same_dice, 40);
+    packed.keeping().use_threads(threads);
+    const Bodies<Real> start = plain.bodies();
+    for (int n = 0; n < 16; ++n) {
+      if (n % 4 == 3) {
+        meddle(plain, dice, n);
+        meddle(packed, same_dice, n);
+      }
+      const std::string complaint = complaint_of_step(plain);
+      REQUIRE(complaint_of_step(packed) == complaint);
+      REQUIRE(same_motion(plain.bodies(), packed.bodies()));
+    }
+    moved += !same_motion(start, plain.bodies());
+  }
+  CHECK(moved > count / 2);
+}
+
+}  // namespace tumble::course

@@ -1,0 +1,10 @@
+#include <course/beside_one_by_one.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+TEST_CASE_TEMPLATE("The width of the packs and the number of threads change no bit", Real,
+                   EVERY_PRECISION) {
+  compare_with_one_by_one<Real, 2>(1001, 40, 2);
+  compare_with_one_by_one<Real, 32 / sizeof(Real)>(1041, 40, 3);
+}
