@@ -114,8 +114,8 @@ class OnSlurm(AClassInAFolder):
             for each in (one, other):
                 each.bind(("127.0.0.1", 0))
             ports = one.getsockname()[1], other.getsockname()[1]
-        (self.folder / "slurm.conf").write_text(CONFIGURATION.format(host=socket.gethostname().partition(".")[0], ports=ports, folder=self.folder),
-                                                encoding="utf-8")
+        host = socket.gethostname().partition(".")[0]
+        (self.folder / "slurm.conf").write_text(CONFIGURATION.format(host=host, ports=ports, folder=self.folder), encoding="utf-8")
         key = self.folder / "key"
         key.write_bytes(os.urandom(1024))
         key.chmod(0o400)
@@ -157,5 +157,6 @@ class OnSlurm(AClassInAFolder):
         wait.unlink()
         self.slurm("sbatch", "--wait", "--array=1-3", "grade.sh", *self.words())
         self.assertEqual(self.graded_so_far(), {name: 2 if name == "student04" else 1 for name in self.names()})
-        self.assertEqual(sorted(file.name for file in self.place.glob("grade.*.part")), [f"grade.{number}_of_3.part" for number in (1, 2, 3)])
+        self.assertEqual(sorted(file.name for file in self.place.glob("grade.*.part")),
+                         [f"grade.{number}_of_3.part" for number in (1, 2, 3)])
         self.require_all()

@@ -141,7 +141,8 @@ class Way(FixtureCourse):
 
     def test_a_file_that_is_not_there_is_no_file_of_the_exercise(self):
         self.says("start", "doubled")
-        self.assertIn("nosuch.hpp, which is no file of doubled; yours is doubled.hpp", self.says("check", "work/01_force/doubled/nosuch.hpp", code=2))
+        text = self.says("check", "work/01_force/doubled/nosuch.hpp", code=2)
+        self.assertIn("nosuch.hpp, which is no file of doubled; yours is doubled.hpp", text)
         self.says("check", "work/01_force/doubled/doubled.hpp", code=1)
 
     def test_an_empty_file_was_not_started(self):

@@ -26,7 +26,8 @@ NASTY = "\x1b]0;owned\x07\x1b[2J\x9b31m\r\x08\x00\x85\u202e\u2028\ufffe\udce9\ud
 
 class PlainText(InAFolder):
     def test_what_is_seen_stays_and_what_is_not_becomes_its_escape(self):
-        self.assertEqual(plain("\u2018caf\u00e9\u2019 \u00b7 \u221e m/s\u00b2\n\t\U0001f600"), "\u2018caf\u00e9\u2019 \u00b7 \u221e m/s\u00b2\n\t\U0001f600")
+        seen = "\u2018caf\u00e9\u2019 \u00b7 \u221e m/s\u00b2\n\t\U0001f600"
+        self.assertEqual(plain(seen), seen)
         self.assertEqual(plain("a\x1b[31mb\x07\x9b\u202e\udce9\ufffe\r|\r\n"), "a\\x1b[31mb\\x07\\x9b\\u202e\\xe9\\ufffe\\r|\n")
         self.assertEqual(plain("5\u00a0m"), "5 m")
 
