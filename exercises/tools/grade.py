@@ -7,7 +7,6 @@ best (or last) counts.
 import argparse
 import json
 import os
-import queue
 import shutil
 import subprocess
 import sys
@@ -19,34 +18,23 @@ from complaint import Complaint
 from made import CommandFailed
 from programs import prepare_all
 from reports import FORMATS, write_marks
-from sealed import can_seal
 from submission import read_header, require_folders, student_of
 from toolchain import read_toolchain
+from untrusted import require_seals, seals_in_words
 
-FIRST_USER = 64000  # numbers that no account has; each submission that runs at the same time gets one of its own
 SECONDS = 5  # of computing, for one check
 
 
 def grade_all(arguments, exercises):
     """What came of each submission, in their order."""
-    users = queue.Queue()
-    for slot in range(arguments.jobs):
-        users.put(FIRST_USER + slot if os.geteuid() == 0 else 0)
-
-    def grade(folder):
-        user = users.get()
-        try:
-            return _grade_one(arguments, exercises, folder, user)
-        finally:
-            users.put(user)
     with ThreadPoolExecutor(arguments.jobs) as pool:
-        return list(pool.map(grade, arguments.folders))
+        return list(pool.map(lambda folder: _grade_one(arguments, exercises, folder), arguments.folders))
 
 
-def _grade_one(arguments, exercises, folder, user):
+def _grade_one(arguments, exercises, folder):
     student = student_of(folder.name)
     task = {"root": str(arguments.root), "toolchain": str(arguments.toolchain), "submission": str(folder.resolve()),
-            "exercises": [exercise.path for exercise in exercises], "user": user, "seconds": arguments.seconds,
+            "exercises": [exercise.path for exercise in exercises], "seconds": arguments.seconds,
             "key": f"{arguments.seed}-{student}" if arguments.seed else "",
             "private": str(arguments.private) if arguments.private else None}
     most = sum(120 + 2 * (4 * arguments.seconds + 2) * len(exercise.checks) for exercise in exercises)
@@ -103,6 +91,7 @@ def main(words):
     parser.add_argument("--marks", type=Path, help="a table of points as CSV")
     parser.add_argument("--similarity", type=Path, help="a folder for programs that look for copied code")
     parser.add_argument("--seconds", type=float, default=SECONDS, help="of computing, for one check")
+    parser.add_argument("--unsealed", action="store_true", help="grade also where a submission can't be confined")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
     arguments = parser.parse_args(words)
     try:
@@ -115,6 +104,7 @@ def main(words):
             raise Complaint(f"{len(arguments.folders)} submissions; Gradescope grades one at a time")
         toolchain = read_toolchain(arguments.toolchain, arguments.root / "exercises" / "common", arguments.toolchain.parent)
         prepare_all(toolchain, exercises, arguments.jobs)
+        require_seals(toolchain, exercises[0], arguments.unsealed)
         results = grade_all(arguments, exercises)
     except Complaint as complaint:
         print(f"course: {complaint}", file=sys.stderr)
@@ -133,9 +123,7 @@ def main(words):
         write_marks(arguments.marks, results)
     if arguments.similarity:
         export_for_similarity(arguments.similarity, arguments.folders, exercises)
-    if os.geteuid() != 0:
-        print("Not run as root: the students' code could " + ("read what you can read, but change nothing." if can_seal() else
-              "do what you can do; exercises/instructor.md says what that means."), file=sys.stderr)
+    print(seals_in_words(), file=sys.stderr)
     return 0
 
 

@@ -6,6 +6,7 @@ Linux alone has such a filter (seccomp). It needs no rights, and whatever the pr
 import ctypes
 import os
 import platform
+import signal
 import struct
 import sys
 
@@ -57,11 +58,12 @@ def seal():
 
 
 def _refusals(process):
-    """Of calls that could do harm: which argument, and when it is refused. The last word: whether that is when the test holds."""
-    return {"open": (1, HOLDS_ANY_OF, CHANGES, True), "openat": (2, HOLDS_ANY_OF, CHANGES, True),
-            "fcntl": (1, EXCEEDS, 3, True),         # beyond 3 are orders to send signals
-            "prlimit64": (0, EXCEEDS, 0, True),     # 0 is itself
-            "tgkill": (0, EQUALS, process, False)}  # it may end itself, as abort() does
+    """Of calls that could do harm: which arguments, and when each is refused. The last word: whether that is when the test holds."""
+    return {"open": [(1, HOLDS_ANY_OF, CHANGES, True)], "openat": [(2, HOLDS_ANY_OF, CHANGES, True)],
+            "fcntl": [(1, EXCEEDS, 3, True)],      # beyond 3 are orders to send signals
+            "prlimit64": [(0, EXCEEDS, 0, True)],  # 0 is itself
+            # It may end itself, as abort() does, but not as the system ends a program when memory runs out.
+            "tgkill": [(0, EQUALS, process, False), (2, EQUALS, int(signal.SIGKILL), True)]}
 
 
 def _filter(machine, calls, process):
@@ -76,10 +78,10 @@ def _filter(machine, calls, process):
             yield EQUALS, 0, 1, number
             yield RETURN, 0, 0, ALLOWED
             continue
-        argument, test, value, refused_if = refusals[name]
-        yield EQUALS, 0, 4, number
-        yield LOAD, 0, 0, FIRST_ARGUMENT + 8 * argument
-        yield test, int(refused_if), int(not refused_if), value
+        yield EQUALS, 0, 3 * len(refusals[name]) + 1, number
+        for argument, test, value, refused_if in refusals[name]:
+            yield LOAD, 0, 0, FIRST_ARGUMENT + 8 * argument
+            yield test, int(not refused_if), int(refused_if), value
+            yield RETURN, 0, 0, REFUSED
         yield RETURN, 0, 0, ALLOWED
-        yield RETURN, 0, 0, REFUSED
     yield RETURN, 0, 0, REFUSED

@@ -18,14 +18,13 @@ SUSPICIOUS = (
     (r"\b(?:write|dup|dup2)\s*\(", "writes past the language's own output"),
     (r"\b(?:exit|_exit|_Exit|quick_exit|abort|atexit|signal|longjmp)\s*\(", "ends the program or catches its end"),
     (r"\basm\b|__asm__|incbin", "holds assembly"),
-    (r"__attribute__\s*\(\(.*(?:constructor|destructor)", "runs before or after main"),
+    (r"__attribute__\s*\(\([^()]*(?:constructor|destructor)", "runs before or after main"),
     (r"/proc/|/dev/|/etc/", "names a file of the system"),
     (r"#\s*define\s+(?:main|return|if|while|for|double|float|TEST_CASE|CHECK|EXERCISE_\w+|template|private|public)\b",
      "redefines what belongs to the language or to the checks"),
     (r"\btumble::exercise::(?!todo)|exercise/(?:judge|answers|wire)", "meddles with the exercises' own code"),
     (r"#\s*pragma\s+(?!once)", "gives the compiler orders"),
 )
-INCLUDE = re.compile(r"^[ \t]*(?:#|%:)[ \t]*(?:include|include_next|import|embed)\b[ \t]*(.*)$", re.MULTILINE)
 
 
 @dataclass(frozen=True)
@@ -76,19 +75,13 @@ def _judged(data):
     if "\0" in text:
         return Header(reason="the header holds a zero byte, so it is no text")
     bare = _bare(text)
-    for included in INCLUDE.findall(bare):
-        name = re.fullmatch(r'[<"]([^<>"]+)[>"]\s*', included)
-        if not name or name[1].startswith("/") or ".." in Path(name[1]).parts:
-            return Header(reason=f"it includes {included.strip()}; an include names a header of the course or of C++, by its "
-                                 "plain name")
-    flags = [sentence for pattern, sentence in SUSPICIOUS if re.search(pattern, bare)]
-    return Header(text=text, flags=flags)
+    return Header(text=text, flags=[sentence for pattern, sentence in SUSPICIOUS if re.search(pattern, bare)])
 
 
 def _bare(text):
-    """Without comments and without line ends that don't count."""
+    """Without comments and without line ends that don't count. It is for the eye: whoever wants to can hide from it."""
     text = re.sub(r"\\[ \t]*\r?\n", "", text)
-    return re.sub(r'//[^\n]*|/\*.*?\*/|("(?:\\.|[^"\\\n])*")', lambda found: found.group(1) or " ", text, flags=re.DOTALL)
+    return re.sub(r'//[^\n]*|/\*.*?(?:\*/|\Z)|("(?:\\.|[^"\\\n])*"?)', lambda found: found.group(1) or " ", text, flags=re.DOTALL)
 
 
 def student_of(submission):

@@ -13,9 +13,11 @@ import unittest
 from pathlib import Path
 from xml.etree import ElementTree
 
-from fixture import HERE, ROOT, FixtureCourse
+from catalogue import read_catalogue
+from fixture import HERE, PLACE, ROOT, FixtureCourse
 from gradescope_format import mistakes_in
-from sealed import can_seal
+from programs import build_worker, prepare
+from untrusted import FIRST_USER, seals
 
 HOSTILE = HERE.parent / "hostile"
 RIGHT = """#pragma once
@@ -38,11 +40,16 @@ class Grading(FixtureCourse):
             (place / "doubled.hpp").write_bytes(text if isinstance(text, bytes) else text.encode())
         return place
 
+    def started_by(self):
+        """Further arguments for subprocess.run."""
+        return {}
+
     def grade(self, *options, folders=None, code=0):
         folders = sorted(self.submissions.iterdir()) if folders is None else folders
         result = subprocess.run([sys.executable, "-B", str(ROOT / "exercises" / "tools" / "grade.py"), "--root", str(self.root),
                                  "--toolchain", str(self.toolchain_file), "--seconds", "2", *options, *map(str, folders)],
-                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=1800)
+                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=1800,
+                                **self.started_by())
         self.assertEqual(result.returncode, code, result.stderr.decode())
         return result.stdout.decode() if code == 0 else result.stderr.decode()
 
@@ -118,19 +125,47 @@ class AClass(Grading):
         self.assertIn("seconds is -1.0", self.grade("--seconds", "-1", code=2))
 
 
-@unittest.skipUnless(can_seal() or os.geteuid() == 0, "here the code of a submission has the tester's own rights")
 class Hostile(Grading):
+    """Each is handed in once to a grader that root started, and once to one that somebody else did."""
+    user = None  # who starts the grader; None: who runs the test
+
+    def setUp(self):
+        super().setUp()
+        folder = tempfile.TemporaryDirectory(prefix="temporary-")
+        self.addCleanup(folder.cleanup)
+        self.temporary = Path(folder.name)
+        self.temporary.chmod(0o1777)
+        self.submissions.chmod(0o755)
+        self.secret = self.root / "secret"
+        self.secret.write_text("the_secret_word\n", encoding="utf-8")
+        self.secret.chmod(0o600)
+        prepare(self.toolchain, read_catalogue(self.root)[0])
+        self.built = self.build / PLACE / "solution"
+        build_worker(self.toolchain, read_catalogue(self.root)[0], self.solution.parent, self.built)
+        for name in ("worker", "made"):  # a classmate's scratch, as open as it could be
+            shutil.copytree(self.built, self.temporary / "graded-classmate" / name)
+        (self.temporary / "graded-classmate").chmod(0o755)
+
+    def started_by(self):
+        return {"env": {**os.environ, "TMPDIR": str(self.temporary)}, "user": self.user, "group": self.user,
+                "extra_groups": None if self.user is None else []}
+
     def hand_in_all(self):
         expected = {}
         for file in sorted(HOSTILE.glob("*.hpp")):
-            text = file.read_text(encoding="utf-8")
+            text = file.read_bytes().decode()
             head = re.match(r"// earns: (\d)\n// because: (.+?)\n(?!//)", text, flags=re.DOTALL)
             expected[file.stem] = int(head[1]), re.sub(r"\s*\n// ", " ", head[2])
-            self.hand_in(file.stem, text.replace("@ROOT@", str(self.root)))
+            for name, place in (("ROOT", self.root), ("SECRET", self.secret), ("BUILT", self.built),
+                                ("TEMPORARY", self.temporary), ("SUBMISSIONS", self.submissions)):
+                text = text.replace(f"@{name}@", str(place))
+            self.hand_in(file.stem, text)
         for name, text, reason in (("is_empty", b"", "doubled.hpp is empty"), ("is_blank", b" \n\n", "doubled.hpp is empty"),
                                    ("is_not_utf8", b"// caf\xe9\n" + RIGHT.encode(), "not UTF-8: byte 6 is 0xe9"),
                                    ("holds_a_zero", RIGHT.encode() + b"\0", "holds a zero byte"),
                                    ("is_huge", b"/" * 300_000, "larger than 256 KB"),
+                                   ("opens_87000_comments", b"/* " * 87_000, "it doesn't compile"),
+                                   ("has_17000_attributes", b"__attribute__((" * 17_000, "it doesn't compile"),
                                    ("is_missing", None, "doubled.hpp was not handed in")):
             self.hand_in(name, text)
             expected[name] = 0, reason
@@ -150,7 +185,7 @@ class Hostile(Grading):
 
     def test_each_gets_what_it_earns_and_nobody_else_is_touched(self):
         expected = self.hand_in_all()
-        self.assertGreaterEqual(len(expected), 30)
+        self.assertGreaterEqual(len(expected), 70)
         self.grade(folders=[self.submissions / "aaa_honest"])  # so that everything is made
         before = self.files()
         results = self.graded("--jobs", "2")
@@ -160,8 +195,10 @@ class Hostile(Grading):
                 said = " ".join([exercise["reason"], *exercise["flags"], *(check["message"] for check in exercise["checks"])])
                 self.assertEqual(results[name]["points"], points, said)
                 self.assertIn(because, said)
+        self.assertNotIn("the_secret_word", json.dumps(results))
         self.assertEqual(self.files(), before)
         self.assertEqual(self.processes_of_students(), [])
+        self.assertEqual([place.name for place in self.temporary.iterdir()], ["graded-classmate"])
 
     def files(self):
         """What the grader's own files hold, judge included."""
@@ -177,6 +214,6 @@ class Hostile(Grading):
                 user = re.search(r"^Uid:\s+(\d+)", status.read_text(encoding="utf-8"), flags=re.MULTILINE)
             except OSError:
                 continue
-            if user and 64000 <= int(user[1]) < 64100:
+            if user and FIRST_USER <= int(user[1]) < FIRST_USER + (1 << 22):
                 found.append(status.parent.name)
         return found
