@@ -162,7 +162,10 @@ class Workshop:
         limits = Limits(seconds=self.seconds, memory=2048 * MEBIBYTE, file=64 * MEBIBYTE, user=self.user,
                         reach=Reach(readable=(*LIBRARIES, *HEADERS, *self._headers(), shared(self.toolchain, "serve.o")),
                                     executable=(*_tools(self.toolchain.compiler), *_loaders()), writable=(made,)))
-        ran = run_confined(command, limits, made, deadline)
+        try:
+            ran = run_confined(command, limits, made, deadline)
+        except (OSError, subprocess.SubprocessError) as error:
+            raise GraderFailed(f"the compiler does not work where it is confined: {command[0]} was not started: {error}") from None
         end_strays()
         said = ran.output.decode("utf-8", "replace")
         if ran.code == -signal.SIGKILL and not ran.cut or re.search(r"^\S+: (fatal )?error: Killed signal terminated", said, re.MULTILINE):
@@ -205,6 +208,7 @@ def _tools(compiler):
     """The compiler's own programs; one that lies outside of the system's folders may read what it was installed with."""
     found = [shutil.which(compiler)]
     for part in PARTS_OF_COMPILERS:
-        asked = subprocess.run([compiler, f"-print-prog-name={part}"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, check=True)
+        asked = subprocess.run([compiler, f"-print-prog-name={part}"], stdin=subprocess.DEVNULL,
+                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
         found.append(shutil.which(asked.stdout.decode().strip()))
     return tuple(os.path.realpath(each) for each in found if each)
