@@ -14,25 +14,25 @@ from limits import confine, end_with
 
 ADOPT_STRAYS = 36  # an order to prctl
 ORDERS_TO_END = (signal.SIGTERM, signal.SIGHUP, signal.SIGINT)
-PATIENCE = 10      # seconds that a grader has to tidy up when it is told to end
+PATIENCE = 5       # seconds that a grader has to tidy up when it is told to end
 
 
 @dataclass(frozen=True)
 class Ran:
     code: int         # as subprocess has it: negative for a signal
-    output: bytes
+    output: bytes    # its errors
     cut: str = ""     # why it was cut short: "time", "output" or nothing
 
 
 def run_confined(command, limits, folder, deadline):
     """Runs a program in `folder`, where it keeps its temporary files too, until time.monotonic() is `deadline`."""
     parent = os.getpid()
-    with subprocess.Popen([str(word) for word in command], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, cwd=folder, start_new_session=True,
+    with subprocess.Popen([str(word) for word in command], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE, cwd=folder, start_new_session=True,
                           env={"PATH": os.environ.get("PATH", ""), "TMPDIR": str(folder)},
                           preexec_fn=lambda: confine(limits, parent)) as process:
         try:
-            output, cut = _read(process.stdout, limits.output, deadline)
+            output, cut = _read(process.stderr, limits.output, deadline)
             if not cut:
                 process.wait(max(deadline - time.monotonic(), 0))
         except subprocess.TimeoutExpired:

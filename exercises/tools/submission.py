@@ -17,7 +17,7 @@ SUSPICIOUS = (
     (r"\b(?:fopen|freopen|fdopen|mkstemp|tmpfile|ofstream|ifstream|fstream|filesystem)\b", "opens files"),
     (r"\b(?:write|dup|dup2)\s*\(", "writes past the language's own output"),
     (r"\b(?:exit|_exit|_Exit|quick_exit|abort|atexit|signal|longjmp)\s*\(", "ends the program or catches its end"),
-    (r"\basm\b|__asm__|incbin", "holds assembly"),
+    (r"\b(?:__)?asm(?:__)?\b|incbin", "holds assembly"),
     (r"__attribute__\s*\(\([^()]*(?:constructor|destructor)", "runs before or after main"),
     (r"/proc/|/dev/|/etc/", "names a file of the system"),
     (r"#\s*define\s+(?:main|return|if|while|for|double|float|TEST_CASE|CHECK|EXERCISE_\w+|template|private|public)\b",

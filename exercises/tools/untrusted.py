@@ -31,6 +31,9 @@ FIRST_USER = 0x70000000  # from here to 0x7fffffff no system gives numbers to ac
 FEW_USERS = 62000        # where a container has but 65536 numbers: beyond those of accounts
 COMPILING = 12           # times as long as a check may take
 ROOM = 256 * MEBIBYTE    # which a compiler must find on the disk
+# The last that the compiler says then; a text's own words can't stand there.
+ENDED_FROM_OUTSIDE = re.compile(r"fatal error: (Killed signal terminated program \w+|ld terminated with signal 9 \[Killed\])\n"
+                                r"compilation terminated\.\s*\Z")
 
 
 class Uncompiled(Exception):
@@ -168,7 +171,7 @@ class Workshop:
             raise GraderFailed(f"the compiler does not work where it is confined: {command[0]} was not started: {error}") from None
         end_strays()
         said = ran.output.decode("utf-8", "replace")
-        if ran.code == -signal.SIGKILL and not ran.cut or re.search(r"^\S+: (fatal )?error: Killed signal terminated", said, re.MULTILINE):
+        if ran.code == -signal.SIGKILL and not ran.cut or ENDED_FROM_OUTSIDE.search(said):
             raise GraderFailed("the compiler was ended from outside; is there too little memory?")
         if ran.cut == "time" or "CPU time limit exceeded" in said or ran.code == -signal.SIGXCPU:
             raise Uncompiled(f"it took more than {self.seconds:g} seconds")
@@ -194,7 +197,7 @@ def _listed(dependencies):
     """The compiler's own list of what it has read. The file lies where the compiler may write, so it is looked at first."""
     status = os.lstat(dependencies)
     if not stat.S_ISREG(status.st_mode) or status.st_size > MEBIBYTE:
-        raise GraderFailed("the compiler's list of what it has read is no such list")
+        raise Uncompiled("it includes more than can be listed")
     return dependencies_in(dependencies)
 
 

@@ -3,9 +3,11 @@
 import json
 import os
 import re
+import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 import unittest
 from dataclasses import replace
@@ -77,10 +79,10 @@ class Endings(Grading):
 
     def after_an_end(self, text, stage, end):
         """Starts a grader, waits until a process whose command holds `stage` runs, and lets `end` end something of it."""
+        shutil.rmtree(self.submissions / "ada", ignore_errors=True)
         self.hand_in("ada", text)
-        temporary = self.root / "temporary"
-        temporary.mkdir(mode=0o777)
-        temporary.chmod(0o777)
+        temporary = Path(tempfile.mkdtemp(dir=self.root))
+        temporary.chmod(0o755)
         with subprocess.Popen(self.command("--seconds", "60"), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                               stderr=subprocess.DEVNULL, env={**os.environ, "TMPDIR": str(temporary)}) as grader:
             try:
@@ -97,15 +99,11 @@ class Endings(Grading):
             with self.subTest(number.name):
                 left = self.after_an_end(SLEEPS, "made/answers_double", lambda grader, _: grader.send_signal(number))
                 self.assertEqual([place for place in left if place.name.startswith("graded-")], [])
-                self.doCleanups()
-                self.setUp()
 
     def test_a_compiler_ends_with_the_grader(self):
         for number in (signal.SIGTERM, signal.SIGKILL):
             with self.subTest(number.name):
                 self.after_an_end(COMPILES, "text/answers_double.cpp", lambda grader, _: grader.send_signal(number))
-                self.doCleanups()
-                self.setUp()
 
     def test_of_keeper_and_worker_either_ends_what_the_other_leaves(self):
         for which in (0, 1):
@@ -114,8 +112,6 @@ class Endings(Grading):
                     graders = sorted(each for each in started if "grade_one.py" in name_of(each))
                     os.kill(graders[which], signal.SIGKILL)
                 self.after_an_end(COMPILES, "text/answers_double.cpp", end)
-                self.doCleanups()
-                self.setUp()
 
     def test_two_graders_at_once_do_not_meet(self):
         for number in range(4):
