@@ -26,10 +26,10 @@ from outputs import Outputs
 from plain_text import complain, say, why_unheard
 from programs import prepare_all
 from reports import FORMATS, marks
-from sealed import can_seal
 from shards import WHOLE, Part, Stopped, merge, shard_of, stoppable
 from submission import name_of, read_header, require_folders
 from toolchain import read_toolchain
+from untrusted import require_seals, seals_in_words
 
 SECONDS, MOST_SECONDS = 5, 3600  # of computing, for one check
 NO_RESULT = 3
@@ -106,6 +106,7 @@ def grade(arguments, outputs):
             if arguments.similarity:
                 export(arguments, exercises)
             prepare_all(toolchain, exercises, arguments.jobs)
+            require_seals(toolchain, exercises[0], arguments.unsealed)
             try:
                 results, failed = grade_class(arguments, exercises, part, show_how_far)
             except Stopped:
@@ -158,6 +159,7 @@ def parsers():
     grading.add_argument("--seed", default="", help="students' numbers are drawn with the key SEED-STUDENT")
     grading.add_argument("--similarity", type=Path, help="a folder for programs that look for copied code")
     grading.add_argument("--seconds", type=float, default=SECONDS, help="of computing, for one check")
+    grading.add_argument("--unsealed", action="store_true", help="grade also where a submission can't be confined")
     grading.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="submissions that are graded at the same time")
     grading.add_argument("--shard", default="1/1", help="NUMBER/OF: this share alone, for ./course grade merge")
     grading.add_argument("--part", type=Path, help="the file in which results are kept as they come")
@@ -208,9 +210,7 @@ def main(words):
         return 128 + stopped.signal
     except OSError as error:
         return why_unheard(error)
-    if os.geteuid() != 0:
-        say("Not run as root: the students' code could " + ("read what you can read, but change nothing." if can_seal() else
-            "do what you can do; exercises/instructor.md says what that means."), to=sys.stderr)
+    say(seals_in_words(), to=sys.stderr)
     return status
 
 

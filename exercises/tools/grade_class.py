@@ -2,8 +2,6 @@
 
 import hashlib
 import json
-import os
-import queue
 import signal
 import subprocess
 import sys
@@ -13,9 +11,9 @@ from pathlib import Path
 from complaint import GraderFailed
 from shards import Job, run
 from submission import name_of, read_header, student_of
+from untrusted import COMPILING
 
 GRADE_ONE = [sys.executable, "-E", "-B", str(Path(__file__).with_name("grade_one.py"))]
-FIRST_USER = 64000  # numbers that no account has; each submission that runs at the same time gets one of its own
 PATIENCE = 20  # seconds that the grader of one submission has to tidy up
 
 
@@ -41,24 +39,18 @@ class _Graders:
     def __init__(self, arguments, exercises, most):
         self.arguments, self.exercises, self.most = arguments, exercises, most
         self.lock, self.processes, self.ended = threading.Lock(), set(), False
-        self.users = queue.Queue()
-        for slot in range(most):
-            self.users.put(FIRST_USER + slot if os.geteuid() == 0 else 0)
-        # Two precisions, each compiled and linked for a minute at most; each check four times its seconds in both.
-        self.seconds = sum(300 + 2 * (4 * arguments.seconds + 3) * len(exercise.checks) for exercise in exercises)
+        # Each exercise is compiled, each check takes at most four times its seconds in both precisions, and the judge may have to be made.
+        self.seconds = sum(COMPILING * arguments.seconds + 2 * (4 * arguments.seconds + 3) * len(exercise.checks) + 300
+                           for exercise in exercises)
 
     def grade(self, name, folder):
         student = student_of(name)
         handed_in = _handed_in(folder, self.exercises)
-        user = self.users.get()
-        try:
-            graded = self._graded({
-                "root": str(self.arguments.root), "toolchain": str(self.arguments.toolchain), "submission": str(folder.resolve()),
-                "exercises": [exercise.path for exercise in self.exercises], "user": user, "seconds": self.arguments.seconds,
-                "key": f"{self.arguments.seed}-{student}" if self.arguments.seed else "",
-                "private": str(self.arguments.private) if self.arguments.private else None})
-        finally:
-            self.users.put(user)
+        graded = self._graded({
+            "root": str(self.arguments.root), "toolchain": str(self.arguments.toolchain), "submission": str(folder.resolve()),
+            "exercises": [exercise.path for exercise in self.exercises], "seconds": self.arguments.seconds,
+            "key": f"{self.arguments.seed}-{student}" if self.arguments.seed else "",
+            "private": str(self.arguments.private) if self.arguments.private else None})
         checks = [check for exercise in graded["exercises"] for check in exercise["checks"]]
         return {"student": student, "submission": name, "points": sum(check["points"] for check in checks),
                 "of": sum(check["of"] for check in checks), "exercises": graded["exercises"], "seconds": graded["seconds"],

@@ -17,8 +17,8 @@ from pathlib import Path
 from unittest import mock
 
 import grade_class
-from compiled_test_grade import Grading
 from fixture import ROOT, TOOLCHAIN
+from grading import Grading
 
 TOOLS = ROOT / "exercises" / "tools"
 # Whoever is graded is noted in the log. The header's first line says how it goes.

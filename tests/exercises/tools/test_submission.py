@@ -27,17 +27,10 @@ class Headers(InAFolder):
                 (place / "hammer.hpp").write_text(PLAIN, encoding="utf-8")
                 self.assertEqual(read_header(self.folder / below.replace("/", "_"), exercise()).text, PLAIN)
 
-    def test_includes_that_lead_outside_are_refused_however_they_are_written(self):
-        for line in ('#include "/etc/passwd"', '#include "../judge.cpp"', "#include <tumble/../../x.hpp>", "# include FILE",
-                     "%:include FILE", "#/* */include FILE", "#inclu\\\nde FILE", "/* */ #include FILE", '#include_next "/x"',
-                     '#import "/x"'):
+    def test_what_stands_in_a_comment_is_not_suspicious(self):
+        for line in ("// fork();", "/*\nfork();\n*/", "/* fork();"):
             with self.subTest(line):
-                self.assertIn("by its plain name", self.read(f"{PLAIN}{line}\n").reason)
-
-    def test_what_only_looks_like_one_is_none(self):
-        for line in ('// #include "/etc/passwd"', "/*\n#include FILE\n*/", 'const char* s = "// #include";'):
-            with self.subTest(line):
-                self.assertEqual(self.read(f"{PLAIN}{line}\n").reason, "")
+                self.assertEqual(self.read(f"{PLAIN}{line}\n").flags, [])
 
     def test_suspicious_constructs_are_flagged(self):
         for code, flag in (("fork();", "starts another program"), ("std::system ( 0 );", "starts another program"),
