@@ -137,10 +137,8 @@ class Endings(Grading):
         self.assertIn("no memory", self.fails(RIGHT))
 
     def test_a_compiler_that_fails_is_no_fault_of_a_student(self):
-        compiler = self.root / "compiler"
-        compiler.write_text("#!/bin/sh\necho no room >&2\nexit 1\n", encoding="utf-8")
-        compiler.chmod(0o755)
-        with a_workshop(replace(self.toolchain, compiler=str(compiler)), self.exercise, own_user(), 60) as workshop:
+        broken = replace(self.toolchain, options=[*self.toolchain.options, "-include", str(self.root / "missing.hpp")])
+        with a_workshop(broken, self.exercise, own_user(), 60) as workshop:
             with self.assertRaisesRegex(GraderFailed, "the compiler does not work"):
                 workshop.compile(RIGHT)
 
