@@ -13,8 +13,9 @@ from pathlib import Path
 
 from catalogue import read_catalogue
 from compiler_says import why_not
-from complaint import GraderFailed
+from complaint import Complaint, GraderFailed
 from confined import end_strays, in_keeping
+from made import CommandFailed
 from programs import prepare
 from run_check import BROKEN, Outcome, run_check
 from submission import read_header
@@ -71,7 +72,14 @@ def _outcome(judge, number, workers, parameters, limits, folder):
 def main():
     os.umask(0o022)
     task, user = json.load(sys.stdin), own_user()
-    return in_keeping(lambda: json.dump(grade(task, user), sys.stdout))
+
+    def work():
+        try:
+            graded = grade(task, user)
+        except (Complaint, CommandFailed, GraderFailed) as failure:
+            sys.exit(str(failure))
+        json.dump(graded, sys.stdout)
+    return in_keeping(work)
 
 
 if __name__ == "__main__":

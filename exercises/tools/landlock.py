@@ -62,8 +62,8 @@ def _file_rights(known):
 def _allow(rules, rights, name):
     try:
         place = os.open(name, os.O_PATH | os.O_CLOEXEC)
-    except (FileNotFoundError, NotADirectoryError):
-        return
+    except (FileNotFoundError, NotADirectoryError, PermissionError):
+        return  # what it can't get at need not be allowed
     if not os.path.isdir(name):
         rights &= OF_A_FILE
     _checked(_library.syscall(ADD, rules, BENEATH, struct.pack("=Qi", rights, place), 0))

@@ -4,7 +4,6 @@ import os
 import re
 import stat
 from dataclasses import dataclass, field
-from pathlib import Path
 
 from complaint import Complaint
 

@@ -24,7 +24,8 @@ from programs import PRECISIONS, answers_source, shared
 from sealed import can_seal
 from toolchain import Toolchain
 
-LIBRARIES = ("/lib", "/lib32", "/lib64", "/usr/lib", "/usr/lib32", "/usr/lib64", "/usr/libexec", "/usr/local/lib", "/etc/ld.so.cache")
+LIBRARIES = ("/lib", "/lib32", "/lib64", "/usr/lib", "/usr/lib32", "/usr/lib64", "/usr/libexec", "/usr/local/lib",
+             "/etc/ld.so.cache")
 HEADERS = ("/usr/include", "/usr/local/include")
 PARTS_OF_COMPILERS = ("cc1plus", "collect2", "as", "ld")
 FIRST_USER = 0x70000000  # from here to 0x7fffffff no system gives numbers to accounts; a process's number is below 1 << 22
@@ -44,7 +45,7 @@ def seals():
     """What confines a submission here: name and means, which is empty where nothing does."""
     version = landlock.version()
     return {"files": f"Landlock {version}" if version else "", "calls": "seccomp" if can_seal() else "",
-            "user": "numbers that no account has" if os.geteuid() == 0 else ""}
+            "user": "a number that no account has" if own_user() else ""}
 
 
 def seals_in_words():
@@ -56,11 +57,11 @@ def seals_in_words():
 
 
 def own_user():
-    """A user for what this process runs: one that nobody else has, and no process that runs at the same time; 0 unless run by root."""
+    """A user for what this process runs, whom nothing else has that runs at the same time; 0 for none, which only root gives."""
     if os.geteuid() != 0:
         return 0
-    user = FIRST_USER + os.getpid()
-    return user if _has("uid", user) and _has("gid", user) else FEW_USERS + os.getpid() % 3000
+    numbers = (FIRST_USER + os.getpid(), FEW_USERS + os.getpid() % 3000)
+    return next((number for number in numbers if _has("uid", number) and _has("gid", number)), 0)
 
 
 def _has(kind, number):
@@ -92,7 +93,8 @@ def a_workshop(toolchain, exercise, user, seconds):
     with tempfile.TemporaryDirectory(prefix="graded-") as folder:
         place = Path(folder)
         for name, mode in (("text", 0o755), ("made", 0o700), ("empty", 0o755)):
-            (place / name).mkdir(mode=mode)
+            (place / name).mkdir()
+            (place / name).chmod(mode)
         if user:
             os.chown(place, 0, user)
             place.chmod(0o710)
@@ -102,7 +104,7 @@ def a_workshop(toolchain, exercise, user, seconds):
 
 @dataclass(frozen=True)
 class Workshop:
-    """Where a header is compiled: `text` holds what the compiler reads, `made` is all that it may write, `empty` is where workers run."""
+    """Where a header is compiled: the compiler reads `text` and may write to `made` alone; workers run in `empty`."""
     toolchain: Toolchain
     exercise: object
     place: Path
@@ -110,7 +112,7 @@ class Workshop:
     seconds: float  # of computing, for the compiler
 
     def compile(self, text):
-        """The workers by precision, both made of the same text. Raises Uncompiled, or GraderFailed where that's not the text's fault."""
+        """The workers by precision, both made of the same text. Raises Uncompiled, or GraderFailed where it's not the text's fault."""
         self._write(self.exercise.header, text)
         for real in PRECISIONS:
             self._write(f"answers_{real}.cpp", answers_source(self.exercise, real))
@@ -190,7 +192,9 @@ class Workshop:
         return any(real.is_relative_to(os.path.realpath(folder)) for folder in (*HEADERS, *LIBRARIES, *self._headers()))
 
     def _write(self, name, text):
-        (self.place / "text" / name).write_text(text, encoding="utf-8", newline="")
+        file = self.place / "text" / name
+        file.write_text(text, encoding="utf-8", newline="")
+        file.chmod(0o644)
 
 
 def _listed(dependencies):

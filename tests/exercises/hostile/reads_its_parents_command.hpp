@@ -12,6 +12,10 @@ Real doubled(Real number) {
   for (const char* file : {"/cmdline", "/environ", "/maps", "/mem", "/fd/0", "/cwd/exercises"})
     if (open((parent + file).c_str(), O_RDONLY) >= 0)
       throw std::runtime_error("could read " + parent + file);
+  char target[256];
+  for (const char* link : {"/exe", "/cwd", "/root", "/fd/0"})
+    if (readlink((parent + link).c_str(), target, sizeof target) >= 0)
+      throw std::runtime_error("could see where " + parent + link + " leads");
   throw std::runtime_error("nothing to be read");
   return number;
 }

@@ -38,7 +38,8 @@ def descendants(process):
     parents = {}
     for status in Path("/proc").glob("[0-9]*/stat"):
         try:
-            number, parent = re.match(r"(\d+) \(.*\) [^Z] (\d+)", status.read_text(encoding="utf-8", errors="replace"), re.DOTALL).groups()
+            text = status.read_text(encoding="utf-8", errors="replace")
+            number, parent = re.match(r"(\d+) \(.*\) [^Z] (\d+)", text, re.DOTALL).groups()
         except (OSError, AttributeError):
             continue
         parents[int(number)] = int(parent)
@@ -116,8 +117,8 @@ class Endings(Grading):
     def test_two_graders_at_once_do_not_meet(self):
         for number in range(4):
             self.hand_in(f"student{number}", RIGHT)
-        graders = [subprocess.Popen(self.command("--format", "json", "--jobs", "2"), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                    stderr=subprocess.DEVNULL) for _ in range(2)]
+        graders = [subprocess.Popen(self.command("--format", "json", "--jobs", "2"), stdin=subprocess.DEVNULL,
+                                    stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) for _ in range(2)]
         for grader in graders:
             self.assertEqual({result["points"] for result in json.loads(grader.communicate(timeout=600)[0])}, {3})
 
@@ -136,10 +137,8 @@ class Endings(Grading):
         self.assertIn("no memory", self.fails(RIGHT))
 
     def test_a_compiler_that_fails_is_no_fault_of_a_student(self):
-        compiler = self.root / "compiler"
-        compiler.write_text("#!/bin/sh\necho no room >&2\nexit 1\n", encoding="utf-8")
-        compiler.chmod(0o755)
-        with a_workshop(replace(self.toolchain, compiler=str(compiler)), self.exercise, own_user(), 60) as workshop:
+        broken = replace(self.toolchain, options=[*self.toolchain.options, "-include", str(self.root / "missing.hpp")])
+        with a_workshop(broken, self.exercise, own_user(), 60) as workshop:
             with self.assertRaisesRegex(GraderFailed, "the compiler does not work"):
                 workshop.compile(RIGHT)
 

@@ -30,6 +30,7 @@ class Gradescope(unittest.TestCase):
     def test_it_grades_a_submission_as_gradescope_runs_it(self):
         with tempfile.TemporaryDirectory(prefix="autograder") as folder:
             autograder = Path(folder)
+            autograder.chmod(0o755)  # as Gradescope's is: run by root, the compiler has a user of its own
             file = autograder / "autograder.zip"
             package(ROOT, [find(read_catalogue(ROOT), "moon")], file)
             with zipfile.ZipFile(file) as packed:
