@@ -46,13 +46,21 @@ configure() {
     [ "$(cat "$folder/configured" 2>/dev/null)" = "$wanted" ] &&
     ! [ /var/lib/dpkg/status -nt "$folder/configured" ] && return 0
   rm -f "$folder/configured"
-  stage "Configured the ${2:-optimised build}" configure_or_heal "$1" && printf '%s\n' "$wanted" >"$folder/configured"
+  stage "Configured the ${2:-optimised build}" locked "$1" configure_or_heal "$1" && printf '%s\n' "$wanted" >"$folder/configured"
 }
 
 # What was compiled elsewhere or by another compiler is of no use.
 start_afresh() {
   rm -rf "$1" 2>/dev/null
   writable "$1"
+}
+
+# locked PRESET COMMAND...: nobody else configures or builds there meanwhile; two at once spoil each other's precompiled headers.
+locked() {
+  {
+    ! command -v flock >/dev/null 2>&1 || flock 9
+    "${@:2}" 9>&-
+  } 9>"build/$1.lock"
 }
 
 configure_or_heal() {
@@ -67,7 +75,7 @@ configure_or_heal() {
 
 # build PRESET SENTENCE TARGET...: the files of the build are mended where they turn out to be broken.
 build() {
-  stage "$2" build_or_heal "$1" "${@:3}"
+  stage "$2" locked "$1" build_or_heal "$1" "${@:3}"
 }
 
 # build_all PRESET SENTENCE TARGET...: goes on past what does not compile.

@@ -1,5 +1,6 @@
 # shellcheck shell=bash disable=SC2154
-# A student's way through the exercises. Sourced by ../course, which sets root, caller, word and passed_on.
+# A student's way through the exercises. Sourced by ../course, which sets root, caller, word and passed_on. Python gets -E, for a
+# PYTHONSAFEPATH or PYTHONPATH of the caller's would hide or replace the tools' own files.
 
 exercise_packages="python3:python3"
 toolchain=$root/build/default/exercises/toolchain.json
@@ -25,14 +26,16 @@ exercise_names() {
 # exercise COMMAND WORD...: what tools for students answer. Only what compiles needs the build.
 exercise() {
   case $1 in start | check | watch) configure_exercises ;; *) ensure "$exercise_packages" "" ;; esac
-  exec python3 -B exercises/tools/student.py --root "$root" --toolchain "$toolchain" "$@"
+  exec python3 -E -B exercises/tools/student.py --root "$root" --toolchain "$toolchain" "$@"
 }
 
-# instructor COMMAND WORD...: their folders are the caller's. What is printed is theirs to read by a program.
+# instructor COMMAND WORD...: their folders are the caller's. What is printed is theirs to read by a program. Only merging compiles
+# nothing.
 instructor() {
-  configure_exercises >&2
+  case $1 in release | package) ensure "git:git" "" >&2 ;; esac
+  if [ "$1 ${2-}" = "grade merge" ]; then ensure "$exercise_packages" ""; else configure_exercises; fi >&2
   cd -- "$caller" || exit 1
-  exec python3 -B "$root/exercises/tools/$1.py" --root "$root" --toolchain "$toolchain" "${@:2}"
+  exec python3 -E -B "$root/exercises/tools/$1.py" --root "$root" --toolchain "$toolchain" "${@:2}"
 }
 
 configure_exercises() {

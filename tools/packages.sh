@@ -12,7 +12,7 @@ test_packages="node-parse5 python3-jsonschema" # the tests read the book's pages
 browser_packages="chromium:chromium npm:npm"
 peer_packages="libbenchmark-dev libbullet-dev libode-dev libsimbody-dev" # bench measures, and measures with, these
 all_packages="clang:clang++ libclang-rt-dev clang-format:clang-format clang-tidy:clang-tidy shellcheck:shellcheck
-  valgrind:valgrind"
+  valgrind:valgrind slurm-wlm:slurmctld munge:munged"
 
 system_file=/etc/os-release
 

@@ -41,3 +41,14 @@ def find(catalogue, word):
     near = difflib.get_close_matches(word, names, 1)
     raise Complaint(f"no exercise is called {word}" + (f"\nDid you mean {near[0]}?" if near else "") +
                     "\nThe exercises are: " + " ".join(names))
+
+
+def find_all(catalogue, words):
+    """Those of a list such as moon,no_lag, each of which may stand there once; without a list, all."""
+    if words is None:
+        return catalogue
+    found = [find(catalogue, word) for word in words.split(",")]
+    for exercise in found:
+        if found.count(exercise) > 1:
+            raise Complaint(f"{exercise.name} stands twice in {words}; its points count once")
+    return found

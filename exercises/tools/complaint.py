@@ -3,3 +3,7 @@
 
 class Complaint(Exception):
     """Names the offending value and the rule that it breaks."""
+
+
+class GraderFailed(Exception):
+    """The grader itself failed, so that nothing is known of what it graded: to be tried again, and never 0 points."""

@@ -1,39 +1,121 @@
-"""Runs the compiler on code that is not trusted, within limits, and ends everything that it started."""
+"""Runs programs that are not trusted, or read text that is not, and ends all that they and the grader have started."""
 
 import ctypes
 import os
-import resource
+import select
 import signal
 import subprocess
 import sys
+import time
+from dataclasses import dataclass
 from pathlib import Path
 
-MEBIBYTE = 1 << 20
+from limits import confine, end_with
+
+ADOPT_STRAYS = 36  # an order to prctl
+ORDERS_TO_END = (signal.SIGTERM, signal.SIGHUP, signal.SIGINT)
+PATIENCE = 5       # seconds that a grader has to tidy up when it is told to end
 
 
-def run_compiler(command, limit=60, **options):
-    """As subprocess.run, for made.make."""
-    def confine():
-        resource.setrlimit(resource.RLIMIT_CPU, (limit, limit))
-        resource.setrlimit(resource.RLIMIT_AS, (2048 * MEBIBYTE, 2048 * MEBIBYTE))
-        resource.setrlimit(resource.RLIMIT_FSIZE, (64 * MEBIBYTE, 64 * MEBIBYTE))
-        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    options.pop("timeout", None)
-    with subprocess.Popen(command, start_new_session=True, preexec_fn=confine, env={"PATH": os.environ.get("PATH", "")},
-                          **options) as process:
+@dataclass(frozen=True)
+class Ran:
+    code: int         # as subprocess has it: negative for a signal
+    output: bytes    # its errors
+    cut: str = ""     # why it was cut short: "time", "output" or nothing
+
+
+def run_confined(command, limits, folder, deadline):
+    """Runs a program in `folder`, where it keeps its temporary files too, until time.monotonic() is `deadline`."""
+    parent = os.getpid()
+    with subprocess.Popen([str(word) for word in command], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                          stderr=subprocess.PIPE, cwd=folder, start_new_session=True,
+                          env={"PATH": os.environ.get("PATH", ""), "TMPDIR": str(folder)},
+                          preexec_fn=lambda: confine(limits, parent)) as process:
         try:
-            output, _ = process.communicate(timeout=limit)
+            output, cut = _read(process.stderr, limits.output, deadline)
+            if not cut:
+                process.wait(max(deadline - time.monotonic(), 0))
         except subprocess.TimeoutExpired:
-            os.killpg(process.pid, signal.SIGKILL)
-            process.communicate()
-            raise
-    return subprocess.CompletedProcess(command, process.returncode, output[:MEBIBYTE], None)
+            cut = "time"
+        finally:
+            end_group(process.pid)
+    return Ran(process.returncode, output, cut)
+
+
+def _read(pipe, most, deadline):
+    """What comes until the end, and why it was cut short."""
+    said = b""
+    while select.select([pipe], [], [], max(deadline - time.monotonic(), 0))[0]:
+        piece = os.read(pipe.fileno(), 1 << 16)
+        said += piece
+        if not piece:
+            return said, ""
+        if len(said) > most:
+            return said[:most], "output"
+    return said, "time"
+
+
+def end_group(leader):
+    """Ends the processes of a group, whose leader is not yet waited for."""
+    try:
+        os.killpg(leader, signal.SIGKILL)
+    except (ProcessLookupError, PermissionError):
+        pass
+
+
+def in_keeping(work):
+    """Does `work` in a process of its own and returns its exit code. What it has started ends with it, however it ends.
+
+    Two processes watch each other. When the one that called this ends, or is told to, the keeper tells the worker to end and then
+    ends whatever is left; when the keeper is killed, the worker ends by itself. Both get a signal from the kernel, so that also
+    SIGKILL leaves nothing behind.
+    """
+    caller = os.getppid()
+    if os.getpgrp() != os.getpid():
+        os.setsid()  # a signal to the group of the caller must not end keeper and worker at once
+    for number in ORDERS_TO_END:
+        signal.signal(number, _end)
+    end_with(caller, signal.SIGTERM)
+    adopt_strays()
+    keeper = os.getpid()
+    worker = os.fork()
+    if worker == 0:
+        end_with(keeper, signal.SIGTERM)
+        adopt_strays()
+        work()
+        return 0
+    try:
+        return os.waitstatus_to_exitcode(os.waitpid(worker, 0)[1])
+    except SystemExit:
+        os.kill(worker, signal.SIGTERM)
+        _wait_for(worker)
+        raise
+    finally:
+        _ignore_orders()
+        end_strays()
+
+
+def _end(number, _):
+    _ignore_orders()
+    raise SystemExit(128 + number)
+
+
+def _ignore_orders():
+    """Who tidies up is not to be disturbed."""
+    for number in ORDERS_TO_END:
+        signal.signal(number, signal.SIG_IGN)
+
+
+def _wait_for(worker):
+    deadline = time.monotonic() + PATIENCE
+    while time.monotonic() < deadline and os.waitpid(worker, os.WNOHANG)[0] == 0:
+        time.sleep(0.02)
 
 
 def adopt_strays():
     """From now on, processes whose parents have ended become children of this one (Linux)."""
     if sys.platform.startswith("linux"):
-        ctypes.CDLL(None).prctl(36, 1, 0, 0, 0)  # PR_SET_CHILD_SUBREAPER
+        ctypes.CDLL(None).prctl(ADOPT_STRAYS, 1, 0, 0, 0)
 
 
 def end_strays():

@@ -1,72 +1,44 @@
-"""./course grade DIR... --format text|json|junit|gradescope: points for one submission or for hundreds.
+"""./course grade DIR...: points for one submission or for a class of a thousand, as text, JSON, JUnit's XML or for Gradescope.
 
 A submission is a folder that holds a student's headers; its name is the student's. ada@1 and ada@2 are two of ada's, of which --keep
 best (or last) counts.
+
+Results are kept as they come, in grade.part or in the file that --part names, and --resume takes up a run that was stopped. --shard 3/16
+grades the third of sixteen shares, for as many machines; ./course grade merge PARTS... then makes of their parts what one run would
+have made.
+
+Exit status: 0; 2 for a mistake in what was asked; 3 if submissions have no result, which is never 0 points; 128 and the signal's number
+for a run that was stopped.
 """
 
 import argparse
-import json
 import os
-import queue
 import shutil
-import subprocess
 import sys
-from concurrent.futures import ThreadPoolExecutor
+import tempfile
 from pathlib import Path
 
-from catalogue import find, read_catalogue
+from catalogue import find_all, read_catalogue
 from complaint import Complaint
+from grade_class import grade_class, job_of
 from made import CommandFailed
+from outputs import Outputs
+from plain_text import complain, say, why_unheard
 from programs import prepare_all
-from reports import FORMATS, write_marks
-from sealed import can_seal
-from submission import read_header, require_folders, student_of
+from reports import FORMATS, marks
+from shards import WHOLE, Part, Stopped, merge, shard_of, stoppable
+from submission import name_of, read_header, require_folders
 from toolchain import read_toolchain
+from untrusted import require_seals, seals_in_words
 
-FIRST_USER = 64000  # numbers that no account has; each submission that runs at the same time gets one of its own
-SECONDS = 5  # of computing, for one check
-
-
-def grade_all(arguments, exercises):
-    """What came of each submission, in their order."""
-    users = queue.Queue()
-    for slot in range(arguments.jobs):
-        users.put(FIRST_USER + slot if os.geteuid() == 0 else 0)
-
-    def grade(folder):
-        user = users.get()
-        try:
-            return _grade_one(arguments, exercises, folder, user)
-        finally:
-            users.put(user)
-    with ThreadPoolExecutor(arguments.jobs) as pool:
-        return list(pool.map(grade, arguments.folders))
-
-
-def _grade_one(arguments, exercises, folder, user):
-    student = student_of(folder.name)
-    task = {"root": str(arguments.root), "toolchain": str(arguments.toolchain), "submission": str(folder.resolve()),
-            "exercises": [exercise.path for exercise in exercises], "user": user, "seconds": arguments.seconds,
-            "key": f"{arguments.seed}-{student}" if arguments.seed else "",
-            "private": str(arguments.private) if arguments.private else None}
-    most = sum(120 + 2 * (4 * arguments.seconds + 2) * len(exercise.checks) for exercise in exercises)
-    try:
-        result = subprocess.run([sys.executable, "-B", str(Path(__file__).with_name("grade_one.py"))],
-                                input=json.dumps(task).encode(), stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=most)
-        graded = json.loads(result.stdout)
-    except (subprocess.TimeoutExpired, ValueError) as error:
-        why = "took too long" if isinstance(error, subprocess.TimeoutExpired) else result.stderr.decode("utf-8", "replace")[-2000:]
-        graded = {"submission": folder.name, "seconds": 0, "exercises": [
-            {"exercise": exercise.path, "title": exercise.title, "reason": f"the grader itself failed: {why}", "flags": [],
-             "checks": [{"sentence": check.sentence, "points": 0, "of": check.points, "status": "not run", "message": ""}
-                        for check in exercise.checks]} for exercise in exercises]}
-    checks = [check for exercise in graded["exercises"] for check in exercise["checks"]]
-    return {"student": student, "points": sum(check["points"] for check in checks),
-            "of": sum(check["of"] for check in checks), **graded}
+SECONDS, MOST_SECONDS = 5, 3600  # of computing, for one check
+NO_RESULT = 3
 
 
 def counted(results, keep):
     """The submissions that count: of each student the best, or the last by name."""
+    if keep == "all":
+        return results
     by_student = {}
     for result in sorted(results, key=lambda result: result["submission"]):
         so_far = by_student.get(result["student"])
@@ -83,60 +55,163 @@ def export_for_similarity(folder, submissions, exercises):
         for submission in submissions:
             header = read_header(submission, exercise)
             if header.text:
-                (place / f"{submission.name}.hpp").write_text(header.text, encoding="utf-8")
+                (place / f"{name_of(submission)}.hpp").write_text(header.text, encoding="utf-8", newline="")
         starter = exercise.folder / exercise.header
         if starter.exists():
             shutil.copyfile(starter, place / "STARTER.hpp")
 
 
-def main(words):
-    parser = argparse.ArgumentParser(prog="./course grade", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--root", type=Path, required=True, help=argparse.SUPPRESS)
-    parser.add_argument("--toolchain", type=Path, required=True, help=argparse.SUPPRESS)
-    parser.add_argument("folders", nargs="+", type=Path, metavar="DIR")
-    parser.add_argument("--format", choices=FORMATS, default="text")
-    parser.add_argument("--output", type=Path, help="the file to write instead of the standard output")
-    parser.add_argument("--exercises", help="those that count, such as moon,no_lag; without it all of them")
-    parser.add_argument("--private", type=Path, help="a folder of further exercises, laid out as exercises/ is")
-    parser.add_argument("--seed", default="", help="students' numbers are drawn with the key SEED-STUDENT")
-    parser.add_argument("--keep", choices=("all", "best", "last"), default="all", help="of resubmissions, such as ada@1 and ada@2")
-    parser.add_argument("--marks", type=Path, help="a table of points as CSV")
-    parser.add_argument("--similarity", type=Path, help="a folder for programs that look for copied code")
-    parser.add_argument("--seconds", type=float, default=SECONDS, help="of computing, for one check")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
-    arguments = parser.parse_args(words)
+def write_outputs(arguments, outputs, by_name, missing):
+    """Whole tables, or none: who has no result is told, and is in none with --incomplete alone. Returns the exit status."""
+    for name, why in missing.items():
+        complain(f"{name} has no result{': ' + why if why else ''}")
+    if missing and not arguments.incomplete:
+        complain(f"{len(missing)} submissions have no result, which is not 0 points, so no output is written. --resume grades what is "
+                 "missing; --incomplete writes the others'")
+        return NO_RESULT
+    results = counted(list(by_name.values()), arguments.keep)
+    if arguments.format == "gradescope" and len(results) != 1:
+        raise Complaint(f"{len(results)} submissions; Gradescope grades one at a time")
+    text = FORMATS[arguments.format](results)
+    if "output" in outputs:
+        outputs["output"](text.encode())
+    elif arguments.format == "text":
+        say(text)
+    else:
+        sys.stdout.buffer.write(text.encode() + b"\n")
+        sys.stdout.buffer.flush()
+    if "marks" in outputs:
+        outputs["marks"](marks(results).encode())
+    return NO_RESULT if missing else 0
+
+
+def opened_outputs(stack, arguments):
+    files = {"output": arguments.output, "marks": arguments.marks}
+    return {name: stack.open(f"--{name}", file) for name, file in files.items() if file}
+
+
+def grade(arguments, outputs):
+    require_folders(arguments.folders)
+    exercises = find_all(read_catalogue(arguments.root, arguments.private), arguments.exercises)
+    if not 0 < arguments.seconds <= MOST_SECONDS:
+        raise Complaint(f"seconds is {arguments.seconds:g}; it must be greater than 0 and at most {MOST_SECONDS}")
+    if arguments.jobs < 1:
+        raise Complaint(f"jobs is {arguments.jobs}; it must be at least 1")
+    if arguments.format == "gradescope" and len(arguments.folders) != 1:
+        raise Complaint(f"{len(arguments.folders)} submissions; Gradescope grades one at a time")
+    toolchain = read_toolchain(arguments.toolchain, arguments.root / "exercises" / "common", arguments.toolchain.parent)
+    with tempfile.TemporaryDirectory(prefix="grade-") as scratch:
+        kept = part_of(arguments)
+        with Part(kept or Path(scratch) / "part", job_of(arguments, exercises), arguments.shard, arguments.resume) as part:
+            if arguments.similarity:
+                export(arguments, exercises)
+            prepare_all(toolchain, exercises, arguments.jobs)
+            require_seals(toolchain, exercises[0], arguments.unsealed)
+            try:
+                results, failed = grade_class(arguments, exercises, part, show_how_far)
+            except Stopped:
+                if kept:
+                    say(f"{len(part.done)} of {len(part.tasks)} results are kept in {kept}; the same command with --resume goes on.",
+                        to=sys.stderr)
+                raise
+    if arguments.shard != WHOLE:
+        for name, why in failed.items():
+            complain(f"{name} has no result: {why}")
+        say(f"{len(results)} of {len(results) + len(failed)} results of shard {arguments.shard.number}/{arguments.shard.of} are in {kept}")
+        return NO_RESULT if failed else 0
+    status = write_outputs(arguments, outputs, results, failed)
+    if status == 0 and kept and not arguments.part:
+        os.remove(kept)  # nothing of it is left to do
+    return status
+
+
+def part_of(arguments):
+    """Where results are kept. One submission alone needs no such place."""
+    if arguments.part:
+        return arguments.part
+    if arguments.shard != WHOLE:
+        return Path(f"grade.{arguments.shard.number}_of_{arguments.shard.of}.part")
+    return Path("grade.part") if len(arguments.folders) > 1 or arguments.resume else None
+
+
+def export(arguments, exercises):
+    if "STARTER" in map(name_of, arguments.folders):
+        raise Complaint("a submission is called STARTER, as the starters are among the files for similarity")
     try:
-        require_folders(arguments.folders)
-        catalogue = read_catalogue(arguments.root, arguments.private)
-        exercises = [find(catalogue, word) for word in arguments.exercises.split(",")] if arguments.exercises else catalogue
-        if not arguments.seconds > 0 or arguments.jobs < 1:
-            raise Complaint(f"seconds is {arguments.seconds} and jobs is {arguments.jobs}; both must be greater than 0")
-        if arguments.format == "gradescope" and len(arguments.folders) != 1:
-            raise Complaint(f"{len(arguments.folders)} submissions; Gradescope grades one at a time")
-        toolchain = read_toolchain(arguments.toolchain, arguments.root / "exercises" / "common", arguments.toolchain.parent)
-        prepare_all(toolchain, exercises, arguments.jobs)
-        results = grade_all(arguments, exercises)
+        export_for_similarity(arguments.similarity, arguments.folders, exercises)
+    except OSError as error:
+        raise Complaint(f"--similarity: {arguments.similarity} can't be written: {error.strerror}") from None
+
+
+def parsers():
+    """That of both commands, that of grading, and that of merging."""
+    both = argparse.ArgumentParser(add_help=False, allow_abbrev=False)
+    both.add_argument("--format", choices=FORMATS, default="text")
+    both.add_argument("--output", type=Path, help="the file to write instead of the standard output")
+    both.add_argument("--marks", type=Path, help="a table of points as CSV")
+    both.add_argument("--keep", choices=("all", "best", "last"), default="all", help="of resubmissions, such as ada@1 and ada@2")
+    both.add_argument("--incomplete", action="store_true", help="write the outputs even if submissions have no result")
+    form = {"formatter_class": argparse.RawDescriptionHelpFormatter, "parents": [both], "allow_abbrev": False}
+    grading = argparse.ArgumentParser(prog="./course grade", description=__doc__, **form)
+    grading.add_argument("folders", nargs="+", type=Path, metavar="DIR")
+    grading.add_argument("--exercises", help="those that count, such as moon,no_lag; without it all of them")
+    grading.add_argument("--private", type=Path, help="a folder of further exercises, laid out as exercises/ is")
+    grading.add_argument("--seed", default="", help="students' numbers are drawn with the key SEED-STUDENT")
+    grading.add_argument("--similarity", type=Path, help="a folder for programs that look for copied code")
+    grading.add_argument("--seconds", type=float, default=SECONDS, help="of computing, for one check")
+    grading.add_argument("--unsealed", action="store_true", help="grade also where a submission can't be confined")
+    grading.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="submissions that are graded at the same time")
+    grading.add_argument("--shard", default="1/1", help="NUMBER/OF: this share alone, for ./course grade merge")
+    grading.add_argument("--part", type=Path, help="the file in which results are kept as they come")
+    grading.add_argument("--resume", action="store_true", help="take up the run that has left its part, if there is one")
+    merging = argparse.ArgumentParser(prog="./course grade merge", description="Makes of all shards' parts what one run makes.", **form)
+    merging.add_argument("parts", nargs="+", type=Path, metavar="PART")
+    return grading, merging
+
+
+def commanded(words):
+    """What is asked: of grading, or of merging where the first word is merge."""
+    course = argparse.ArgumentParser(add_help=False, allow_abbrev=False)
+    course.add_argument("--root", type=Path, required=True)
+    course.add_argument("--toolchain", type=Path, required=True)
+    known, rest = course.parse_known_args(words)
+    grading, merging = parsers()
+    if rest[:1] == ["merge"]:
+        return merging.parse_intermixed_args(rest[1:])
+    arguments = grading.parse_intermixed_args(rest)
+    arguments.root, arguments.toolchain = known.root, known.toolchain
+    return arguments
+
+
+def show_how_far(done, of):
+    if sys.stderr.isatty():
+        print(f"\r{done} of {of} graded", end="\n" if done == of else "", file=sys.stderr, flush=True)
+
+
+def main(words):
+    arguments = commanded(words)
+    try:
+        with stoppable(), Outputs() as stack:
+            if "parts" in arguments:
+                outputs = opened_outputs(stack, arguments)
+                results, missing = merge(arguments.parts)
+                return write_outputs(arguments, outputs, results, dict.fromkeys(missing, ""))
+            arguments.shard = shard_of(arguments.shard)
+            if arguments.shard != WHOLE and (arguments.output or arguments.marks):
+                raise Complaint("a shard writes its part alone; --output and --marks are for ./course grade merge")
+            status = grade(arguments, opened_outputs(stack, arguments))
     except Complaint as complaint:
-        print(f"course: {complaint}", file=sys.stderr)
+        complain(complaint)
         return 2
     except CommandFailed as failure:
-        print(f"course: the checks themselves don't compile:\n{failure.output}", file=sys.stderr)
+        complain(f"the checks themselves don't compile:\n{failure.output}")
         return 2
-    if arguments.keep != "all":
-        results = counted(results, arguments.keep)
-    text = FORMATS[arguments.format](results)
-    if arguments.output:
-        arguments.output.write_text(text, encoding="utf-8")
-    else:
-        print(text)
-    if arguments.marks:
-        write_marks(arguments.marks, results)
-    if arguments.similarity:
-        export_for_similarity(arguments.similarity, arguments.folders, exercises)
-    if os.geteuid() != 0:
-        print("Not run as root: the students' code could " + ("read what you can read, but change nothing." if can_seal() else
-              "do what you can do; exercises/instructor.md says what that means."), file=sys.stderr)
-    return 0
+    except Stopped as stopped:
+        return 128 + stopped.signal
+    except OSError as error:
+        return why_unheard(error)
+    say(seals_in_words(), to=sys.stderr)
+    return status
 
 
 if __name__ == "__main__":

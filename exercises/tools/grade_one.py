@@ -1,42 +1,41 @@
 """Grades one submission and writes what came of it as JSON. A program of its own, so that each submission stands alone.
 
-  grade_one.py < {"root": ..., "toolchain": ..., "submission": ..., "exercises": [...], "key": ..., "user": ...}
+  grade_one.py < {"root": ..., "toolchain": ..., "submission": ..., "exercises": [...], "key": ..., "seconds": ..., "private": ...}
+
+Exit code 0: all was graded. Any other: the grader itself failed, the last line on stderr says how, and nothing is written.
 """
 
 import json
 import os
 import sys
-import tempfile
 import time
 from pathlib import Path
 
 from catalogue import read_catalogue
 from compiler_says import why_not
-from confined import adopt_strays, end_strays, run_compiler
-from limits import Limits
+from complaint import Complaint, GraderFailed
+from confined import end_strays, in_keeping
 from made import CommandFailed
-from programs import build_worker, prepare
-from run_check import Outcome, run_check
+from programs import prepare
+from run_check import BROKEN, Outcome, run_check
 from submission import read_header
 from toolchain import read_toolchain
+from untrusted import COMPILING, Uncompiled, a_workshop, own_user
 from workplace import drawn_parameters
 
 NOT_RUN = "not run"
 
 
-def grade(task):
+def grade(task, user):
     began = time.monotonic()
     root, folder = Path(task["root"]), Path(task["submission"])
     toolchain = read_toolchain(task["toolchain"], root / "exercises" / "common", Path(task["toolchain"]).parent)
     catalogue = {exercise.path: exercise for exercise in read_catalogue(root, task["private"])}
-    limits = Limits(seconds=task["seconds"], file=0, processes=1, user=task["user"], sealed=True)
     graded = []
     for path in task["exercises"]:
         exercise = catalogue[path]
         header = read_header(folder, exercise)
-        with tempfile.TemporaryDirectory(prefix="graded-") as scratch:
-            os.chmod(scratch, 0o711)  # another user may run what lies here, and see nothing else of it
-            reason, outcomes = _outcomes(toolchain, exercise, header, Path(scratch), task, limits)
+        reason, outcomes = _outcomes(toolchain, exercise, header, task, user)
         graded.append({"exercise": path, "title": exercise.title, "reason": reason, "flags": header.flags,
                        "checks": [_check(check, outcome) for check, outcome in zip(exercise.checks, outcomes)]})
     return {"submission": folder.name, "exercises": graded, "seconds": round(time.monotonic() - began, 2)}
@@ -47,45 +46,41 @@ def _check(check, outcome):
             "of": check.points, "status": outcome.status, "message": outcome.message}
 
 
-def _outcomes(toolchain, exercise, header, scratch, task, limits):
+def _outcomes(toolchain, exercise, header, task, user):
     """Why nothing was run, or an empty text; and the outcome of each check."""
     not_run = [Outcome(NOT_RUN)] * len(exercise.checks)
     if header.reason:
         return header.reason, not_run
-    place = scratch / "header"
-    place.mkdir()
-    (place / exercise.header).write_text(header.text, encoding="utf-8")
     judge = prepare(toolchain, exercise)
-    try:
-        worker = build_worker(toolchain, exercise, place, scratch / "worker", run=run_compiler)
-    except CommandFailed as failure:
-        return f"it doesn't compile: {why_not(failure.output, exercise)}", not_run
-    finally:
-        end_strays()
-    foreign = [file for file in worker.read if not _allowed(toolchain, exercise, scratch, file)]
-    if foreign:
-        return f"it includes {Path(foreign[0]).name}, which is no part of the chapters up to {exercise.chapter}", not_run
-    empty = scratch / "empty"
-    empty.mkdir()
-    for folder in (scratch / "worker", empty):
-        folder.chmod(0o755)
-    parameters = drawn_parameters(exercise, task["key"])
-    outcomes = []
-    for number in range(len(exercise.checks)):
-        outcomes.append(run_check(judge, number, worker.programs, parameters, limits, folder=empty))
-        end_strays()
-    return "", outcomes
+    with a_workshop(toolchain, exercise, user, COMPILING * task["seconds"]) as workshop:
+        try:
+            workers = workshop.compile(header.text)
+        except Uncompiled as failure:
+            return f"it doesn't compile: {why_not(str(failure), exercise)}", not_run
+        limits, parameters = workshop.limits_of_workers(task["seconds"]), drawn_parameters(exercise, task["key"])
+        return "", [_outcome(judge, number, workers, parameters, limits, workshop.empty) for number in range(len(exercise.checks))]
 
 
-def _allowed(toolchain, exercise, scratch, file):
-    """Whether a student's header may make the compiler read this file."""
-    allowed = [*toolchain.folders_of(exercise.chapter), *toolchain.system_folders, toolchain.common, scratch,
-               toolchain.precompiled, "/usr/include", "/usr/lib", "/usr/local/include", "/usr/local/lib"]
-    real = Path(os.path.realpath(file))
-    return any(real.is_relative_to(os.path.realpath(folder)) for folder in allowed)
+def _outcome(judge, number, workers, parameters, limits, folder):
+    outcome = run_check(judge, number, workers, parameters, limits, folder)
+    end_strays()
+    if outcome.status == BROKEN:
+        raise GraderFailed(outcome.message)
+    return outcome
+
+
+def main():
+    os.umask(0o022)
+    task, user = json.load(sys.stdin), own_user()
+
+    def work():
+        try:
+            graded = grade(task, user)
+        except (Complaint, CommandFailed, GraderFailed) as failure:
+            sys.exit(str(failure))
+        json.dump(graded, sys.stdout)
+    return in_keeping(work)
 
 
 if __name__ == "__main__":
-    os.umask(0o022)
-    adopt_strays()
-    json.dump(grade(json.load(sys.stdin)), sys.stdout)
+    sys.exit(main())

@@ -1,13 +1,18 @@
-"""What a student's program may use: time, memory, files, output, processes."""
+"""What a student's program, or the compiler that reads its text, may use: time, memory, files, output, processes."""
 
+import ctypes
 import math
 import os
 import resource
-from dataclasses import dataclass
+import signal
+import sys
+from dataclasses import dataclass, replace
 
+from landlock import Reach, restrict
 from sealed import seal
 
 MEBIBYTE = 1 << 20
+END_WITH_PARENT = 1  # an order to prctl
 
 
 @dataclass(frozen=True)
@@ -16,23 +21,38 @@ class Limits:
     memory: int = 1024 * MEBIBYTE  # of address space
     file: int = 16 * MEBIBYTE     # the largest file that it may write
     output: int = MEBIBYTE        # what it may print
-    processes: int = 0            # more than it has; 0: as many as it likes
     user: int = 0                 # whose rights it gets; 0: those of the caller
+    reach: Reach = None           # the files that it may use; None: all that its rights allow
     sealed: bool = False          # whether it can only calculate, see sealed.py
 
+    def reaching(self, program):
+        """The same for a program that lies outside: it may read and execute itself."""
+        if self.reach is None:
+            return self
+        return replace(self, reach=replace(self.reach, executable=(*self.reach.executable, program)))
 
-def confine(limits):
-    """Called in the new process before its program begins."""
+
+def confine(limits, parent):
+    """Called in the new process before its program begins; `parent` is the process with which it ends."""
     seconds = math.ceil(limits.seconds)
     resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
     resource.setrlimit(resource.RLIMIT_AS, (limits.memory, limits.memory))
     resource.setrlimit(resource.RLIMIT_FSIZE, (limits.file, limits.file))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    if limits.processes:
-        resource.setrlimit(resource.RLIMIT_NPROC, (limits.processes, limits.processes))
     if limits.user:
         os.setgroups([])
         os.setgid(limits.user)
         os.setuid(limits.user)
+    end_with(parent)  # a change of user would undo it
+    if limits.reach:
+        restrict(limits.reach)
     if limits.sealed:
         seal()
+
+
+def end_with(parent, by=signal.SIGKILL):
+    """This process gets the signal when `parent`, the one that started it, has ended in whatever way (Linux)."""
+    if sys.platform.startswith("linux"):
+        ctypes.CDLL(None).prctl(END_WITH_PARENT, int(by), 0, 0, 0)
+        if os.getppid() != parent:
+            os.kill(os.getpid(), by)

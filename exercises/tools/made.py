@@ -6,7 +6,7 @@ import os
 import subprocess
 import time
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
 
 
@@ -23,33 +23,30 @@ class Made:
     """What came of it: the command's output (warnings, for a compiler) and the seconds that it took, 0 for none."""
     output: str = ""
     seconds: float = 0.0
-    inputs: list = field(default_factory=list)
 
 
-def make(target, command, inputs=(), dependencies=None, limit=120, run=None):
+def make(target, command, inputs=(), dependencies=None, limit=120):
     """Makes `target` by `command` unless it is as new as all that it was made of.
 
     `dependencies` is a file in make's form that the command writes, and names what else it read.
-    `run` starts the command another way than subprocess.run, such as with the rights of another user.
 
     Who else makes it at the same time waits: a compiler that reads half a precompiled header takes all memory.
     """
     target = Path(target)
     target.parent.mkdir(parents=True, exist_ok=True)
     with held(target):
-        return _make(target, [str(word) for word in command], inputs, dependencies, limit, run)
+        return _make(target, [str(word) for word in command], inputs, dependencies, limit)
 
 
-def _make(target, command, inputs, dependencies, limit, run):
+def _make(target, command, inputs, dependencies, limit):
     record = Path(f"{target}.made")
     known = _read(record)
     if known and known["command"] == command and target.exists() and _stamps(known["stamps"]) == known["stamps"]:
-        return Made(known["output"], 0.0, list(known["stamps"]))
+        return Made(known["output"], 0.0)
     record.unlink(missing_ok=True)
     began = time.monotonic()
     try:
-        result = (run or subprocess.run)(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                         stderr=subprocess.STDOUT, timeout=limit)
+        result = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=limit)
     except subprocess.TimeoutExpired:
         raise CommandFailed(command, f"it took more than {limit} seconds") from None
     output = result.stdout.decode("utf-8", "replace")
@@ -58,7 +55,7 @@ def _make(target, command, inputs, dependencies, limit, run):
     read = list(map(str, inputs)) + (dependencies_in(dependencies) if dependencies else [])
     stamps = _stamps(dict.fromkeys(read))
     record.write_text(json.dumps({"command": command, "output": output, "stamps": stamps}), encoding="utf-8")
-    return Made(output, time.monotonic() - began, read)
+    return Made(output, time.monotonic() - began)
 
 
 @contextmanager

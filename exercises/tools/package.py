@@ -5,14 +5,17 @@ students get it: to grade, no solution is needed. The image must be Debian 12 or
 """
 
 import argparse
+import io
 import sys
 import tempfile
 import zipfile
 from pathlib import Path
 
-from catalogue import find, read_catalogue
+from catalogue import find_all, read_catalogue
 from complaint import Complaint
-from release import release
+from outputs import Outputs
+from plain_text import complain, say, why_unheard
+from release import release, tell_left_out
 
 SETUP = """#!/usr/bin/env bash
 # Run once, when Gradescope makes the image: installs what is needed, and compiles the checks.
@@ -39,25 +42,24 @@ exec "$autograder/source/course/course" grade --no-install --exercises {exercise
 
 
 def package(root, exercises, target):
-    """Writes the zip; it is complete or not there."""
+    """Writes the zip; it is complete or not there. Returns what it leaves out."""
     words = ",".join(exercise.name for exercise in exercises)
-    unfinished = target.with_name(target.name + ".unfinished")
-    with tempfile.TemporaryDirectory(prefix="package-") as scratch:
+    with Outputs() as outputs, tempfile.TemporaryDirectory(prefix="package-") as scratch:
+        write = outputs.open("--output", target)
         course = Path(scratch) / "course"
-        release(root, course)
-        try:
-            with zipfile.ZipFile(unfinished, "w", zipfile.ZIP_DEFLATED) as packed:
-                for name, text in (("setup.sh", SETUP), ("run_autograder", RUN)):
-                    entry = zipfile.ZipInfo(name)
-                    entry.external_attr = 0o100755 << 16
-                    entry.compress_type = zipfile.ZIP_DEFLATED
-                    packed.writestr(entry, text.format(exercises=words))
-                for file in sorted(course.rglob("*")):
-                    if file.is_file():
-                        packed.write(file, f"course/{file.relative_to(course)}")
-            unfinished.replace(target)
-        finally:
-            unfinished.unlink(missing_ok=True)
+        _, left_out = release(root, course)
+        held = io.BytesIO()
+        with zipfile.ZipFile(held, "w", zipfile.ZIP_DEFLATED) as packed:
+            for name, text in (("setup.sh", SETUP), ("run_autograder", RUN)):
+                entry = zipfile.ZipInfo(name)
+                entry.external_attr = 0o100755 << 16
+                entry.compress_type = zipfile.ZIP_DEFLATED
+                packed.writestr(entry, text.format(exercises=words))
+            for file in sorted(course.rglob("*")):
+                if file.is_file():
+                    packed.write(file, f"course/{file.relative_to(course)}")
+        write(held.getvalue())
+    return left_out
 
 
 def main(words):
@@ -71,13 +73,16 @@ def main(words):
     arguments = parser.parse_args(words)
     try:
         catalogue = read_catalogue(arguments.root)
-        exercises = [find(catalogue, word) for word in arguments.exercises.split(",")]
-        package(arguments.root, exercises, arguments.output)
+        exercises = find_all(catalogue, arguments.exercises)
+        left_out = package(arguments.root, exercises, arguments.output)
     except Complaint as complaint:
-        print(f"course: {complaint}", file=sys.stderr)
+        complain(complaint)
         return 2
-    print(f"{arguments.output} is for Gradescope: {', '.join(exercise.title for exercise in exercises)}; "
-          f"{sum(exercise.points for exercise in exercises)} points.")
+    except OSError as error:
+        return why_unheard(error)
+    say(f"{arguments.output} is for Gradescope: {', '.join(exercise.title for exercise in exercises)}; "
+        f"{sum(exercise.points for exercise in exercises)} points.")
+    tell_left_out(left_out)
     return 0
 
 

@@ -14,7 +14,6 @@ class Worker:
     """A student's code as a program for each precision: two, so that they compile side by side."""
     programs: dict  # by precision
     warnings: str
-    read: list      # what the compiler read
 
 
 def prepare(toolchain, exercise):
@@ -31,32 +30,29 @@ def prepare(toolchain, exercise):
     judge = judge_of(toolchain, exercise)
     checks = judge.with_name("checks.o")
     _compile(toolchain, exercise.folder / "checks.cpp", checks, exercise.chapter)
-    parts = [checks, _shared(toolchain, "judge.o")]
+    parts = [checks, shared(toolchain, "judge.o")]
     make(judge, toolchain.link(parts, judge), inputs=parts)
     return judge
 
 
-def build_worker(toolchain, exercise, header_folder, folder, run=None):
-    """Compiles a student's header, found in `header_folder`, into a worker in `folder`.
-
-    `run` starts the compiler another way; then one precision follows the other.
-    """
+def build_worker(toolchain, exercise, header_folder, folder):
+    """Compiles a student's header, found in `header_folder`, into a worker in `folder`."""
     folder.mkdir(parents=True, exist_ok=True)
-    with ThreadPoolExecutor(1 if run else len(PRECISIONS)) as pool:
-        made = list(pool.map(lambda real: _build_answers(toolchain, exercise, real, header_folder, folder, run), PRECISIONS))
-    return Worker({real: folder / f"worker_{real}" for real in PRECISIONS}, made[0].output, made[0].inputs)
+    with ThreadPoolExecutor(len(PRECISIONS)) as pool:
+        made = list(pool.map(lambda real: _build_answers(toolchain, exercise, real, header_folder, folder), PRECISIONS))
+    return Worker({real: folder / f"worker_{real}" for real in PRECISIONS}, made[0].output)
 
 
-def _build_answers(toolchain, exercise, real, header_folder, folder, run):
+def _build_answers(toolchain, exercise, real, header_folder, folder):
     source = folder / f"answers_{real}.cpp"
     text = answers_source(exercise, real)
     if not source.exists() or source.read_text(encoding="utf-8") != text:
         source.write_text(text, encoding="utf-8")
     compiled, worker = folder / f"answers_{real}.o", folder / f"worker_{real}"
     command, dependencies = toolchain.compile(source, compiled, exercise.chapter, first_folders=[header_folder])
-    made = make(compiled, command, dependencies=dependencies, run=run)
-    parts = [compiled, _shared(toolchain, "serve.o")]
-    make(worker, toolchain.link(parts, worker), inputs=parts, run=run)
+    made = make(compiled, command, dependencies=dependencies)
+    parts = [compiled, shared(toolchain, "serve.o")]
+    make(worker, toolchain.link(parts, worker), inputs=parts)
     return made
 
 
@@ -108,12 +104,13 @@ def folder_of(toolchain, exercise):
 
 def compile_shared(toolchain, name):
     """Makes an object file of the code that all exercises share."""
-    compiled = _shared(toolchain, f"{name}.o")
+    compiled = shared(toolchain, f"{name}.o")
     _compile(toolchain, toolchain.common / "exercise" / f"{name}.cpp", compiled, "common")
     return compiled
 
 
-def _shared(toolchain, name):
+def shared(toolchain, name):
+    """What is compiled once for all exercises."""
     return (toolchain.build / "shared").resolve() / name
 
 

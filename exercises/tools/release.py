@@ -17,6 +17,7 @@ from pathlib import Path
 
 from catalogue import read_catalogue
 from complaint import Complaint
+from plain_text import complain, say, why_unheard
 from starter import regions_of
 
 LEFT_OUT = re.compile(r"(solutions|work|build|third_party)/|tests/exercises/(?!CMakeLists|tools/(run|test_|gradescope_format))|"
@@ -26,19 +27,41 @@ LICENCES = {"eigen3.txt": "/usr/share/doc/libeigen3-dev/copyright", "doctest.txt
 LEAST = 12  # letters and signs of a region that can be recognised
 
 
-def course_files(root):
-    """What belongs to the course: what git knows, or all that is there where there is no git."""
-    if (root / ".git").exists():
-        listed = subprocess.run(["git", "-C", str(root), "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
-                                capture_output=True, check=True).stdout.decode()
-        names = [name for name in listed.split("\0") if name and (root / name).exists()]
-    else:
-        names = [str(file.relative_to(root)) for file in root.rglob("*") if file.is_file() or file.is_symlink()]
-    return sorted(set(names))
+def _listed_by_git(root, *options):
+    """Paths below the root. What else a caller's environment says of git, as in one of its hooks, is about another checkout."""
+    environment = {name: value for name, value in os.environ.items() if not name.startswith("GIT_")}
+    try:
+        listed = subprocess.run(["git", "-c", f"safe.directory={os.path.realpath(root)}", "-C", str(root), "ls-files", "-z", *options],
+                                stdin=subprocess.DEVNULL, capture_output=True, check=True, env=environment).stdout
+    except (FileNotFoundError, subprocess.CalledProcessError) as error:
+        said = os.fsdecode(error.stderr).strip() if isinstance(error, subprocess.CalledProcessError) else "git is not installed"
+        raise Complaint(f"{root} is no checkout that git can read, so nobody can tell what belongs to the course from what else lies "
+                        f"there ({said}). Where the course came without git: git init, and git add of what belongs to it") from None
+    return sorted({os.fsdecode(name) for name in listed.split(b"\0") if name})
 
 
 def released_files(root):
-    return [name for name in course_files(root) if not LEFT_OUT.match(name)]
+    """What git tracks and students get, and what is left out although somebody might miss it: by its name, why."""
+    left_out = {name: "git doesn't track it" for name in _listed_by_git(root, "--others", "--exclude-standard", "--directory")}
+    released, inside = [], Path(os.path.realpath(root))
+    for name in _listed_by_git(root, "--cached"):
+        file = root / name
+        if LEFT_OUT.match(name) or not os.path.lexists(file):
+            continue
+        if Path(os.path.realpath(file)) != inside / name:
+            left_out[name] = "it is a symbolic link, or lies behind one"
+        elif not file.is_file():
+            left_out[name] = "it is no file"
+        else:
+            released.append(name)
+    if not released:
+        raise Complaint(f"git tracks no file of {root}; git add of what belongs to the course says what is released")
+    return released, left_out
+
+
+def tell_left_out(left_out):
+    for name, why in left_out.items():
+        say(f"Left out: {name} ({why})")
 
 
 def what_is_left_of_solutions(root, folder, catalogue):
@@ -104,16 +127,18 @@ def write_manifest(folder, catalogue):
 
 
 def release(root, target, toolchain_file=None):
-    """Makes the release, complete or not at all; with a toolchain's file, bundled. Returns how many files it holds."""
+    """Makes the release, complete or not at all; with a toolchain's file, bundled. Returns how many files it holds, and what it leaves
+    out; see released_files."""
     if target.exists() and (not target.is_dir() or any(target.iterdir())):
         raise Complaint(f"{target} is there already and not empty; name a folder that is not there yet")
     if target.resolve().is_relative_to(root.resolve()):
         raise Complaint(f"{target} lies inside the course; a release of it would hold itself")
     catalogue = read_catalogue(root)
+    released, left_out = released_files(root)
     target.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=target.parent, prefix=".release-") as scratch:
         folder = Path(scratch) / "course"
-        for name in released_files(root):
+        for name in released:
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(root / name, folder / name, follow_symlinks=False)
         if toolchain_file:
@@ -125,7 +150,7 @@ def release(root, target, toolchain_file=None):
         if target.exists():
             target.rmdir()
         os.replace(folder, target)
-    return count
+    return count, left_out
 
 
 def main(words):
@@ -137,11 +162,14 @@ def main(words):
     parser.add_argument("--bundle", action="store_true", help="add the headers of Eigen and doctest, with their licences")
     arguments = parser.parse_args(words)
     try:
-        count = release(arguments.root, arguments.folder, arguments.toolchain if arguments.bundle else None)
+        count, left_out = release(arguments.root, arguments.folder, arguments.toolchain if arguments.bundle else None)
     except Complaint as complaint:
-        print(f"course: {complaint}", file=sys.stderr)
+        complain(complaint)
         return 2
-    print(f"{count} files are in {arguments.folder}; MANIFEST.json lists them.")
+    except OSError as error:
+        return why_unheard(error)
+    say(f"{count} files are in {arguments.folder}; MANIFEST.json lists them.")
+    tell_left_out(left_out)
     return 0
 
 

@@ -1,5 +1,6 @@
 """A lab's result as something to look at: show.cpp records what the student's code does, and writes a page that replays it."""
 
+import os
 import subprocess
 
 from limits import Limits, confine
@@ -15,10 +16,11 @@ def has_replay(exercise):
 
 def make_replay(toolchain, exercise, header_folder, folder, page):
     """Writes the page. Returns why it could not, or an empty text; and the compiler's warnings."""
+    parent = os.getpid()
     try:
         program, warnings = build_show(toolchain, exercise, header_folder, folder)
         result = subprocess.run([str(program), str(page)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                stderr=subprocess.STDOUT, timeout=4 * LIMITS.seconds, preexec_fn=lambda: confine(LIMITS))
+                                stderr=subprocess.STDOUT, timeout=4 * LIMITS.seconds, preexec_fn=lambda: confine(LIMITS, parent))
     except subprocess.TimeoutExpired:
         return "its program took too long", ""
     except CommandFailed as failure:

@@ -1,15 +1,25 @@
 """What a grader hands on: text for a person, JSON, JUnit's XML, Gradescope's results.json, and marks as CSV."""
 
 import csv
+import functools
+import io
 import json
 import textwrap
 from xml.etree import ElementTree
 
+from plain_text import all_plain
 
+
+def _plain(write):
+    """Whatever is handed on holds plain text alone."""
+    return functools.wraps(write)(lambda results: write(all_plain(results)))
+
+
+@_plain
 def text(results):
     lines = []
     for result in results:
-        lines.append(f"{result['submission']}: {result['points']} of {result['of']} points ({result['seconds']:.1f} s)")
+        lines.append(f"{result['submission']}: {result['points']} of {result['of']} points")
         for exercise in result["exercises"]:
             points = sum(check["points"] for check in exercise["checks"])
             lines.append(f"  {exercise['exercise']}: {points} of {sum(check['of'] for check in exercise['checks'])}")
@@ -23,10 +33,13 @@ def text(results):
     return "\n".join(lines)
 
 
+@_plain
 def as_json(results):
-    return json.dumps(results, indent=1, ensure_ascii=False)
+    told = ("submission", "student", "points", "of", "exercises")  # the time is another in each run
+    return json.dumps([{key: result[key] for key in told} for result in results], indent=1, ensure_ascii=False)
 
 
+@_plain
 def junit(results):
     suites = ElementTree.Element("testsuites")
     for result in results:
@@ -36,13 +49,14 @@ def junit(results):
                                            tests=str(len(exercise["checks"])), failures=str(len(failures)), errors="0", skipped="0")
             for check in exercise["checks"]:
                 case = ElementTree.SubElement(suite, "testcase", classname=exercise["exercise"].replace("/", "."),
-                                              name=_printable(check["sentence"]))
+                                              name=check["sentence"])
                 if check["status"] != "passed":
-                    said = _printable(exercise["reason"] or check["message"])
+                    said = exercise["reason"] or check["message"]
                     ElementTree.SubElement(case, "failure", message=said, type=check["status"]).text = said
     return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(suites, encoding="unicode")
 
 
+@_plain
 def gradescope(results):
     """One submission, in the form that Gradescope publishes for results.json of an autograder."""
     result, = results
@@ -63,26 +77,23 @@ def gradescope(results):
                        "extra_data": {"flags": flags}}, indent=1, ensure_ascii=False)
 
 
-def write_marks(file, results):
+@_plain
+def marks(results):
     """student, submission, points, of, and the points of each exercise."""
-    paths = [exercise["exercise"] for exercise in results[0]["exercises"]] if results else []
-    with open(file, "w", newline="", encoding="utf-8") as out:
-        table = csv.writer(out)
-        table.writerow(["student", "submission", "points", "of", *paths, "to look at"])
-        for result in results:
-            each = [sum(check["points"] for check in exercise["checks"]) for exercise in result["exercises"]]
-            flags = "; ".join(f"{exercise['exercise']} {flag}" for exercise in result["exercises"] for flag in exercise["flags"])
-            table.writerow([result["student"], result["submission"], result["points"], result["of"], *each, flags])
+    out = io.StringIO(newline="")
+    table = csv.writer(out)
+    table.writerow(["student", "submission", "points", "of", *(exercise["exercise"] for result in results[:1]
+                                                                 for exercise in result["exercises"]), "to look at"])
+    for result in results:
+        each = [sum(check["points"] for check in exercise["checks"]) for exercise in result["exercises"]]
+        flags = "; ".join(f"{exercise['exercise']} {flag}" for exercise in result["exercises"] for flag in exercise["flags"])
+        table.writerow([result["student"], result["submission"], result["points"], result["of"], *each, flags])
+    return out.getvalue()
 
 
 def _indented(said, indent):
     return [line for part in said.splitlines() for line in
             textwrap.wrap(part, 110, initial_indent=indent, subsequent_indent=indent)]
-
-
-def _printable(said):
-    """Without the letters that XML has no way to hold."""
-    return "".join(letter for letter in said if letter in "\t\n" or " " <= letter <= "\ud7ff" or "\ue000" <= letter <= "\ufffd")
 
 
 FORMATS = {"text": text, "json": as_json, "junit": junit, "gradescope": gradescope}

@@ -1,16 +1,20 @@
 """Runs one check: a judge that asks and a worker, in which the student's code answers, each a process of its own."""
 
+import errno
 import json
 import os
+import resource
 import selectors
 import signal
 import subprocess
 import time
 from dataclasses import dataclass
 
-from limits import Limits, confine
+from confined import end_group
+from limits import Limits, confine, end_with
 
 PASSED, FAILED, TODO, BROKEN = "passed", "failed", "not written yet", "broken"
+OF_THE_MACHINE = (errno.EAGAIN, errno.ENOMEM, errno.EMFILE, errno.ENFILE)  # why a program does not start that is sound
 
 
 @dataclass(frozen=True)
@@ -25,15 +29,22 @@ def run_check(judge, number, workers, parameters=(), limits=Limits(), folder=Non
     """The outcome of check `number` in both precisions; `workers` has a program for each. `folder` is where they run."""
     began, printed = time.monotonic(), ""
     for precision, worker in workers.items():
-        with _Pair(judge, number, precision, worker, parameters, limits, folder) as pair:
-            reason = pair.run()
-        status, message = _outcome(pair, reason, limits)
-        printed = printed or pair.printed["worker"].decode("utf-8", "replace")
+        try:
+            with _Pair(judge, number, precision, worker, parameters, limits, folder) as pair:
+                reason = pair.run()
+            status, message = _outcome(pair, reason, limits)
+            printed = printed or pair.printed["worker"].decode("utf-8", "replace")
+        except _NotStarted as error:
+            status, message = FAILED, f"the program could not be started: {error}"
         if status != PASSED:
             if status == FAILED and precision == "float":
                 message = f"in float, {message}"
             break
     return Outcome(status, message, printed, time.monotonic() - began)
+
+
+class _NotStarted(Exception):
+    """The worker is no program that the system starts."""
 
 
 class _Pair:
@@ -42,20 +53,23 @@ class _Pair:
     def __init__(self, judge, number, precision, worker, parameters, limits, folder):
         self.limits, self.printed = limits, {"judge": b"", "worker": b""}
         self.judged = False  # whether the judge has said all that it had to say
+        self.ended_from_outside = False
+        self.computing = _computing_of_children()
         question_out, question_in = os.pipe()
         reply_out, reply_in = os.pipe()
         pipes = [question_out, question_in, reply_out, reply_in]
         self.worker = self.judge = None
+        parent = os.getpid()
         try:
-            self.worker = subprocess.Popen(
+            self.worker = _started(
                 [str(worker), str(question_out), str(reply_in)], pass_fds=(question_out, reply_in),
                 stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, cwd=folder, env={},
-                start_new_session=True, preexec_fn=lambda: confine(limits))
+                start_new_session=True, preexec_fn=lambda: confine(limits.reaching(str(worker)), parent))
             self.judge = subprocess.Popen(
                 [str(judge), str(number), precision, str(question_in), str(reply_out)] +
                 [f"{name}={value!r}" for name, value in parameters],
                 pass_fds=(question_in, reply_out), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                stderr=subprocess.STDOUT)
+                stderr=subprocess.STDOUT, preexec_fn=lambda: end_with(parent))
         except BaseException:
             self.end()
             raise
@@ -103,16 +117,24 @@ class _Pair:
         if self.worker:
             try:
                 self.worker.wait(timeout=0.2 if self.judged else 0)  # no more questions: a sound worker ends by itself
+                self.ended_from_outside = self.worker.returncode == -signal.SIGKILL  # a worker can't end itself so
             except subprocess.TimeoutExpired:
                 pass
-            try:
-                os.killpg(self.worker.pid, signal.SIGKILL)
-            except (ProcessLookupError, PermissionError):
-                pass
+            end_group(self.worker.pid)
             self.worker.wait()
+            self.computing = _computing_of_children() - self.computing
             os.set_blocking(self.worker.stdout.fileno(), False)
             self.printed["worker"] += self.worker.stdout.read(1 << 16) or b""
             self.worker.stdout.close()
+
+
+def _started(command, **options):
+    try:
+        return subprocess.Popen(command, **options)
+    except OSError as error:
+        if error.errno in OF_THE_MACHINE:
+            raise
+        raise _NotStarted(error.strerror) from None
 
 
 def _outcome(pair, reason, limits):
@@ -128,8 +150,17 @@ def _outcome(pair, reason, limits):
         said = pair.printed["judge"].decode("utf-8", "replace").strip()
         return BROKEN, f"the check itself failed, which is no fault of yours: {said or pair.judge.returncode}"
     if status == "silent":
-        return FAILED, _no_end(limits) if pair.worker.returncode == -signal.SIGXCPU else _silence(pair)
+        out_of_time = pair.worker.returncode == -signal.SIGXCPU or pair.ended_from_outside and pair.computing >= limits.seconds
+        if pair.ended_from_outside and not out_of_time:
+            return BROKEN, "the program was ended from outside; is there too little memory?"
+        return FAILED, _no_end(limits) if out_of_time else _silence(pair)
     return {"passed": PASSED, "todo": TODO}.get(status, FAILED), message
+
+
+def _computing_of_children():
+    """Seconds of all that have ended so far."""
+    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return usage.ru_utime + usage.ru_stime
 
 
 def _no_end(limits):
@@ -146,7 +177,7 @@ def _silence(pair):
              signal.SIGABRT: "it gave up, as after a failed assertion or an exception that nobody caught",
              signal.SIGFPE: "a whole number was divided by zero",
              signal.SIGXFSZ: "it wrote a file larger than it may",
-             signal.SIGPIPE: "it wrote to a pipe that nobody reads", signal.SIGKILL: "it was ended from outside"}
+             signal.SIGPIPE: "it wrote to a pipe that nobody reads"}
     return f"the program crashed: {names.get(-code, f'signal {-code}')}.{said}"
 
 

@@ -6,6 +6,7 @@ Linux alone has such a filter (seccomp). It needs no rights, and whatever the pr
 import ctypes
 import os
 import platform
+import signal
 import struct
 import sys
 
@@ -18,7 +19,7 @@ CALLS = {
         gettimeofday=96, getrlimit=97, getrusage=98, sysinfo=99, times=100, getuid=102, getgid=104, geteuid=107, getegid=108,
         getppid=110, sigaltstack=131, arch_prctl=158, gettid=186, time=201, futex=202, sched_getaffinity=204, getdents64=217,
         set_tid_address=218, restart_syscall=219, clock_gettime=228, clock_getres=229, clock_nanosleep=230, exit_group=231,
-        tgkill=234, openat=257, newfstatat=262, readlinkat=267, faccessat=269, ppoll=271, set_robust_list=273, prlimit64=302,
+        tgkill=234, openat=257, newfstatat=262, readlinkat=267, faccessat=269, ppoll=271, set_robust_list=273,
         getrandom=318, statx=332, rseq=334, close_range=436, faccessat2=439)),
     "aarch64": (0xC00000B7, dict(
         getcwd=17, fcntl=25, faccessat=48, openat=56, close=57, getdents64=61, lseek=62, read=63, write=64, readv=65, writev=66,
@@ -27,7 +28,7 @@ CALLS = {
         sched_yield=124, restart_syscall=128, tgkill=131, sigaltstack=132, rt_sigaction=134, rt_sigprocmask=135, rt_sigreturn=139,
         times=153, uname=160, getrlimit=163, getrusage=165, gettimeofday=169, getpid=172, getppid=173, getuid=174, geteuid=175,
         getgid=176, getegid=177, gettid=178, sysinfo=179, brk=214, munmap=215, mremap=216, execve=221, mmap=222, mprotect=226,
-        madvise=233, prlimit64=261, getrandom=278, statx=291, rseq=293, close_range=436, faccessat2=439)),
+        madvise=233, getrandom=278, statx=291, rseq=293, close_range=436, faccessat2=439)),
 }
 # A file that is opened with one of these could be changed.
 CHANGES = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND | 0o20000000  # the last: a file without a name
@@ -57,11 +58,11 @@ def seal():
 
 
 def _refusals(process):
-    """Of calls that could do harm: which argument, and when it is refused. The last word: whether that is when the test holds."""
-    return {"open": (1, HOLDS_ANY_OF, CHANGES, True), "openat": (2, HOLDS_ANY_OF, CHANGES, True),
-            "fcntl": (1, EXCEEDS, 3, True),         # beyond 3 are orders to send signals
-            "prlimit64": (0, EXCEEDS, 0, True),     # 0 is itself
-            "tgkill": (0, EQUALS, process, False)}  # it may end itself, as abort() does
+    """Of calls that could do harm: which arguments, and when each is refused. The last word: whether that is when the test holds."""
+    return {"open": [(1, HOLDS_ANY_OF, CHANGES, True)], "openat": [(2, HOLDS_ANY_OF, CHANGES, True)],
+            "fcntl": [(1, EXCEEDS, 3, True)],  # beyond 3 are orders to send signals
+            # It may end itself, as abort() does, but not as the system ends a program when memory runs out.
+            "tgkill": [(0, EQUALS, process, False), (2, EQUALS, int(signal.SIGKILL), True)]}
 
 
 def _filter(machine, calls, process):
@@ -76,10 +77,10 @@ def _filter(machine, calls, process):
             yield EQUALS, 0, 1, number
             yield RETURN, 0, 0, ALLOWED
             continue
-        argument, test, value, refused_if = refusals[name]
-        yield EQUALS, 0, 4, number
-        yield LOAD, 0, 0, FIRST_ARGUMENT + 8 * argument
-        yield test, int(refused_if), int(not refused_if), value
+        yield EQUALS, 0, 3 * len(refusals[name]) + 1, number
+        for argument, test, value, refused_if in refusals[name]:
+            yield LOAD, 0, 0, FIRST_ARGUMENT + 8 * argument
+            yield test, int(not refused_if), int(refused_if), value
+            yield RETURN, 0, 0, REFUSED
         yield RETURN, 0, 0, ALLOWED
-        yield RETURN, 0, 0, REFUSED
     yield RETURN, 0, 0, REFUSED

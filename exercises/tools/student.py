@@ -12,6 +12,7 @@ from compiler_says import first_message, why_not
 from complaint import Complaint
 from hints import read_hints
 from made import CommandFailed
+from plain_text import complain, say, why_unheard
 from programs import build_worker, folder_of, judge_of, prepare
 from progress import Progress, bar
 from replay import has_replay, make_replay
@@ -33,7 +34,11 @@ class Student:
     def named(self, word):
         """The exercise of that name; without one, the one last worked on."""
         if word:
-            return find(self.catalogue, word)
+            exercise = find(self.catalogue, word)
+            name = Path(word).name
+            if Path(name).suffix and not any((folder / name).exists() for folder in (exercise.folder, self.place.folder_of(exercise))):
+                raise Complaint(f"{word} names {name}, which is no file of {exercise.name}; yours is {exercise.header}")
+            return exercise
         for path in reversed(self.progress.standings()):
             for exercise in self.catalogue:
                 if exercise.path == path and self.place.started(exercise):
@@ -52,13 +57,13 @@ class Student:
             self.place.take_key(arguments.key)
         fresh = self.place.start(exercise)
         self.progress.note(exercise.path, "started")
-        print(f"{exercise.title}, about {exercise.minutes} minutes, {exercise.points} points")
-        print(f"  the task   {self._shown(self.place.folder_of(exercise) / 'task.md')}")
-        print(f"  your copy  {self._shown(self.place.header_of(exercise))}" + ("" if fresh else ", kept as you left it"), flush=True)
+        say(f"{exercise.title}, about {exercise.minutes} minutes, {exercise.points} points")
+        say(f"  the task   {self._shown(self.place.folder_of(exercise) / 'task.md')}")
+        say(f"  your copy  {self._shown(self.place.header_of(exercise))}" + ("" if fresh else ", kept as you left it"))
         if not judge_of(self.toolchain(), exercise).exists():
-            print("Its checks are compiled once; then you can begin.", flush=True)
+            say("Its checks are compiled once; then you can begin.")
         prepare(self.toolchain(), exercise)  # so that the first verdict comes as soon as all others
-        print(f"Edit your copy, then ./course check {exercise.name}; or leave ./course watch {exercise.name} running.")
+        say(f"Edit your copy, then ./course check {exercise.name}; or leave ./course watch {exercise.name} running.")
         return 0
 
     def check(self, arguments):
@@ -72,13 +77,12 @@ class Student:
         watch = Watch(self.place.header_of(exercise), arguments.polling)
         try:
             self._check(exercise)
-            print(f"\nWatching {self._shown(self.place.header_of(exercise))}; end with Ctrl-C.", flush=True)
+            say(f"\nWatching {self._shown(self.place.header_of(exercise))}; end with Ctrl-C.")
             while watch.wait():
-                print(f"\n--- saved at {time.strftime('%H:%M:%S')}", flush=True)
+                say(f"\n--- saved at {time.strftime('%H:%M:%S')}")
                 self._check(exercise)
-                sys.stdout.flush()
         except KeyboardInterrupt:
-            print()
+            say()
         finally:
             watch.close()
         return 0
@@ -88,14 +92,14 @@ class Student:
         hints = read_hints(exercise.folder / "hints.md")
         shown = min(self.progress.standing(exercise.path).hints + 1, len(hints))
         self.progress.note(exercise.path, "hint", str(shown))
-        print(f"Hint {shown} of {len(hints)} for {exercise.title}\n\n{hints[shown - 1]}")
+        say(f"Hint {shown} of {len(hints)} for {exercise.title}\n\n{hints[shown - 1]}")
         return 0
 
     def next(self, _):
         exercise = self._next()
-        print(f"{exercise.title} ({exercise.path}), about {exercise.minutes} minutes, {exercise.points} points")
-        print("You will " + "; ".join(exercise.goals) + ".")
-        print(f"./course start {exercise.name}")
+        say(f"{exercise.title} ({exercise.path}), about {exercise.minutes} minutes, {exercise.points} points")
+        say("You will " + "; ".join(exercise.goals) + ".")
+        say(f"./course start {exercise.name}")
         return 0
 
     def show_progress(self, _):
@@ -104,23 +108,23 @@ class Student:
         for exercise in self.catalogue:
             if exercise.chapter != chapter:
                 chapter = exercise.chapter
-                print(chapter)
+                say(chapter)
             standing = standings.get(exercise.path)
             best = min(standing.best, exercise.points) if standing else 0
             points, whole = points + best, whole + exercise.points
             state = "" if not standing else "solved" if standing.solved else "begun"
             if standing and standing.hints:
                 state += f", {standing.hints} of 3 hints"
-            print(f"  {exercise.name:<20}{bar(best, exercise.points, 10)} {best:>2} of {exercise.points:<3}{state}".rstrip())
+            say(f"  {exercise.name:<20}{bar(best, exercise.points, 10)} {best:>2} of {exercise.points:<3}{state}".rstrip())
         solved = sum(1 for exercise in self.catalogue if exercise.path in standings and standings[exercise.path].solved)
-        print(f"\n{bar(points, whole)} {points} of {whole} points, {solved} of {len(self.catalogue)} exercises solved")
+        say(f"\n{bar(points, whole)} {points} of {whole} points, {solved} of {len(self.catalogue)} exercises solved")
         return 0
 
     def reset(self, arguments):
         exercise = self.named(arguments.word)
         backup = self.place.reset(exercise)
         self.progress.note(exercise.path, "reset")
-        print(f"{self._shown(self.place.header_of(exercise))} is the starter again; what was there is {backup.name}")
+        say(f"{self._shown(self.place.header_of(exercise))} is the starter again; what was there is {backup.name}")
         return 0
 
     def compare(self, arguments):
@@ -135,9 +139,9 @@ class Student:
         other = solution_without_marks((solutions / exercise.header).read_text(encoding="utf-8"))
         difference = difflib.unified_diff(mine.splitlines(), other.splitlines(), "yours", "the course's", lineterm="", n=2)
         text = "\n".join(difference)
-        print(text if text else "Yours is the course's, to the letter.")
+        say(text if text else "Yours is the course's, to the letter.")
         why = solutions / "why.md"
-        print(f"\n--- {self._shown(why)}\n\n{why.read_text(encoding='utf-8').strip()}")
+        say(f"\n--- {self._shown(why)}\n\n{why.read_text(encoding='utf-8').strip()}")
         self.progress.note(exercise.path, "compared")
         return 0
 
@@ -148,28 +152,28 @@ class Student:
         began = time.monotonic()
         toolchain, header = self.toolchain(), self.place.header_of(exercise)
         folder = folder_of(toolchain, exercise) / "mine"
-        print(exercise.title)
+        say(exercise.title)
         try:
             judge_program = prepare(toolchain, exercise)
             worker = build_worker(toolchain, exercise, header.parent, folder)
         except CommandFailed as failure:
-            print("\nIt doesn't compile. The compiler's first complaint:\n")
-            print(why_not(failure.output, exercise))
+            say("\nIt doesn't compile. The compiler's first complaint:\n")
+            say(why_not(failure.output, exercise))
             self._times(began, None)
             return False
         compiled = time.monotonic() - began
         verdict = judge(exercise, judge_program, worker.programs, self.place.parameters(exercise))
         warning = first_message(worker.warnings, header, "warning")
-        print("\n".join(said(exercise, verdict)))
+        say("\n".join(said(exercise, verdict)))
         if warning:
-            print("\nThe compiler wonders:\n" + warning)
+            say("\nThe compiler wonders:\n" + warning)
         points = verdict.points(exercise)
         self.progress.note(exercise.path, "solved" if verdict.solved else "checked", f"{points}/{exercise.points}")
         self._times(began, compiled, f"{points} of {exercise.points} points {bar(points, exercise.points, 20)}")
         if has_replay(exercise) and (verdict.solved or show):
             page = header.with_suffix(".html")
             failure, _ = make_replay(toolchain, exercise, header.parent, folder, page)
-            print(f"\nThe replay was not made: {failure}" if failure else f"\nSee it move: open {self._shown(page)} in a browser.")
+            say(f"\nThe replay was not made: {failure}" if failure else f"\nSee it move: open {self._shown(page)} in a browser.")
         if verdict.solved:
             self._praise(exercise)
         return verdict.solved
@@ -177,16 +181,16 @@ class Student:
     def _times(self, began, compiled, points="no points yet"):
         whole = time.monotonic() - began
         parts = "" if compiled is None else f", of which {compiled:.1f} s to compile"
-        print(f"\n{points}   ({whole:.1f} s{parts})")
+        say(f"\n{points}   ({whole:.1f} s{parts})")
 
     def _praise(self, exercise):
-        print(f"\nSolved. {exercise.learned}")
+        say(f"\nSolved. {exercise.learned}")
         if (self.root / "solutions" / exercise.path).exists():
-            print(f"The course's own way, and why: ./course compare {exercise.name}")
+            say(f"The course's own way, and why: ./course compare {exercise.name}")
         try:
-            print(f"Next: {self._next().title}, ./course start {self._next().name}")
+            say(f"Next: {self._next().title}, ./course start {self._next().name}")
         except Complaint as complaint:
-            print(complaint)
+            say(complaint)
 
     def _next(self):
         """The first unsolved exercise after the one last worked on, or else from the beginning on."""
@@ -222,15 +226,14 @@ def main(words):
         method = {"progress": "show_progress"}.get(arguments.command, arguments.command)
         return getattr(student, method)(arguments)
     except Complaint as complaint:
-        print(f"course: {complaint}", file=sys.stderr)
+        complain(complaint)
         return 2
     except KeyboardInterrupt:
         return 130
-    except BrokenPipeError:  # whoever read what is printed has read enough
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 141
+    except OSError as error:
+        return why_unheard(error)
     except CommandFailed as failure:  # what is compiled without any of the student's code
-        print(f"course: the course's own code doesn't compile:\n{failure.output}", file=sys.stderr)
+        complain(f"the course's own code doesn't compile:\n{failure.output}")
         return 2
 
 

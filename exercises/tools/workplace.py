@@ -7,6 +7,7 @@ from datetime import datetime
 from pathlib import Path
 
 from complaint import Complaint
+from outputs import write_whole
 
 
 class Workplace:
@@ -20,23 +21,25 @@ class Workplace:
         return self.folder_of(exercise) / exercise.header
 
     def started(self, exercise):
-        return self.header_of(exercise).exists()
+        """An empty file holds nobody's work: it is what a full disk leaves."""
+        header = self.header_of(exercise)
+        return header.exists() and header.stat().st_size > 0
 
     def start(self, exercise):
         """Copies the starter and the task. A copy that is there already is left as it is; says whether it made one."""
         folder = self.folder_of(exercise)
         folder.mkdir(parents=True, exist_ok=True)
         task = (exercise.folder / "task.md").read_text(encoding="utf-8")
-        (folder / "task.md").write_text(with_parameters(task, exercise, self.parameters(exercise)), encoding="utf-8")
+        write_whole(folder / "task.md", with_parameters(task, exercise, self.parameters(exercise)).encode())
         if self.started(exercise):
             return False
-        shutil.copyfile(exercise.folder / exercise.header, self.header_of(exercise))
+        write_whole(self.header_of(exercise), (exercise.folder / exercise.header).read_bytes())
         return True
 
     def reset(self, exercise):
         """The starter again; returns the dated copy of what was there."""
         header = self.header_of(exercise)
-        if not header.exists():
+        if not self.started(exercise):
             raise Complaint(f"{exercise.name} was not started, so there is nothing to reset")
         stamp = datetime.now().strftime("%Y-%m-%d_%H-%M-%S")
         backup = header.with_name(f"{exercise.name}.{stamp}.hpp")
@@ -44,8 +47,8 @@ class Workplace:
         while backup.exists():
             count += 1
             backup = header.with_name(f"{exercise.name}.{stamp}_{count}.hpp")
-        header.rename(backup)
-        self.start(exercise)
+        shutil.copy2(header, backup)  # so that whatever fails, what was written is there
+        write_whole(header, (exercise.folder / exercise.header).read_bytes())
         return backup
 
     @property
@@ -60,7 +63,7 @@ class Workplace:
         if not re.fullmatch(r"[A-Za-z0-9_.-]+", key):
             raise Complaint(f'the key is "{key}"; it must be letters, digits and the signs _ . -')
         self.folder.mkdir(parents=True, exist_ok=True)
-        (self.folder / "key").write_text(key + "\n", encoding="utf-8")
+        write_whole(self.folder / "key", f"{key}\n".encode())
 
     def parameters(self, exercise):
         return drawn_parameters(exercise, self.key)
@@ -72,7 +75,7 @@ def drawn_parameters(exercise, key):
     for parameter in exercise.parameters:
         value = parameter.usual
         if key:
-            seed = hashlib.sha256(f"{key} {exercise.path} {parameter.name}".encode()).digest()
+            seed = hashlib.sha256(f"{key} {exercise.path} {parameter.name}".encode("utf-8", "surrogateescape")).digest()
             steps = round((parameter.most - parameter.least) / parameter.step)
             value = parameter.least + int.from_bytes(seed[:8], "big") % (steps + 1) * parameter.step
         values.append((parameter.name, float(f"{value:.10g}")))

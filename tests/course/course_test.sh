@@ -10,7 +10,7 @@ failures=0
 rm -rf "$scratch"
 mkdir -p "$scratch/tree/chapters/01_force" "$scratch/tree/chapters/02_torque" "$scratch/bin"
 cp -R "$source/course" "$source/tools" "$scratch/tree"
-for tool in bash awk basename cat date dirname env getconf grep mkdir rm sed tail tee touch wc; do
+for tool in bash awk basename cat date dirname env find getconf grep mkdir readlink rm sed tail tee touch wc; do
   ln -s "$(command -v $tool)" "$scratch/bin/$tool"
 done
 # The system that the copy believes to run on.
@@ -85,12 +85,27 @@ course check
 verify "a missing chapter is asked for" says "which chapter?"
 course book --pfd
 verify "the nearest option is offered" says "Did you mean --pdf?"
+for words in "bench extra" "book 01" "test 01" "run 01 --pdf" "check 01 --all" "book --show" "run 01 02" "run 01 --hepl"; do
+  # shellcheck disable=SC2086  # a list of words
+  course $words
+  verify "$words is refused" ends_with 2
+done
 verify "no mistake of the reader's starts anything" called_nothing
+mkdir "$scratch/links"
+ln -s "$scratch/tree/course" "$scratch/links/absolute"
+ln -s ../links/absolute "$scratch/links/course"
+output=$(cd / && PATH=$scratch/bin "$scratch/links/course" check fource 2>&1 </dev/null) code=$?
+verify "a link to it finds the course" says "02_torque"
 
+mkdir -p "$scratch/tree/chapters/01_force/tumble"
+touch "$scratch/tree/chapters/01_force/tumble/force.hpp"
 for word in 1 01 force 01_force chapters/01_force/ /a/b/chapters/01_force/tumble/force.hpp; do
   course check $word
   verify "check understands $word" says "The checks of 01_force hold."
 done
+course check chapters/01_force/tumble/fource.hpp
+verify "a file that is not there is no file to check" ends_with 2
+verify "and the nearest one is offered" says "Did you mean force.hpp?"
 touch "$scratch/tree/chapters/01_force/force_checks.cpp"
 for word in chapters/01_force/tumble/force.hpp /a/b/chapters/01_force/force_checks.cpp; do
   course check $word
@@ -128,6 +143,10 @@ verify "and all of them" says "'a class/ada' '--format' 'json'"
 rm "$scratch/called"
 course hint moon
 verify "what needs no compiler configures nothing" called_nothing
+course grade merge "a part"
+verify "merging configures nothing" called_nothing
+verify "and gives its words to grade" says "'merge' 'a part'"
+verify "no variable of the caller's changes what Python imports" says "python3 '-E' '-B'"
 rm -r "$scratch/tree/exercises" "$scratch/tree/work" "$scratch/bin/python3"
 
 course simulate "a scene.json" --csv "a file.csv" --no-install --all
@@ -186,6 +205,16 @@ course check 1 --no-install
 verify "--no-install says what is missing" says "not installed because of --no-install: g++ make"
 verify "--no-install installs nothing" [ "${called/apt-get/}" = "$called" ]
 verify "--no-install goes on" called "cmake --build"
+
+if command -v flock >/dev/null; then
+  fresh debian 12
+  for tool in flock rmdir sleep; do ln -s "$(command -v $tool)" "$scratch/bin/$tool"; done
+  stand_in cmake <<<'mkdir "$CALLED.at_work" || echo "two at once" >>"$CALLED"; sleep 0.3; rmdir "$CALLED.at_work"; exit 1'
+  (course check 1) &
+  course check 1
+  wait
+  verify "two first checks at once configure one after the other" [ "${called/two at once/}" = "$called" ]
+fi
 
 fresh debian 12
 rm "$scratch/bin/getconf"

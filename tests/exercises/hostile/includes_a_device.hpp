@@ -1,5 +1,5 @@
 // earns: 0
-// because: an include names a header
+// because: it doesn't compile
 #pragma once
 #include "/dev/zero"
 

@@ -1,5 +1,5 @@
 // earns: 0
-// because: an include names a header of the course or of C++, by its plain name
+// because: it doesn't compile
 #pragma once
 // clang-format off
 #define SOLUTION "@ROOT@/solutions/01_force/doubled/doubled.hpp"

@@ -1,53 +1,12 @@
-"""Grading: a class of forty with known points, hostile submissions, and what is handed on."""
+"""Grading: a class of forty with known points, and what is handed on."""
 
 import csv
-import hashlib
 import json
-import os
-import re
 import shutil
-import subprocess
-import sys
-import tempfile
-import unittest
-from pathlib import Path
 from xml.etree import ElementTree
 
-from fixture import HERE, ROOT, FixtureCourse
 from gradescope_format import mistakes_in
-from sealed import can_seal
-
-HOSTILE = HERE.parent / "hostile"
-RIGHT = """#pragma once
-template <class Real> Real doubled(Real number) { return number + number; }
-template <class Real> Real halved(Real number) { return number / 2; }
-"""
-
-
-class Grading(FixtureCourse):
-    def setUp(self):
-        super().setUp()
-        folder = tempfile.TemporaryDirectory(prefix="a class ")
-        self.addCleanup(folder.cleanup)
-        self.submissions = Path(folder.name)
-
-    def hand_in(self, name, text):
-        place = self.submissions / name
-        place.mkdir()
-        if text is not None:
-            (place / "doubled.hpp").write_bytes(text if isinstance(text, bytes) else text.encode())
-        return place
-
-    def grade(self, *options, folders=None, code=0):
-        folders = sorted(self.submissions.iterdir()) if folders is None else folders
-        result = subprocess.run([sys.executable, "-B", str(ROOT / "exercises" / "tools" / "grade.py"), "--root", str(self.root),
-                                 "--toolchain", str(self.toolchain_file), "--seconds", "2", *options, *map(str, folders)],
-                                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=1800)
-        self.assertEqual(result.returncode, code, result.stderr.decode())
-        return result.stdout.decode() if code == 0 else result.stderr.decode()
-
-    def graded(self, *options, **others):
-        return {result["submission"]: result for result in json.loads(self.grade("--format", "json", *options, **others))}
+from grading import RIGHT, Grading
 
 
 class AClass(Grading):
@@ -115,68 +74,4 @@ class AClass(Grading):
         self.assertIn("is no folder; a submission is a folder", self.grade(folders=[place / "doubled.hpp"], code=2))
         self.assertIn("two submissions are called ada", self.grade(folders=[place, place], code=2))
         self.assertIn("no exercise is called hamer", self.grade("--exercises", "hamer", code=2))
-        self.assertIn("seconds is -1.0", self.grade("--seconds", "-1", code=2))
-
-
-@unittest.skipUnless(can_seal() or os.geteuid() == 0, "here the code of a submission has the tester's own rights")
-class Hostile(Grading):
-    def hand_in_all(self):
-        expected = {}
-        for file in sorted(HOSTILE.glob("*.hpp")):
-            text = file.read_text(encoding="utf-8")
-            head = re.match(r"// earns: (\d)\n// because: (.+?)\n(?!//)", text, flags=re.DOTALL)
-            expected[file.stem] = int(head[1]), re.sub(r"\s*\n// ", " ", head[2])
-            self.hand_in(file.stem, text.replace("@ROOT@", str(self.root)))
-        for name, text, reason in (("is_empty", b"", "doubled.hpp is empty"), ("is_blank", b" \n\n", "doubled.hpp is empty"),
-                                   ("is_not_utf8", b"// caf\xe9\n" + RIGHT.encode(), "not UTF-8: byte 6 is 0xe9"),
-                                   ("holds_a_zero", RIGHT.encode() + b"\0", "holds a zero byte"),
-                                   ("is_huge", b"/" * 300_000, "larger than 256 KB"),
-                                   ("is_missing", None, "doubled.hpp was not handed in")):
-            self.hand_in(name, text)
-            expected[name] = 0, reason
-        link = self.hand_in("is_a_link", None) / "doubled.hpp"
-        link.symlink_to(self.solution)
-        expected["is_a_link"] = 0, "doubled.hpp is a symbolic link"
-        (self.hand_in("has_a_linked_folder", None) / "doubled").symlink_to(self.solution.parent)
-        expected["has_a_linked_folder"] = 0, "doubled is a symbolic link"
-        (self.hand_in("is_a_folder", None) / "doubled.hpp").mkdir()
-        expected["is_a_folder"] = 0, "is no file"
-        os.mkfifo(self.hand_in("is_a_pipe", None) / "doubled.hpp")
-        expected["is_a_pipe"] = 0, "is no file"
-        for name in ("aaa_honest", "zzz_honest"):
-            self.hand_in(name, RIGHT)
-            expected[name] = 3, ""
-        return expected
-
-    def test_each_gets_what_it_earns_and_nobody_else_is_touched(self):
-        expected = self.hand_in_all()
-        self.assertGreaterEqual(len(expected), 30)
-        self.grade(folders=[self.submissions / "aaa_honest"])  # so that everything is made
-        before = self.files()
-        results = self.graded("--jobs", "2")
-        for name, (points, because) in expected.items():
-            with self.subTest(name):
-                exercise, = results[name]["exercises"]
-                said = " ".join([exercise["reason"], *exercise["flags"], *(check["message"] for check in exercise["checks"])])
-                self.assertEqual(results[name]["points"], points, said)
-                self.assertIn(because, said)
-        self.assertEqual(self.files(), before)
-        self.assertEqual(self.processes_of_students(), [])
-
-    def files(self):
-        """What the grader's own files hold, judge included."""
-        folders = [self.root / name for name in ("exercises/01_force", "solutions", "build/01_force")] + [ROOT / "exercises"]
-        return {str(file): hashlib.sha256(file.read_bytes()).hexdigest()
-                for folder in folders for file in sorted(folder.rglob("*")) if file.is_file()}
-
-    @staticmethod
-    def processes_of_students():
-        found = []
-        for status in Path("/proc").glob("[0-9]*/status"):
-            try:
-                user = re.search(r"^Uid:\s+(\d+)", status.read_text(encoding="utf-8"), flags=re.MULTILINE)
-            except OSError:
-                continue
-            if user and 64000 <= int(user[1]) < 64100:
-                found.append(status.parent.name)
-        return found
+        self.assertIn("seconds is -1; it must be greater than 0 and at most 3600", self.grade("--seconds", "-1", code=2))

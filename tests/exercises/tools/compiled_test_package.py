@@ -9,7 +9,8 @@ import unittest
 import zipfile
 from pathlib import Path
 
-from catalogue import find, read_catalogue
+from catalogue import find, find_all, read_catalogue
+from complaint import Complaint
 from fixture import ROOT, TOOLCHAIN
 from gradescope_format import mistakes_in
 from package import package
@@ -17,9 +18,19 @@ from package import package
 
 @unittest.skipUnless(TOOLCHAIN, "TUMBLE_TOOLCHAIN names no toolchain.json")
 class Gradescope(unittest.TestCase):
+    def test_a_mistake_is_told_before_anything_is_packed(self):
+        catalogue = read_catalogue(ROOT)
+        with self.assertRaises(Complaint) as caught:
+            package(ROOT, [find(catalogue, "moon")], Path("/nowhere/autograder.zip"))
+        self.assertIn("--output: /nowhere/autograder.zip can't be written: No such file", str(caught.exception))
+        with self.assertRaises(Complaint) as caught:
+            find_all(catalogue, "moon,no_lag,01_force/moon")
+        self.assertIn("moon stands twice in moon,no_lag,01_force/moon", str(caught.exception))
+
     def test_it_grades_a_submission_as_gradescope_runs_it(self):
         with tempfile.TemporaryDirectory(prefix="autograder") as folder:
             autograder = Path(folder)
+            autograder.chmod(0o755)  # as Gradescope's is: run by root, the compiler has a user of its own
             file = autograder / "autograder.zip"
             package(ROOT, [find(read_catalogue(ROOT), "moon")], file)
             with zipfile.ZipFile(file) as packed:

@@ -2,12 +2,14 @@
 
 import hashlib
 import json
+import os
 import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 from complaint import Complaint
 from fixture import ROOT, TOOLCHAIN, FixtureCourse
@@ -23,12 +25,22 @@ class OfTheFixture(FixtureCourse):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.target = Path(folder.name) / "for students"
+        self.git("init", "--quiet")
+        (self.root / ".gitignore").write_text("/build/\n/work/\n", encoding="utf-8")
+        self.track()
+
+    def git(self, *words):
+        subprocess.run(["git", "-C", str(self.root), *words], check=True, stdout=subprocess.DEVNULL)
+
+    def track(self):
+        self.git("add", "--all")
 
     def test_a_student_gets_the_exercise_and_nothing_of_its_answers(self):
         (self.exercise_folder / "instructor.md").write_text("Ask why.", encoding="utf-8")
         (self.root / "work").mkdir()
         (self.root / "work" / "mine.hpp").write_text("mine", encoding="utf-8")
-        release(self.root, self.target)
+        self.track()
+        self.assertEqual(release(self.root, self.target)[1], {})
         names = {str(file.relative_to(self.target)) for file in self.target.rglob("*") if file.is_file()}
         self.assertIn("exercises/01_force/doubled/doubled.hpp", names)
         self.assertIn("exercises/01_force/doubled/hints.md", names)
@@ -60,10 +72,50 @@ class OfTheFixture(FixtureCourse):
     def test_a_mark_or_a_folder_of_solutions_stops_it(self):
         (self.root / "chapters" / "solutions").mkdir()
         (self.root / "chapters" / "solutions" / "x.txt").write_text("x", encoding="utf-8")
+        self.track()
         self.refused("chapters/solutions/x.txt lies where solutions")
         shutil.rmtree(self.root / "chapters" / "solutions")
         (self.exercise_folder / "other.hpp").write_text("//! [solution] x\n", encoding="utf-8")
+        self.track()
         self.refused("other.hpp holds the mark of a solution")
+
+    def test_only_what_git_tracks_is_released_and_the_rest_is_named(self):
+        outside = self.target.parent / "outside"
+        outside.mkdir()
+        (outside / "secret").write_text("secret", encoding="utf-8")
+        (self.root / "link to a file").symlink_to(outside / "secret")
+        (self.root / "link to the root").symlink_to("chapters")
+        (self.root / "chapters" / "later" / "below").mkdir(parents=True)
+        (self.root / "chapters" / "later" / "below" / "secret").write_text("tracked as this", encoding="utf-8")
+        self.track()
+        shutil.rmtree(self.root / "chapters" / "later")
+        outside.rename(outside.with_name("below"))
+        (self.root / "chapters" / "later").symlink_to(outside.parent)  # so that the tracked name leads to another file
+        (self.root / "class" / "ada").mkdir(parents=True)
+        for name in ("class/ada/doubled.hpp", "marks.csv", "exercises/01_force/doubled/mine.txt"):
+            (self.root / name).write_text("x", encoding="utf-8")
+        (self.root / os.fsdecode(b"caf\xe9")).write_text("x", encoding="utf-8")
+        _, left_out = release(self.root, self.target)
+        link, untracked = "it is a symbolic link, or lies behind one", "git doesn't track it"
+        self.assertEqual(left_out, {
+            "class/": untracked, "marks.csv": untracked, "exercises/01_force/doubled/mine.txt": untracked, "caf\udce9": untracked,
+            "chapters/later": untracked, "chapters/later/below/secret": link, "link to a file": link, "link to the root": link})
+        for file in self.target.rglob("*"):
+            self.assertFalse(file.is_symlink(), file)
+            self.assertNotIn(file.name, ("secret", "marks.csv", "mine.txt", "class"))
+
+    def test_what_git_tracks_is_asked_of_this_checkout_alone(self):
+        with mock.patch.dict(os.environ, {"GIT_DIR": str(ROOT / ".git"), "GIT_WORK_TREE": str(ROOT), "GIT_INDEX_FILE": "/none"}):
+            count, _ = release(self.root, self.target)
+        self.assertLess(count, 100)
+
+    def test_without_git_nobody_can_tell_what_belongs_to_the_course(self):
+        shutil.rmtree(self.root / ".git")
+        self.refused("Where the course came without git: git init, and git add of what belongs to it")
+        self.git("init", "--quiet")
+        self.refused("git tracks no file")
+        with mock.patch.dict(os.environ, {"PATH": "/nowhere"}):
+            self.refused("(git is not installed)")
 
     def test_without_the_solutions_nobody_can_tell(self):
         shutil.rmtree(self.root / "solutions")

@@ -1,11 +1,13 @@
 """A student's whole way: start, fail, ask, solve, compare, and all of it without solutions/ as well."""
 
+import contextlib
 import os
 import shutil
 import signal
 import subprocess
 import sys
 import time
+import unittest
 
 from fixture import ROOT, FixtureCourse
 
@@ -125,6 +127,86 @@ class Way(FixtureCourse):
                 text = " ".join(self.says("check", code=1).split())
                 self.assertIn(expected, text)
                 self.assertIn("+ Half of two is one", text)
+
+    def test_nothing_that_a_student_writes_steers_the_terminal(self):
+        self.says("start", "doubled")
+        steering = '\\x1b]0;owned\\x07\\x1b[2J\\xc2\\x9b" "31m'
+        self.write("#include <cstdio>\n" + SOLVED.replace("return number + number", f'std::puts("{steering}"); return number + number'))
+        text = self.says("check")
+        self.assertIn("  | \\x1b]0;owned\\x07\\x1b[2J\\x9b31m", text)
+        for code in (f'throw std::runtime_error("{steering}"); return number + number', "return \x1b[2J number"):
+            self.write("#include <stdexcept>\n" + SOLVED.replace("return number + number", code))
+            text += self.says("check", code=1)
+        self.assertTrue(all(letter.isprintable() or letter == "\n" for letter in text), ascii(text))
+
+    def test_a_file_that_is_not_there_is_no_file_of_the_exercise(self):
+        self.says("start", "doubled")
+        text = self.says("check", "work/01_force/doubled/nosuch.hpp", code=2)
+        self.assertIn("nosuch.hpp, which is no file of doubled; yours is doubled.hpp", text)
+        self.says("check", "work/01_force/doubled/doubled.hpp", code=1)
+
+    def test_an_empty_file_was_not_started(self):
+        self.says("start", "doubled")
+        self.write("")
+        self.assertIn("was not started yet: ./course start doubled", self.says("check", "doubled", code=2))
+        self.assertNotIn("kept as you left it", self.says("start", "doubled"))
+        self.assertEqual(self.mine.read_bytes(), (self.exercise_folder / "doubled.hpp").read_bytes())
+
+    def test_where_nothing_can_be_written_a_sentence_says_so(self):
+        work = self.root / "work"
+        work.write_text("in the way", encoding="utf-8")
+        for words in (("start", "doubled"), ("hint", "doubled"), ("start", "doubled", "--key", "k3")):
+            self.assertRegex(self.says(*words, code=2), r"^course: .*work.*: (Not a directory|File exists)\n$")
+        work.unlink()
+        self.says("start", "doubled")
+        self.write(SOLVED)
+        (work / "progress.txt").unlink()
+        (work / "progress.txt").mkdir()
+        self.assertRegex(self.says("check", "doubled", code=2), r"course: .*work/progress\.txt: Is a directory\n$")
+
+    @unittest.skipUnless(os.geteuid() == 0, "only root can make a small disk")
+    def test_on_a_full_disk_nothing_is_half_written(self):
+        work = self.root / "work"
+        work.mkdir()
+        if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=16k", "tmpfs", str(work)], stderr=subprocess.DEVNULL).returncode != 0:
+            self.skipTest("here nothing can be mounted")
+        self.addCleanup(subprocess.run, ["umount", "--lazy", str(work)])
+        filler = work / "filler"
+        with open(filler, "wb", buffering=0) as out, contextlib.suppress(OSError):
+            while True:
+                out.write(bytes(4096))
+        self.assertRegex(self.says("start", "doubled", code=2), "^course: .*No space left on device\n$")
+        os.truncate(filler, filler.stat().st_size - 4096)  # now there is room for the task and for nothing else
+        self.assertRegex(self.says("start", "doubled", code=2), "^course: .*No space left on device\\n$")
+        self.assertEqual({file.name for file in work.rglob("*") if file.is_file()}, {"filler", "task.md"})
+        filler.unlink()
+        self.says("start", "doubled")
+        self.write(SOLVED)
+        with open(filler, "wb", buffering=0) as out, contextlib.suppress(OSError):
+            while True:
+                out.write(bytes(4096))
+        self.assertRegex(self.says("reset", "doubled", code=2), "No space left on device\n$")
+        self.assertEqual(self.mine.read_text(encoding="utf-8"), SOLVED)
+        subprocess.run(["mount", "-o", "remount,ro", str(work)], check=True)
+        self.assertRegex(self.says("reset", "doubled", code=2), "^course: .*Read-only file system\n$")
+        self.assertRegex(self.says("hint", "doubled", code=2), "^course: .*progress.txt: Read-only file system\n$")
+
+    def test_two_first_checks_at_once_both_get_their_verdict(self):
+        for name in ("precompiled", "shared"):  # those of all the tests would be there already
+            (self.build / name).unlink()
+            (self.build / name).mkdir()
+        self.place_a_solved_copy()
+        words = [sys.executable, "-B", str(ROOT / "exercises" / "tools" / "student.py"), "--root", str(self.root),
+                 "--toolchain", str(self.toolchain_file), "check", "doubled"]
+        both = [subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.STDOUT) for _ in range(2)]
+        for process in both:
+            text = process.communicate(timeout=300)[0].decode()
+            self.assertEqual(process.returncode, 0, text)
+            self.assertIn("3 of 3 points", text)
+
+    def place_a_solved_copy(self):
+        self.mine.parent.mkdir(parents=True)
+        self.write(SOLVED)
 
     def test_what_the_code_prints_is_shown(self):
         self.says("start", "doubled")

@@ -28,6 +28,7 @@ class FixtureCourse(unittest.TestCase):
         folder = tempfile.TemporaryDirectory(prefix="a course ")
         self.addCleanup(folder.cleanup)
         self.root = Path(folder.name)
+        self.root.chmod(0o755)  # the users whom a grader gives to compilers must find it
         shutil.copytree(HERE.parent / "fixture", self.root, dirs_exist_ok=True)
         (self.root / "chapters").symlink_to(ROOT / "chapters")
         (self.root / "exercises" / "common").symlink_to(ROOT / "exercises" / "common")

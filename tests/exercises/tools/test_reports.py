@@ -24,7 +24,7 @@ class Reports(unittest.TestCase):
         self.assertEqual(mistakes_in(results), [])
         self.assertEqual((results["score"], results["execution_time"]), (2, 2))
         self.assertEqual([test["output"] for test in results["tests"]],
-                         ["", "it is \x07 short", "not written yet: the flight", "moon.hpp is empty"])
+                         ["", "it is \\x07 short", "not written yet: the flight", "moon.hpp is empty"])
         self.assertEqual(sum(test["max_score"] for test in results["tests"]), 6)
         self.assertEqual(results["extra_data"], {"flags": ["03_inertia/hammer opens files"]})
 
@@ -46,7 +46,7 @@ class Reports(unittest.TestCase):
     def test_junit_counts_and_holds_no_letter_that_xml_forbids(self):
         suites = ElementTree.fromstring(junit([RESULT]))
         self.assertEqual([(suite.get("tests"), suite.get("failures")) for suite in suites], [("3", "2"), ("1", "1")])
-        self.assertEqual(suites.find(".//failure").get("message"), "it is  short")
+        self.assertEqual(suites.find(".//failure").get("message"), "it is \\x07 short")
 
     def test_the_text_names_reasons_and_what_to_look_at(self):
         said = text([RESULT])

@@ -10,12 +10,14 @@ from pathlib import Path
 from limits import Limits, confine
 from sealed import can_seal
 
+PARENT = os.getpid()
+
 
 @unittest.skipUnless(can_seal(), "this system cannot seal a program")
 class Sealed(unittest.TestCase):
     def run_sealed(self, code):
         result = subprocess.run([sys.executable, "-B", "-S", "-E", "-c", f"import os\n{code}"], stdin=subprocess.DEVNULL,
-                                capture_output=True, text=True, timeout=60, preexec_fn=lambda: confine(Limits(sealed=True)))
+                                capture_output=True, text=True, timeout=60, preexec_fn=lambda: confine(Limits(sealed=True), PARENT))
         return ((result.stdout + result.stderr).strip().splitlines() or ["nothing was refused"])[-1]
 
     def test_it_calculates_and_reads(self):
@@ -29,7 +31,8 @@ class Sealed(unittest.TestCase):
                          f"os.open({str(file)!r}, os.O_RDONLY | os.O_TRUNC)", f"os.truncate({str(file)!r}, 0)",
                          f"os.remove({str(file)!r})", f"os.rename({str(file)!r}, {folder + '/new'!r})",
                          f"os.mkdir({folder + '/new'!r})", f"os.chmod({str(file)!r}, 0)", f"os.symlink('a', {folder + '/new'!r})",
-                         f"os.kill({os.getpid()}, 9)", "os.fork()", "os.pipe()", "import _socket; _socket.socket()",
+                         f"os.kill({os.getpid()}, 9)", "import signal; signal.pthread_kill(__import__('threading').get_ident(), 9)",
+                         "os.fork()", "os.pipe()", "import _socket; _socket.socket()",
                          f"import resource; resource.prlimit({os.getpid()}, resource.RLIMIT_CPU, (1, 1))",
                          f"import fcntl; fcntl.fcntl(1, fcntl.F_SETOWN, {os.getpid()})"):
                 with self.subTest(code):
@@ -38,5 +41,5 @@ class Sealed(unittest.TestCase):
 
     def test_it_may_end_itself(self):
         result = subprocess.run(["/bin/sh", "-c", "exec python3 -c 'import os; os.abort()'"], stdin=subprocess.DEVNULL,
-                                capture_output=True, timeout=60, preexec_fn=lambda: confine(Limits(sealed=True)))
+                                capture_output=True, timeout=60, preexec_fn=lambda: confine(Limits(sealed=True), PARENT))
         self.assertEqual(result.returncode, -6, result.stderr)

@@ -1,0 +1,114 @@
+"""Grades the submissions of a class, each by a process of its own, and keeps what came of them in a part of a job; see shards.py."""
+
+import hashlib
+import json
+import signal
+import subprocess
+import sys
+import threading
+from pathlib import Path
+
+from complaint import GraderFailed
+from shards import Job, run
+from submission import name_of, read_header, student_of
+from untrusted import COMPILING
+
+GRADE_ONE = [sys.executable, "-E", "-B", str(Path(__file__).with_name("grade_one.py"))]
+PATIENCE = 20  # seconds that the grader of one submission has to tidy up
+
+
+def job_of(arguments, exercises):
+    """What must be equal in all its shards."""
+    return Job({"exercises": {exercise.path: _digest_of(exercise) for exercise in exercises}, "seed": arguments.seed,
+                "seconds": arguments.seconds}, list(map(name_of, arguments.folders)))
+
+
+def grade_class(arguments, exercises, part, tell):
+    """Grades what the part lacks. Returns the results by submission, of those that have one, and why the others have none."""
+    folders = {name_of(folder): folder for folder in arguments.folders}
+    for name in [name for name, result in part.done.items() if result["handed_in"] != _handed_in(folders[name], exercises)]:
+        del part.done[name]  # it was handed in once more, so it's graded once more
+    graders = _Graders(arguments, exercises, min(arguments.jobs, len(folders)))
+    failed = run(part, lambda name: graders.grade(name, folders[name]), graders.most, graders.end, tell)
+    return {name: part.done[name] for name in part.tasks if name in part.done}, failed
+
+
+class _Graders:
+    """The processes that grade, no more than `most` at a time."""
+
+    def __init__(self, arguments, exercises, most):
+        self.arguments, self.exercises, self.most = arguments, exercises, most
+        self.lock, self.processes, self.ended = threading.Lock(), set(), False
+        # Each exercise is compiled, each check takes at most four times its seconds in both precisions, and the judge may have to be made.
+        self.seconds = sum(COMPILING * arguments.seconds + 2 * (4 * arguments.seconds + 3) * len(exercise.checks) + 300
+                           for exercise in exercises)
+
+    def grade(self, name, folder):
+        student = student_of(name)
+        handed_in = _handed_in(folder, self.exercises)
+        graded = self._graded({
+            "root": str(self.arguments.root), "toolchain": str(self.arguments.toolchain), "submission": str(folder.resolve()),
+            "exercises": [exercise.path for exercise in self.exercises], "seconds": self.arguments.seconds,
+            "key": f"{self.arguments.seed}-{student}" if self.arguments.seed else "",
+            "private": str(self.arguments.private) if self.arguments.private else None})
+        checks = [check for exercise in graded["exercises"] for check in exercise["checks"]]
+        return {"student": student, "submission": name, "points": sum(check["points"] for check in checks),
+                "of": sum(check["of"] for check in checks), "exercises": graded["exercises"], "seconds": graded["seconds"],
+                "handed_in": handed_in}
+
+    def _graded(self, task):
+        with self.lock:
+            if self.ended:
+                raise GraderFailed("stopped")
+            process = subprocess.Popen(GRADE_ONE, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                       start_new_session=True)  # Ctrl-C is for us, who end it in its turn
+            self.processes.add(process)
+        try:
+            output, said = process.communicate(json.dumps(task).encode("ascii"), timeout=self.seconds)
+            if process.returncode == 0:
+                return json.loads(output)
+        except subprocess.TimeoutExpired:
+            raise GraderFailed(f"it took more than {self.seconds:g} seconds") from None
+        except ValueError:
+            pass
+        finally:
+            with self.lock:
+                self.processes.discard(process)
+            _end(process)
+        why = said.decode("utf-8", "replace").strip()[-2000:]
+        raise GraderFailed(why or f"it ended with {process.returncode} and said nothing that can be read")
+
+    def end(self):
+        with self.lock:
+            self.ended = True
+            for process in self.processes:
+                process.terminate()
+
+
+def _end(process):
+    """Kindly first, so that it can end what it has started."""
+    for number in (signal.SIGTERM, signal.SIGKILL):
+        if process.poll() is None:
+            process.send_signal(number)
+            try:
+                process.communicate(timeout=PATIENCE)
+            except subprocess.TimeoutExpired:
+                continue
+    process.wait()
+
+
+def _digest_of(exercise):
+    """Of what decides on points."""
+    return _digest(*((exercise.folder / name).read_bytes() for name in ("exercise.json", "checks.cpp")))
+
+
+def _handed_in(folder, exercises):
+    headers = [read_header(folder, exercise) for exercise in exercises]
+    return _digest(*(f"{header.text}\0{header.reason}".encode("utf-8", "surrogateescape") for header in headers))
+
+
+def _digest(*texts):
+    digest = hashlib.sha256()
+    for text in texts:
+        digest.update(hashlib.sha256(text).digest())
+    return digest.hexdigest()

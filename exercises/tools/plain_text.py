@@ -1,0 +1,59 @@
+"""The one place where text that is not ours becomes text to show: a student's, a compiler's, the name of a folder.
+
+What plain() returns moves no cursor, changes no colour, hides nothing and turns no line round, and XML and JSON can hold it. The marks of
+XML, JSON and CSV themselves are for their own writers (ElementTree, json, csv) to escape; nobody else writes them.
+"""
+
+import contextlib
+import os
+import sys
+import unicodedata
+
+
+def plain(text):
+    """Every letter that can't be seen as its escape, such as \\x1b; a blank of another width as a blank; lines and tabs as they are."""
+    if text.isprintable():
+        return text
+    return "".join(letter if letter in "\n\t" or letter.isprintable() else _seen(letter) for letter in text.replace("\r\n", "\n"))
+
+
+def _seen(letter):
+    if unicodedata.category(letter) == "Zs":
+        return " "
+    if "\udc80" <= letter <= "\udcff":  # Python's stand-in for a byte that is no UTF-8
+        return f"\\x{ord(letter) - 0xdc00:02x}"
+    return letter.encode("unicode_escape").decode("ascii")
+
+
+def all_plain(value):
+    """The same for every text in what JSON can hold."""
+    if isinstance(value, str):
+        return plain(value)
+    if isinstance(value, dict):
+        return {plain(key): all_plain(each) for key, each in value.items()}
+    if isinstance(value, list):
+        return [all_plain(each) for each in value]
+    return value
+
+
+def say(text="", to=None):
+    """Prints it plain, and with escapes for what the terminal has no letters for."""
+    to = to or sys.stdout
+    letters = to.encoding or "utf-8"
+    print(plain(str(text)).encode(letters, "backslashreplace").decode(letters), file=to, flush=True)
+
+
+def complain(complaint):
+    say(f"course: {complaint}", to=sys.stderr)
+
+
+def why_unheard(error):
+    """The exit status after an OSError, which is told unless whoever read what is printed has read enough."""
+    if isinstance(error, BrokenPipeError):
+        status = 141
+    else:
+        complain(f"{error.filename or 'what was to be written'}: {error.strerror}")
+        status = 2
+    with contextlib.suppress(OSError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # for what Python still holds back
+    return status

@@ -1,0 +1,221 @@
+"""What confines a submission here, and how its header becomes a program: what each stage may reach, as whom, for how long."""
+
+import functools
+import glob
+import os
+import re
+import shutil
+import signal
+import stat
+import subprocess
+import tempfile
+import time
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+import landlock
+from complaint import Complaint, GraderFailed
+from confined import end_strays, run_confined
+from landlock import Reach
+from limits import MEBIBYTE, Limits
+from made import dependencies_in
+from programs import PRECISIONS, answers_source, shared
+from sealed import can_seal
+from toolchain import Toolchain
+
+LIBRARIES = ("/lib", "/lib32", "/lib64", "/usr/lib", "/usr/lib32", "/usr/lib64", "/usr/libexec", "/usr/local/lib",
+             "/etc/ld.so.cache")
+HEADERS = ("/usr/include", "/usr/local/include")
+PARTS_OF_COMPILERS = ("cc1plus", "collect2", "as", "ld")
+FIRST_USER = 0x70000000  # from here to 0x7fffffff no system gives numbers to accounts; a process's number is below 1 << 22
+FEW_USERS = 62000        # where a container has but 65536 numbers: beyond those of accounts
+COMPILING = 12           # times as long as a check may take
+ROOM = 256 * MEBIBYTE    # which a compiler must find on the disk
+# The last that the compiler says then; a text's own words can't stand there.
+ENDED_FROM_OUTSIDE = re.compile(r"fatal error: (Killed signal terminated program \w+|ld terminated with signal 9 \[Killed\])\n"
+                                r"compilation terminated\.\s*\Z")
+
+
+class Uncompiled(Exception):
+    """The text is no program; the compiler's words, or why it was cut short."""
+
+
+def seals():
+    """What confines a submission here: name and means, which is empty where nothing does."""
+    version = landlock.version()
+    return {"files": f"Landlock {version}" if version else "", "calls": "seccomp" if can_seal() else "",
+            "user": "a number that no account has" if own_user() else ""}
+
+
+def seals_in_words():
+    held = seals()
+    parts = [f"{name} by {means}" for name, means in held.items() if means]
+    missing = [name for name, means in held.items() if not means]
+    return (f"Submissions were confined in {', '.join(parts)}" if parts else "Submissions were not confined") + (
+        f"; not in {', '.join(missing)}." if missing and parts else ".")
+
+
+def own_user():
+    """A user for what this process runs, whom nothing else has that runs at the same time; 0 for none, which only root gives."""
+    if os.geteuid() != 0:
+        return 0
+    numbers = (FIRST_USER + os.getpid(), FEW_USERS + os.getpid() % 3000)
+    return next((number for number in numbers if _has("uid", number) and _has("gid", number)), 0)
+
+
+def _has(kind, number):
+    """Whether this container has such a user or group."""
+    try:
+        ranges = Path(f"/proc/self/{kind}_map").read_text(encoding="ascii").split()
+    except OSError:
+        return True
+    return any(int(first) <= number < int(first) + int(count) for first, count in zip(ranges[0::3], ranges[2::3]))
+
+
+def require_seals(toolchain, exercise, unsealed):
+    """Complains unless a submission can be confined here and the compiler works there; `unsealed`: unless the compiler works."""
+    held = seals()
+    if not unsealed and not (held["files"] and held["calls"]):
+        lacking = " and ".join(what for what, name in (("Landlock", "files"), ("seccomp", "calls")) if not held[name])
+        raise Complaint(f"here a submission can't be confined, for the system offers no {lacking}. The handbook says what it could do "
+                        "then; --unsealed grades nevertheless")
+    try:
+        with a_workshop(toolchain, exercise, own_user(), COMPILING * 5) as workshop:
+            workshop.try_out()
+    except GraderFailed as failure:
+        raise Complaint(failure) from None
+
+
+@contextmanager
+def a_workshop(toolchain, exercise, user, seconds):
+    """Folders of its own for what becomes of one header; they are gone at the end."""
+    with tempfile.TemporaryDirectory(prefix="graded-") as folder:
+        place = Path(folder)
+        for name, mode in (("text", 0o755), ("made", 0o700), ("empty", 0o755)):
+            (place / name).mkdir()
+            (place / name).chmod(mode)
+        if user:
+            os.chown(place, 0, user)
+            place.chmod(0o710)
+            os.chown(place / "made", user, user)
+        yield Workshop(toolchain, exercise, place, user, seconds)
+
+
+@dataclass(frozen=True)
+class Workshop:
+    """Where a header is compiled: the compiler reads `text` and may write to `made` alone; workers run in `empty`."""
+    toolchain: Toolchain
+    exercise: object
+    place: Path
+    user: int
+    seconds: float  # of computing, for the compiler
+
+    def compile(self, text):
+        """The workers by precision, both made of the same text. Raises Uncompiled, or GraderFailed where it's not the text's fault."""
+        self._write(self.exercise.header, text)
+        for real in PRECISIONS:
+            self._write(f"answers_{real}.cpp", answers_source(self.exercise, real))
+        deadline = time.monotonic() + 4 * self.seconds
+        try:
+            return {real: self._worker(real, deadline) for real in PRECISIONS}
+        except Uncompiled:
+            self.try_out()
+            raise
+
+    def try_out(self):
+        """Raises GraderFailed unless the compiler works here, on a text that is beyond doubt."""
+        free = os.statvfs(self.place)
+        if free.f_bavail * free.f_frsize < ROOM:
+            raise GraderFailed(f"{self.place.parent} has less than {ROOM // MEBIBYTE} MB left")
+        self._write("nothing.cpp", "int main() {}\n")
+        try:
+            self._made("nothing", time.monotonic() + 4 * self.seconds)
+        except Uncompiled as failure:
+            why = "; run by root it has a user of its own, who must be able to read the course and its build" if self.user else ""
+            raise GraderFailed(f"the compiler does not work where it is confined{why}: {failure}") from None
+
+    def limits_of_workers(self, seconds):
+        return Limits(seconds=seconds, file=0, user=self.user, sealed=True, reach=Reach(readable=LIBRARIES, executable=_loaders()))
+
+    @property
+    def empty(self):
+        return self.place / "empty"
+
+    def _worker(self, real, deadline):
+        worker = self._made(f"answers_{real}", deadline)
+        foreign = [file for file in _listed(self.place / "made" / f"answers_{real}.o.d") if not self._allows(file)]
+        if foreign:
+            raise Uncompiled(f"it includes {Path(foreign[0]).name}, which is no part of the chapters up to {self.exercise.chapter}")
+        return worker
+
+    def _made(self, name, deadline):
+        """The program that is made of one file."""
+        compiled, program = self.place / "made" / f"{name}.o", self.place / "made" / name
+        command, _ = self.toolchain.compile(self.place / "text" / f"{name}.cpp", compiled, self.exercise.chapter,
+                                            first_folders=[self.place / "text"])
+        self._run(command, deadline)
+        self._run(self.toolchain.link([compiled, *self._loop(name)], program), deadline)
+        return program
+
+    def _loop(self, name):
+        return [shared(self.toolchain, "serve.o")] if name.startswith("answers_") else []
+
+    def _run(self, command, deadline):
+        """Raises Uncompiled with what the compiler said, GraderFailed where somebody else ended it."""
+        made = self.place / "made"
+        limits = Limits(seconds=self.seconds, memory=2048 * MEBIBYTE, file=64 * MEBIBYTE, user=self.user,
+                        reach=Reach(readable=(*LIBRARIES, *HEADERS, *self._headers(), shared(self.toolchain, "serve.o")),
+                                    executable=(*_tools(self.toolchain.compiler), *_loaders()), writable=(made,)))
+        try:
+            ran = run_confined(command, limits, made, deadline)
+        except (OSError, subprocess.SubprocessError) as error:
+            raise GraderFailed(f"the compiler does not work where it is confined: {command[0]} was not started: {error}") from None
+        end_strays()
+        said = ran.output.decode("utf-8", "replace")
+        if ran.code == -signal.SIGKILL and not ran.cut or ENDED_FROM_OUTSIDE.search(said):
+            raise GraderFailed("the compiler was ended from outside; is there too little memory?")
+        if ran.cut == "time" or "CPU time limit exceeded" in said or ran.code == -signal.SIGXCPU:
+            raise Uncompiled(f"it took more than {self.seconds:g} seconds")
+        if ran.cut == "output":
+            raise Uncompiled(f"it printed more than {limits.output // 1024} KB")
+        if ran.code != 0:
+            raise Uncompiled(said)
+
+    def _headers(self):
+        return (*self.toolchain.folders_of(self.exercise.chapter), *self.toolchain.system_folders, self.toolchain.common,
+                self.toolchain.precompiled, self.place / "text")
+
+    def _allows(self, file):
+        """Whether a student's header may make the compiler read this file."""
+        real = Path(os.path.realpath(file))
+        return any(real.is_relative_to(os.path.realpath(folder)) for folder in (*HEADERS, *LIBRARIES, *self._headers()))
+
+    def _write(self, name, text):
+        file = self.place / "text" / name
+        file.write_text(text, encoding="utf-8", newline="")
+        file.chmod(0o644)
+
+
+def _listed(dependencies):
+    """The compiler's own list of what it has read. The file lies where the compiler may write, so it is looked at first."""
+    status = os.lstat(dependencies)
+    if not stat.S_ISREG(status.st_mode) or status.st_size > MEBIBYTE:
+        raise Uncompiled("it includes more than can be listed")
+    return dependencies_in(dependencies)
+
+
+def _loaders():
+    """What starts a program that uses libraries."""
+    return tuple(glob.glob("/lib*/ld-*.so*"))
+
+
+@functools.lru_cache
+def _tools(compiler):
+    """The compiler's own programs; one that lies outside of the system's folders may read what it was installed with."""
+    found = [shutil.which(compiler)]
+    for part in PARTS_OF_COMPILERS:
+        asked = subprocess.run([compiler, f"-print-prog-name={part}"], stdin=subprocess.DEVNULL,
+                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
+        found.append(shutil.which(asked.stdout.decode().strip()))
+    return tuple(os.path.realpath(each) for each in found if each)

@@ -1,0 +1,300 @@
+"""A class of a thousand, over shards that are stopped, killed and taken up again: nobody is lost, nobody is graded twice.
+
+What takes time, the grading of one submission, is a stand-in here that looks at one line of the header; the last test uses the real one.
+"""
+
+import collections
+import csv
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+import types
+import unittest
+from pathlib import Path
+from unittest import mock
+
+import grade_class
+from fixture import ROOT, TOOLCHAIN
+from grading import Grading
+
+TOOLS = ROOT / "exercises" / "tools"
+# Whoever is graded is noted in the log. The header's first line says how it goes.
+STAND_IN = """
+import json, os, sys, time
+task = json.load(sys.stdin)
+name = os.fsencode(os.path.basename(task["submission"])).hex()
+with open(os.path.join(task["submission"], "doubled.hpp"), encoding="utf-8") as file:
+    word = file.readline().split()[1]
+log = os.open(LOG, os.O_WRONLY | os.O_APPEND | os.O_CREAT)
+os.write(log, f"{name}\\n".encode())
+if word == "waits":
+    os.write(log, f"waits {os.getpid()}\\n".encode())
+    while os.path.exists(LOG + ".wait"):
+        time.sleep(0.01)
+if word == "breaks" or (word == "stumbles" and open(LOG).read().split().count(name) == 1):
+    sys.exit("no \\x1b[31mcompiler")
+points = 0 if word in ("waits", "breaks", "stumbles") else int(word)
+checks = [{"sentence": "Twice two is four", "points": points, "of": 2, "status": "passed" if points == 2 else "failed",
+           "message": f"\\x1b[2J {name} \\u2028"},
+          {"sentence": "Half of two is one", "points": 1, "of": 1, "status": "passed", "message": ""}]
+json.dump({"submission": "never asked", "seconds": time.time(), "exercises": [
+    {"exercise": task["exercises"][0], "title": "Twice", "reason": "", "flags": ["is \\x07 loud"][:points], "checks": checks}]}, sys.stdout)
+"""
+RUNNER = """
+import sys
+sys.path.insert(0, TOOLS)
+import grade, grade_class
+grade_class.GRADE_ONE = [sys.executable, "-I", "-S", "-B", "-c", "LOG = " + repr(LOG) + STAND_IN]
+sys.exit(grade.main(sys.argv[1:]))
+"""
+
+
+class AClassOfStandIns(Grading):
+    def setUp(self):
+        super().setUp()
+        self.place = self.root / "results"
+        self.place.mkdir()
+        self.log = self.root / "log"
+        self.log.touch()
+        text = f"TOOLS, LOG, STAND_IN = {str(TOOLS)!r}, {str(self.log)!r}, {STAND_IN!r}\n" + RUNNER
+        self.runner = self.root / "runner.py"
+        self.runner.write_text(text, encoding="utf-8")
+
+    def names(self):
+        return sorted(os.listdir(self.submissions))
+
+    def begin(self, *options, folders=None):
+        folders = [] if "merge" in options[:1] else sorted(self.submissions.iterdir()) if folders is None else folders
+        process = subprocess.Popen([sys.executable, "-B", str(self.runner), "--root", str(self.root), "--toolchain",
+                                    str(self.toolchain_file), *map(str, options), *map(str, folders)], cwd=self.place,
+                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        self.addCleanup(process.kill)
+        return process
+
+    def run_to_the_end(self, *options, code=0, **others):
+        """What it prints, and what it says besides."""
+        process = self.begin(*options, **others)
+        printed, said = process.communicate(timeout=600)
+        self.assertEqual(process.returncode, code, said.decode())
+        return printed, said.decode()
+
+    def graded_so_far(self):
+        return collections.Counter(os.fsdecode(bytes.fromhex(line)) for line in self.log.read_text(encoding="ascii").split("\n")
+                                   if line and " " not in line)
+
+    def wait_until(self, condition):
+        deadline = time.monotonic() + 300
+        while not condition():
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
+
+    def results_in(self, part):
+        return max(part.read_bytes().count(b"\n") - 1, 0) if part.exists() else 0
+
+
+class AThousand(AClassOfStandIns):
+    def test_over_eight_shards_two_of_them_killed_nobody_is_lost_and_nobody_counts_twice(self):
+        for number in range(1000):
+            name = {0: "merge", 1: "line\nend", 2: os.fsdecode(b"caf\xe9"), 3: "caf\u00e9", 4: "--jobs", 5: "=1+1"}.get(number)
+            self.hand_in(name or f"student{number // 2}@{number % 2}", f"// {number % 3}\n")
+        parts = [self.place / f"grade.{number}_of_8.part" for number in range(1, 9)]
+        shards = [self.begin("--shard", f"{number}/8", "--jobs", "2") for number in range(1, 9)]
+        for number, how in ((3, signal.SIGKILL), (6, signal.SIGTERM)):
+            self.wait_until(lambda: self.results_in(parts[number - 1]) >= 10)
+            shards[number - 1].send_signal(how)
+        codes = []
+        for shard in shards:
+            shard.communicate(timeout=600)
+            codes.append(shard.returncode)
+        self.assertEqual(codes, [0, 0, -signal.SIGKILL, 0, 0, 128 + signal.SIGTERM, 0, 0])
+        done = [self.results_in(part) for part in parts]
+        self.assertTrue(9 <= done[2] < 125 and 9 <= done[5] < 125, done)  # the signal may undo the line that was just written
+        missing = 250 - done[2] - done[5]
+        _, said = self.run_to_the_end("merge", *parts, "--marks", "marks.csv", code=3)
+        self.assertIn(f"{missing} submissions have no result", said)
+        self.assertFalse((self.place / "marks.csv").exists())
+
+        for number in (3, 6):
+            self.run_to_the_end("--shard", f"{number}/8", "--resume", "--jobs", "2")
+        times = self.graded_so_far()
+        self.assertEqual(set(times), set(self.names()))
+        again = sum(times.values()) - 1000
+        self.assertLessEqual(again, 4, times.most_common(6))  # what two runs of two jobs were at when they were ended
+
+        self.run_to_the_end("--part", "whole", "--format", "json", "--output", "whole.json", "--marks", "whole.csv")
+        self.run_to_the_end("merge", *reversed(parts), "--format", "json", "--output", "merged.json", "--marks", "merged.csv")
+        for kind in ("json", "csv"):
+            self.assertEqual((self.place / f"merged.{kind}").read_bytes(), (self.place / f"whole.{kind}").read_bytes())
+        for form in ("text", "junit"):
+            merged, whole = (self.run_to_the_end("merge", *files, "--format", form) for files in (parts, ["whole"]))
+            self.assertEqual(merged, whole)
+        with open(self.place / "merged.csv", newline="", encoding="utf-8") as table:
+            rows = list(csv.DictReader(table))
+        self.assertEqual(len({row["submission"] for row in rows}), 1000)
+        by_name = {row["submission"]: int(row["points"]) for row in rows}
+        for number in range(6, 1000):
+            self.assertEqual(by_name[f"student{number // 2}@{number % 2}"], number % 3 + 1)
+        self.assertIn("caf\\xe9", by_name)
+        self.run_to_the_end("merge", *parts, "--keep", "best", "--marks", "best.csv")
+        with open(self.place / "best.csv", newline="", encoding="utf-8") as table:
+            self.assertEqual(len(list(csv.DictReader(table))), 497 + 6)
+
+
+class NothingLost(AClassOfStandIns):
+    def hand_in_all(self, **words):
+        for name, word in words.items():
+            self.hand_in(name, f"// {word}\n")
+
+    def test_a_run_that_is_stopped_keeps_what_it_has_and_is_taken_up(self):
+        self.hand_in_all(ada=2, bob=1, eve="waits", fay=0)
+        for how in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            with self.subTest(how):
+                self.log.write_text("", encoding="ascii")
+                wait = Path(f"{self.log}.wait")
+                wait.touch()
+                process = self.begin("--jobs", "1", "--marks", "marks.csv")
+                self.wait_until(lambda: "waits " in self.log.read_text(encoding="ascii"))
+                process.send_signal(how)
+                _, said = process.communicate(timeout=60)
+                self.assertEqual(process.returncode, 128 + how)
+                self.assertIn("2 of 4 results are kept in grade.part; the same command with --resume goes on.", said.decode())
+                stand_in, = [int(line.split()[1]) for line in self.log.read_text(encoding="ascii").split("\n") if line.startswith("waits ")]
+                self.assertRaises(ProcessLookupError, os.kill, stand_in, 0)
+                self.assertEqual([file.name for file in self.place.iterdir()], ["grade.part"])
+                wait.unlink()
+                _, said = self.run_to_the_end(code=2)
+                self.assertIn("grade.part is there already, with 2 of 4 results; --resume takes it up", said)
+                self.run_to_the_end("--resume", "--marks", "marks.csv")
+                self.assertEqual(self.graded_so_far(), {"ada": 1, "bob": 1, "eve": 2, "fay": 1})
+                self.assertEqual([file.name for file in self.place.iterdir()], ["marks.csv"])
+                (self.place / "marks.csv").unlink()
+
+    def test_a_failure_of_the_grader_is_tried_again_and_is_never_0_points(self):
+        self.hand_in_all(ada=2, bob="breaks", eve="stumbles")
+        (self.place / "marks.csv").write_text("of last week", encoding="utf-8")
+        printed, said = self.run_to_the_end("--marks", "marks.csv", code=3)
+        self.assertEqual(printed, b"")
+        self.assertIn("course: bob has no result: GraderFailed: no \\x1b[31mcompiler\n", said)
+        self.assertIn("1 submissions have no result, which is not 0 points", said)
+        self.assertEqual(self.graded_so_far(), {"ada": 1, "bob": 2, "eve": 2})
+        self.assertEqual((self.place / "marks.csv").read_text(encoding="utf-8"), "of last week")
+        printed, _ = self.run_to_the_end("--resume", "--incomplete", "--format", "json", code=3)
+        self.assertEqual([result["submission"] for result in json.loads(printed)], ["ada", "eve"])
+        self.assertEqual(self.graded_so_far(), {"ada": 1, "bob": 4, "eve": 2})
+        (self.submissions / "bob" / "doubled.hpp").write_text("// 1\n", encoding="utf-8")
+        printed, _ = self.run_to_the_end("--resume", "--format", "json")
+        self.assertEqual([result["points"] for result in json.loads(printed)], [3, 2, 1])
+        self.assertEqual(list(self.place.iterdir()), [self.place / "marks.csv"])
+
+    def test_what_was_handed_in_once_more_is_graded_once_more(self):
+        self.hand_in_all(ada=2, bob=1, eve="breaks")
+        self.run_to_the_end(code=3)
+        for name in ("bob", "eve"):
+            (self.submissions / name / "doubled.hpp").write_text("// 0\n", encoding="utf-8")
+        printed, _ = self.run_to_the_end("--resume", "--format", "json")
+        self.assertEqual([result["points"] for result in json.loads(printed)], [3, 1, 1])
+        self.assertEqual(self.graded_so_far(), {"ada": 1, "bob": 2, "eve": 3})
+
+    def test_a_part_is_of_one_job_alone(self):
+        self.hand_in_all(ada=2, bob="breaks")
+        self.run_to_the_end(code=3)
+        _, said = self.run_to_the_end("--resume", "--seed", "autumn", code=2)
+        self.assertIn('grade.part belongs to another job: its job seed is "", and here it is "autumn"', said)
+        self.change(self.exercise_folder / "checks.cpp", "that is the third power", "that is far too much")
+        _, said = self.run_to_the_end("--resume", code=2)
+        self.assertIn("its job exercises 01_force/doubled is ", said)
+
+    def test_what_can_not_be_written_is_told_before_anything_is_graded(self):
+        self.hand_in_all(ada=2, bob=1)
+        (self.place / "a file").touch()
+        for options, expected in (
+                (("--output", "none/x"), "--output: none/x can't be written: No such file or directory"),
+                (("--marks", "none/x"), "--marks: none/x can't be written: No such file or directory"),
+                (("--part", "none/x"), "none/x can't be written, and results are kept there as they come: No such file or directory"),
+                (("--output", "."), "--output: . can't be written: Is a directory"),
+                (("--marks", "x", "--output", "x"), "--output and --marks both name x"),
+                (("--similarity", "a file/x"), "--similarity: a file/x can't be written: Not a directory"),
+                (("--exercises", "doubled,doubled"), "doubled stands twice in doubled,doubled; its points count once"),
+                (("--exercises", "doubled,01_force/doubled"), "doubled stands twice"),
+                (("--seconds", "inf"), "seconds is inf; it must be greater than 0 and at most 3600"),
+                (("--seconds", "nan"), "seconds is nan"),
+                (("--jobs", "0"), "jobs is 0; it must be at least 1"),
+                (("--shard", "3/2"), "the shard is 3/2; it must be NUMBER/OF, such as 3/16"),
+                (("--shard", "1/2", "--marks", "x"), "a shard writes its part alone"),
+                (("--format", "gradescope"), "2 submissions; Gradescope grades one at a time")):
+            with self.subTest(options):
+                printed, said = self.run_to_the_end(*options, code=2)
+                self.assertIn(f"course: {expected}", said)
+                self.assertNotIn("Traceback", said)
+                self.assertEqual(printed, b"")
+        self.assertEqual(self.graded_so_far(), {})
+        self.assertEqual({file.name for file in self.place.iterdir()} - {"grade.part"}, {"a file"})
+
+    def test_who_does_not_listen_any_more_loses_nothing(self):
+        self.hand_in_all(ada=2, bob=1)
+        with open("/dev/full", "wb") as full:
+            process = subprocess.run([sys.executable, "-B", str(self.runner), "--root", str(self.root), "--toolchain",
+                                      str(self.toolchain_file), *map(str, sorted(self.submissions.iterdir()))], cwd=self.place,
+                                     stdout=full, stderr=subprocess.PIPE)
+        self.assertEqual((process.returncode, process.stderr.decode()), (2, "course: what was to be written: No space left on device\n"))
+        self.assertEqual(self.results_in(self.place / "grade.part"), 2)
+        self.run_to_the_end("--resume")
+        self.assertEqual(self.graded_so_far(), {"ada": 1, "bob": 1})
+
+    @unittest.skipUnless(os.geteuid() == 0, "only root can make a small disk")
+    def test_a_full_disk_ends_the_run_and_a_larger_one_lets_it_go_on(self):
+        self.hand_in_all(**{f"student{number}": 2 for number in range(30)})
+        if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=12k", "tmpfs", str(self.place)], stderr=subprocess.DEVNULL).returncode != 0:
+            self.skipTest("here nothing can be mounted")
+        self.addCleanup(subprocess.run, ["umount", "--lazy", str(self.place)])
+        _, said = self.run_to_the_end(code=2)
+        kept = self.results_in(self.place / "grade.part")
+        self.assertIn(f"grade.part can't be written: No space left on device. {kept} of 30 results are in it; --resume takes it up", said)
+        self.assertTrue(0 < kept < 30, kept)
+        subprocess.run(["mount", "-o", "remount,size=1m", str(self.place)], check=True)
+        self.run_to_the_end("--resume", "--marks", "marks.csv")
+        self.assertEqual(set(self.graded_so_far()), set(self.names()))
+        self.assertEqual(len((self.place / "marks.csv").read_text(encoding="utf-8").splitlines()), 31)
+
+    def test_a_grader_that_never_ends_is_ended_and_has_failed(self):
+        deaf = "import signal, time; signal.signal(signal.SIGTERM, signal.SIG_IGN); print('up', flush=True); time.sleep(600)"
+        arguments = types.SimpleNamespace(seconds=1)
+        graders = grade_class._Graders(arguments, [], 1)
+        graders.seconds = 0.5
+        with mock.patch.object(grade_class, "GRADE_ONE", [sys.executable, "-c", deaf]), mock.patch.object(grade_class, "PATIENCE", 0.2):
+            with self.assertRaises(grade_class.GraderFailed) as caught:
+                graders._graded({})
+        self.assertEqual(str(caught.exception), "it took more than 0.5 seconds")
+        self.assertEqual(graders.processes, set())
+
+
+@unittest.skipUnless(TOOLCHAIN, "TUMBLE_TOOLCHAIN names no toolchain.json")
+class OfTheCourse(Grading):
+    def test_two_shards_of_real_exercises_are_what_one_run_gives(self):
+        moon = (ROOT / "solutions" / "01_force" / "moon" / "moon.hpp").read_text(encoding="utf-8")
+        for name, text in (("ada", moon), ("bob", (ROOT / "exercises" / "01_force" / "moon" / "moon.hpp").read_text(encoding="utf-8")),
+                           ("eve", "#include <stdexcept>\n" + moon.replace("return", 'throw std::runtime_error("\\xc2\\x9b" "31m"); return', 1)),
+                           ("fay", "nonsense"), ("guy", None)):
+            place = self.hand_in(name, None)
+            if text:
+                (place / "moon.hpp").write_text(text, encoding="utf-8")
+        for options in (("--shard", "1/2"), ("--shard", "2/2"),
+                        ("--part", "whole", "--output", "one.xml", "--marks", "one.csv", "--format", "junit")):
+            self.of_the_course(*options, "--exercises", "moon,no_lag", *sorted(self.submissions.iterdir()))
+        self.of_the_course("merge", "grade.2_of_2.part", "grade.1_of_2.part", "--output", "two.xml", "--marks", "two.csv", "--format",
+                           "junit")
+        for kind in ("xml", "csv"):
+            self.assertEqual((self.root / f"two.{kind}").read_bytes(), (self.root / f"one.{kind}").read_bytes())
+        self.assertIn(b"\\x9b31m", (self.root / "two.xml").read_bytes())
+        with open(self.root / "two.csv", newline="", encoding="utf-8") as table:
+            self.assertEqual([(row["student"], row["01_force/moon"]) for row in csv.DictReader(table)],
+                             [("ada", "2"), ("bob", "0"), ("eve", "0"), ("fay", "0"), ("guy", "0")])
+
+    def of_the_course(self, *words):
+        result = subprocess.run([sys.executable, "-E", "-B", str(TOOLS / "grade.py"), "--root", str(ROOT), "--toolchain", TOOLCHAIN,
+                                 *map(str, words)], cwd=self.root, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                stderr=subprocess.STDOUT, timeout=900)
+        self.assertEqual(result.returncode, 0, result.stdout.decode())

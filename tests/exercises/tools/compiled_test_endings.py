@@ -1,0 +1,164 @@
+"""Processes end with the grader, however that ends; where the grader fails nobody gets 0 points."""
+
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from dataclasses import replace
+from pathlib import Path
+
+from catalogue import read_catalogue
+from complaint import GraderFailed
+from fixture import PLACE, ROOT
+from grading import RIGHT, Grading
+from programs import prepare
+from run_check import FAILED, run_check
+from untrusted import a_workshop, own_user, seals
+
+SLEEPS = "#include <unistd.h>\n" + RIGHT.replace("return number + number;", "for (;;) pause();\n  return number;")
+COMPILES = """template <int n> constexpr int slow() {
+  int seed = n;
+  for (int i = 0; i < 200000; ++i) seed = (seed * 5 + i) % 1000003;
+  return seed;
+}
+template <int n> struct Slow { static constexpr int value = slow<n>() % 2 + Slow<n - 1>::value; };
+template <> struct Slow<0> { static constexpr int value = 0; };
+""" + RIGHT.replace("number + number", "number * Slow<800>::value")
+LACKS_LANDLOCK = Path(__file__).with_name("without_landlock.py")
+
+
+def descendants(process):
+    """Numbers of the processes that it started, and that those started."""
+    parents = {}
+    for status in Path("/proc").glob("[0-9]*/stat"):
+        try:
+            text = status.read_text(encoding="utf-8", errors="replace")
+            number, parent = re.match(r"(\d+) \(.*\) [^Z] (\d+)", text, re.DOTALL).groups()
+        except (OSError, AttributeError):
+            continue
+        parents[int(number)] = int(parent)
+    found = {process}
+    while True:
+        more = {number for number, parent in parents.items() if parent in found} - found
+        if not more:
+            return found - {process}
+        found |= more
+
+
+def name_of(process):
+    try:
+        return Path(f"/proc/{process}/cmdline").read_text(encoding="utf-8", errors="replace").replace("\0", " ")
+    except OSError:
+        return ""
+
+
+class Endings(Grading):
+    def setUp(self):
+        super().setUp()
+        self.exercise = read_catalogue(self.root)[0]
+        prepare(self.toolchain, self.exercise)
+
+    def until(self, found):
+        deadline = time.monotonic() + 60
+        while time.monotonic() < deadline:
+            if found():
+                return
+            time.sleep(0.05)
+        self.fail("it did not come to that")
+
+    def one(self):
+        """grade_one with its task, as grade starts it."""
+        task = {"root": str(self.root), "toolchain": str(self.toolchain_file), "submission": str(self.submissions / "ada"),
+                "exercises": [PLACE], "seconds": 60, "key": "", "private": None}
+        return [sys.executable, "-B", str(ROOT / "exercises" / "tools" / "grade_one.py")], json.dumps(task).encode()
+
+    def after_an_end(self, text, stage, end):
+        """Starts a grader, waits until a process whose command holds `stage` runs, and lets `end` end something of it."""
+        shutil.rmtree(self.submissions / "ada", ignore_errors=True)
+        self.hand_in("ada", text)
+        temporary = Path(tempfile.mkdtemp(dir=self.root))
+        temporary.chmod(0o755)
+        with subprocess.Popen(self.command("--seconds", "60"), stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL, env={**os.environ, "TMPDIR": str(temporary)}) as grader:
+            try:
+                self.until(lambda: any(stage in name_of(each) for each in descendants(grader.pid)))
+                started = descendants(grader.pid)
+                end(grader, started)
+                self.until(lambda: not any(name_of(each) for each in started))
+            finally:
+                grader.kill()
+        return list(temporary.iterdir())
+
+    def test_whatever_signal_ends_the_grader_nothing_runs_on_and_nothing_is_left(self):
+        for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT, signal.SIGKILL):
+            with self.subTest(number.name):
+                left = self.after_an_end(SLEEPS, "made/answers_double", lambda grader, _: grader.send_signal(number))
+                self.assertEqual([place for place in left if place.name.startswith("graded-")], [])
+
+    def test_a_compiler_ends_with_the_grader(self):
+        for number in (signal.SIGTERM, signal.SIGKILL):
+            with self.subTest(number.name):
+                self.after_an_end(COMPILES, "text/answers_double.cpp", lambda grader, _: grader.send_signal(number))
+
+    def test_of_keeper_and_worker_either_ends_what_the_other_leaves(self):
+        for which in (0, 1):
+            with self.subTest(which):
+                def end(_, started):
+                    graders = sorted(each for each in started if "grade_one.py" in name_of(each))
+                    os.kill(graders[which], signal.SIGKILL)
+                self.after_an_end(COMPILES, "text/answers_double.cpp", end)
+
+    def test_two_graders_at_once_do_not_meet(self):
+        for number in range(4):
+            self.hand_in(f"student{number}", RIGHT)
+        graders = [subprocess.Popen(self.command("--format", "json", "--jobs", "2"), stdin=subprocess.DEVNULL,
+                                    stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) for _ in range(2)]
+        for grader in graders:
+            self.assertEqual({result["points"] for result in json.loads(grader.communicate(timeout=600)[0])}, {3})
+
+    def fails(self, text):
+        """What grade_one says, which must write no result."""
+        self.hand_in("ada", text)
+        command, task = self.one()
+        result = subprocess.run(command, input=task, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=600)
+        self.assertNotEqual(result.returncode, 0)
+        self.assertEqual(result.stdout, b"")
+        return result.stderr.decode().strip().splitlines()[-1]
+
+    def test_a_judge_that_fails_is_no_fault_of_a_student(self):
+        judge = self.build / PLACE / "judge"
+        judge.write_text("#!/bin/sh\necho no memory\nexit 1\n", encoding="utf-8")
+        self.assertIn("no memory", self.fails(RIGHT))
+
+    def test_a_compiler_that_fails_is_no_fault_of_a_student(self):
+        broken = replace(self.toolchain, options=[*self.toolchain.options, "-include", str(self.root / "missing.hpp")])
+        with a_workshop(broken, self.exercise, own_user(), 60) as workshop:
+            with self.assertRaisesRegex(GraderFailed, "the compiler does not work"):
+                workshop.compile(RIGHT)
+
+    def test_what_the_system_does_not_start_earns_nothing(self):
+        worker = self.root / "worker"
+        worker.write_text("no program", encoding="utf-8")
+        worker.chmod(0o755)
+        outcome = run_check(self.build / PLACE / "judge", 0, {"double": worker})
+        self.assertEqual((outcome.status, outcome.message), (FAILED, "the program could not be started: Exec format error"))
+
+    @unittest.skipUnless(seals()["files"], "there is none to take away")
+    def test_without_landlock_marks_are_refused_unless_asked_for(self):
+        self.hand_in("ada", RIGHT)
+
+        def grade(*options):
+            return subprocess.run([sys.executable, "-B", str(LACKS_LANDLOCK), *self.command("--format", "json", *options)],
+                                  stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=600)
+        refused = grade()
+        self.assertEqual((refused.returncode, refused.stdout), (2, b""))
+        self.assertIn(b"the system offers no Landlock", refused.stderr)
+        told = grade("--unsealed")
+        self.assertEqual([result["points"] for result in json.loads(told.stdout)], [3], told.stderr)
+        self.assertIn(b"not in files", told.stderr)
