@@ -63,14 +63,15 @@ def end_group(leader):
         pass
 
 
-def in_keeping(work):
+def in_keeping(work, caller):
     """Does `work` in a process of its own and returns its exit code. What it has started ends with it, however it ends.
+
+    `caller` is the process that started this one. It is told and not asked for, since by now it may have ended.
 
     Two processes watch each other. When the one that called this ends, or is told to, the keeper tells the worker to end and then
     ends whatever is left; when the keeper is killed, the worker ends by itself. Both get a signal from the kernel, so that also
     SIGKILL leaves nothing behind.
     """
-    caller = os.getppid()
     if os.getpgrp() != os.getpid():
         os.setsid()  # a signal to the group of the caller must not end keeper and worker at once
     for number in ORDERS_TO_END:

@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import os
 import signal
 import subprocess
 import sys
@@ -50,7 +51,7 @@ class _Graders:
             "root": str(self.arguments.root), "toolchain": str(self.arguments.toolchain), "submission": str(folder.resolve()),
             "exercises": [exercise.path for exercise in self.exercises], "seconds": self.arguments.seconds,
             "key": f"{self.arguments.seed}-{student}" if self.arguments.seed else "",
-            "private": str(self.arguments.private) if self.arguments.private else None})
+            "private": str(self.arguments.private) if self.arguments.private else None, "caller": os.getpid()})
         checks = [check for exercise in graded["exercises"] for check in exercise["checks"]]
         return {"student": student, "submission": name, "points": sum(check["points"] for check in checks),
                 "of": sum(check["of"] for check in checks), "exercises": graded["exercises"], "seconds": graded["seconds"],

@@ -1,6 +1,7 @@
 """Grades one submission and writes what came of it as JSON. A program of its own, so that each submission stands alone.
 
-  grade_one.py < {"root": ..., "toolchain": ..., "submission": ..., "exercises": [...], "key": ..., "seconds": ..., "private": ...}
+  grade_one.py < {"root": ..., "toolchain": ..., "submission": ..., "exercises": [...], "key": ..., "seconds": ..., "private": ...,
+                   "caller": the process that starts this one}
 
 Exit code 0: all was graded. Any other: the grader itself failed, the last line on stderr says how, and nothing is written.
 """
@@ -79,7 +80,7 @@ def main():
         except (Complaint, CommandFailed, GraderFailed) as failure:
             sys.exit(str(failure))
         json.dump(graded, sys.stdout)
-    return in_keeping(work)
+    return in_keeping(work, task["caller"])
 
 
 if __name__ == "__main__":

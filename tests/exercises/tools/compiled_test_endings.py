@@ -75,7 +75,7 @@ class Endings(Grading):
     def one(self):
         """grade_one with its task, as grade starts it."""
         task = {"root": str(self.root), "toolchain": str(self.toolchain_file), "submission": str(self.submissions / "ada"),
-                "exercises": [PLACE], "seconds": 60, "key": "", "private": None}
+                "exercises": [PLACE], "seconds": 60, "key": "", "private": None, "caller": os.getpid()}
         return [sys.executable, "-B", str(ROOT / "exercises" / "tools" / "grade_one.py")], json.dumps(task).encode()
 
     def after_an_end(self, text, stage, end):
@@ -105,6 +105,15 @@ class Endings(Grading):
         for number in (signal.SIGTERM, signal.SIGKILL):
             with self.subTest(number.name):
                 self.after_an_end(COMPILES, "text/answers_double.cpp", lambda grader, _: grader.send_signal(number))
+
+    def test_who_comes_to_work_after_the_grader_has_ended_goes_again(self):
+        self.hand_in("ada", COMPILES)
+        with subprocess.Popen(["true"]) as ended:
+            pass
+        command, task = self.one()
+        task = json.dumps({**json.loads(task), "caller": ended.pid}).encode()
+        result = subprocess.run(command, input=task, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=30)
+        self.assertEqual((result.returncode != 0, result.stdout), (True, b""))
 
     def test_of_keeper_and_worker_either_ends_what_the_other_leaves(self):
         for which in (0, 1):
