@@ -13,6 +13,7 @@ for a run that was stopped.
 
 import argparse
 import os
+import resource
 import shutil
 import sys
 import tempfile
@@ -107,8 +108,10 @@ def grade(arguments, outputs):
                 export(arguments, exercises)
             prepare_all(toolchain, exercises, arguments.jobs)
             require_seals(toolchain, exercises[0], arguments.unsealed)
+            before, computed = len(part.done), seconds_computed()
             try:
                 results, failed = grade_class(arguments, exercises, part, show_how_far)
+                tell_throughput(len(part.done) - before, len(exercises), seconds_computed() - computed)
             except Stopped:
                 if kept:
                     say(f"{len(part.done)} of {len(part.tasks)} results are kept in {kept}; the same command with --resume goes on.",
@@ -181,6 +184,18 @@ def commanded(words):
     arguments = grading.parse_intermixed_args(rest)
     arguments.root, arguments.toolchain = known.root, known.toolchain
     return arguments
+
+
+def seconds_computed():
+    """By the processes that were started and have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
+def tell_throughput(submissions, exercises, seconds):
+    """How large a cluster has to be is reckoned from this."""
+    if submissions:
+        say(f"Computing took {seconds / submissions / exercises:.2f} s for each exercise of a submission.", to=sys.stderr)
 
 
 def show_how_far(done, of):
