@@ -40,7 +40,7 @@ configure() {
   wanted=$(asked_for "$1")
   if [ -f "$folder/CMakeCache.txt" ]; then
     grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$folder/CMakeCache.txt" || start_afresh "$folder"
-    [ "$(sed 's/;.*//' "$folder/configured" 2>/dev/null)" = "${wanted%%;*}" ] || start_afresh "$folder"
+    [ ! -f "$folder/configured" ] || [ "$(sed 's/;.*//' "$folder/configured")" = "${wanted%%;*}" ] || start_afresh "$folder"
   fi
   [ -f "$folder/CMakeCache.txt" ] && { [ -f "$folder/build.ninja" ] || [ -f "$folder/Makefile" ]; } &&
     [ "$(cat "$folder/configured" 2>/dev/null)" = "$wanted" ] &&

@@ -47,6 +47,12 @@ verify "a new checkout is configured and built" heals
 course
 verify "what is configured is not configured again" [ "${output/Configured/}" = "$output" ]
 
+rm "$build/configured"
+touch "$build/of_before"
+course
+verify "without its mark it is configured again" heals
+verify "and keeps what was compiled" [ -e "$build/of_before" ]
+
 rm "$build/CMakeCache.txt"
 course
 verify "without CMakeCache.txt, though it is marked as configured, it heals" heals
