@@ -429,7 +429,7 @@ TEST_CASE("An effect is for the bodies that it names, one copy among them, or fo
 }
 
 TEST_CASE("An effect has the name that the file gives it, whatever its kind") {
-  for (const auto& [kind, more] : std::vector<std::pair<std::string, std::string>>{
+  for (const auto& [kind_of_it, more] : std::vector<std::pair<std::string, std::string>>{
            {"gravity", R"("acceleration": [0, 0, 1])"},
            {"gravity_as_acceleration", R"("acceleration": [0, 0, 1])"},
            {"point_gravity", R"("strength": 1)"},
@@ -440,6 +440,7 @@ TEST_CASE("An effect has the name that the file gives it, whatever its kind") {
            {"buoyancy", R"("density": 1, "radius": 1)"},
            {"spring", R"("stiffness": 1, "anchor": [0, 0, 0], "bodies": ["odd"])"},
            {"thruster", R"("force": [1, 0, 0], "bodies": ["odd"])"}}) {
+    const std::string kind = kind_of_it;  // clang 14 captures no structured binding
     CAPTURE(kind);
     const Scene<double> scene = odd_with(kind, more + R"(, "name": "mine")");
     CHECK(only_effect(scene).effect->name() == "mine");
@@ -452,7 +453,7 @@ TEST_CASE("Copies get place, velocity, spin and orientation from the numbers of 
       scene_of(R"({"name": "b", "mass": 1, "inertia": [1, 2, 2.5], "many": {"count": 2, "seed": 5,
         "position_between": [[0, 1, 2], [3, 5, 9]], "velocity_between": [[-1, -2, -3], [1, 2, 4]],
         "angular_velocity_between": [[1, 2, 3], [2, 4, 8]], "orientation_random": true}})");
-  for (const std::uint64_t added : {0, 3}) {
+  for (const std::uint64_t added : {std::uint64_t(0), std::uint64_t(3)}) {
     const Scene<double> scene = read_scene<double>(text, "many.json", {.seed = added});
     std::mt19937_64 numbers(5 + added);
     const auto fraction = [&] { return std::ldexp(static_cast<double>(numbers() >> 11), -53); };
