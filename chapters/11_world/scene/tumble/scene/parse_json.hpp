@@ -63,7 +63,7 @@ class JsonBuilder : public nlohmann::json_sax<nlohmann::json> {
                        "is " + token + "; no number can be that large");
     std::string words = error.what();
     // Before the first ": " stand the library's number of the error and the place once more.
-    if (const std::size_t end = words.find(": "); end != words.npos) words.erase(0, end + 2);
+    if (const std::size_t end = words.find(": "); end != std::string::npos) words.erase(0, end + 2);
     throw SceneError(file_, "", place_of(bytes_read) + "not valid JSON (" + words + ")");
   }
 
