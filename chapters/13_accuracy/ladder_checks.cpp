@@ -101,6 +101,28 @@ TEST_CASE(
 }
 //! [radian_a_step]
 
+TEST_CASE("All that the augmented rule leaves out in third order is how the rate's rate changes") {
+  // Of the true rotation vector, h ω + ½h² ω̇ + h³/12 ω̇ × ω + h³/6 ω̈ + O(h⁴), it has all but the
+  // last. Seen from the body ω̈ is I⁻¹(N × ω + L × ω̇) with N = L × ω; in the world ω × ω̇ comes
+  // on top. A term of h⁴ is h times as large, up to the size of the rates.
+  const Top<long double> start = top_of<long double>(A);
+  const Vec3<long double> w = angular_velocity_body(start), L = start.angular_momentum_body;
+  const auto divided = [&](const Vec3<long double>& v) {
+    return Vec3<long double>(start.inverse_moments.cwiseProduct(v));
+  };
+  const Vec3<long double> N = L.cross(w), rate = divided(N);
+  const Vec3<long double> second = divided(N.cross(w) + L.cross(rate)) + w.cross(rate);
+  const long double h = 1e-4L;
+  Top<long double> top = start;
+  turn_by_augmented_rule(top, h);
+  const auto vector_to = [&](const Quaternion<long double>& q) {
+    return Vec3<long double>(rotation_vector_of<long double>(conjugate(start.orientation) * q));
+  };
+  const Vec3<long double> left_out =
+      (vector_to(FreeTop(start).orientation(h)) - vector_to(top.orientation)) / (h * h * h);
+  CHECK(distance<long double>(left_out, second / 6) <= 100 * h * second.norm());
+}
+
 //! [claims]
 TEST_CASE_TEMPLATE("Each rung keeps what it claims to keep, and loses what it does not", Real,
                    EVERY_PRECISION) {
