@@ -40,8 +40,8 @@ class _Graders:
     def __init__(self, arguments, exercises, most):
         self.arguments, self.exercises, self.most = arguments, exercises, most
         self.lock, self.processes, self.ended = threading.Lock(), set(), False
-        # Each exercise is compiled, each check takes at most four times its seconds in both precisions, and the judge may have to be made.
-        self.seconds = sum(COMPILING * arguments.seconds + 2 * (4 * arguments.seconds + 3) * len(exercise.checks) + 300
+        # Each exercise is compiled, by the clock four times as long as may be computed; each check takes at most four times its seconds in both precisions, and the judge may have to be made.
+        self.seconds = sum(4 * COMPILING * arguments.seconds + 2 * (4 * arguments.seconds + 3) * len(exercise.checks) + 300
                            for exercise in exercises)
 
     def grade(self, name, folder):
