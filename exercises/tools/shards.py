@@ -8,8 +8,8 @@ A job is what must be equal in every shard, and the names of its tasks in the or
     results, missing = merge([Path("1.part"), Path("2.part")])                       # {name: result} in the job's order
 
 Shard 3/16 has the third task and every sixteenth after it. A part is a file of lines, each JSON: first the job and the shard, then a
-result each, the later one where a task has two. What was cut off in the middle of a line is done again. A part of another job, and one that another run is writing, is
-refused. run() tries a task that raises an exception a second time and returns {name: why} of those that failed twice: a failure is no
+result each, or that a task's result is void; of two lines for a task the later counts. What was cut off in the middle of a line is done
+again. A part of another job, and one that another run is writing, is refused. run() tries a task that raises an exception a second time and returns {name: why} of those that failed twice: a failure is no
 result, so --resume tries it again. A Complaint, a full disk among them, and Ctrl-C or SIGTERM (as Stopped) end the run after stop().
 The merged results are those of the unsharded run if work() depends on nothing but the job and the name.
 
@@ -86,6 +86,11 @@ class Part:
         line = _line({"task": name, "result": result})
         self._append(line)
         self.done[name] = json.loads(line)["result"]
+
+    def void(self, name):
+        """The task's result counts no longer: it's to be done, and until then merge() finds none."""
+        self._append(_line({"task": name, "void": True}))
+        del self.done[name]
 
     def _lock(self):
         try:
@@ -210,10 +215,12 @@ def _read(text, name):
             if header is None:
                 header = {key: said[key] for key in ("job", "shard", "tasks")}
                 mine = set(share(header["tasks"], Shard(*header["shard"])))
-            elif said["task"] in mine:
-                results[said["task"]] = said["result"]
-            else:
+            elif said["task"] not in mine:
                 raise ValueError
+            elif said.get("void"):
+                results.pop(said["task"], None)
+            else:
+                results[said["task"]] = said["result"]
         except (ValueError, KeyError, TypeError):
             raise Complaint(f"{name} is no part of a job; see its line {count}") from None
     if header is None and not rest.startswith(BEGINNING[:len(rest)]):

@@ -198,6 +198,14 @@ class NothingLost(AClassOfStandIns):
         self.assertEqual([result["points"] for result in json.loads(printed)], [3, 1, 1])
         self.assertEqual(self.graded_so_far(), {"ada": 1, "bob": 2, "eve": 3})
 
+    def test_what_was_handed_in_once_more_and_has_no_result_has_none_when_merged(self):
+        self.hand_in_all(ada=2, bob=1)
+        self.run_to_the_end("--part", "kept")
+        (self.submissions / "bob" / "doubled.hpp").write_text("// breaks\n", encoding="utf-8")
+        self.run_to_the_end("--part", "kept", "--resume", code=3)
+        _, said = self.run_to_the_end("merge", "kept", code=3)
+        self.assertIn("bob has no result", said)
+
     def test_a_part_is_of_one_job_alone(self):
         self.hand_in_all(ada=2, bob="breaks")
         self.run_to_the_end(code=3)

@@ -102,7 +102,10 @@ class Shards(InAFolder):
         with self.part() as part:
             run(part, lambda name: "before")
             for name in NAMES[2:4]:
-                del part.done[name]
+                part.void(name)
+            self.assertEqual(merge([self.folder / "part"])[1], NAMES[2:4])
+        with self.part(resume=True) as part:
+            self.assertEqual(part.to_do(), NAMES[2:4])
             run(part, lambda name: "after")
         with self.part(resume=True) as part:
             self.assertEqual(part.done, {name: "after" if name in NAMES[2:4] else "before" for name in NAMES})
