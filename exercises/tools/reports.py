@@ -82,12 +82,12 @@ def marks(results):
     """student, submission, points, of, and the points of each exercise."""
     out = io.StringIO(newline="")
     table = csv.writer(out)
-    table.writerow(["student", "submission", "points", "of", *(exercise["exercise"] for result in results[:1]
-                                                                 for exercise in result["exercises"]), "to look at"])
+    columns = [exercise["exercise"] for result in results[:1] for exercise in result["exercises"]]
+    table.writerow(["student", "submission", "points", "of", *columns, "to look at"])
     for result in results:
-        each = [sum(check["points"] for check in exercise["checks"]) for exercise in result["exercises"]]
+        points = {exercise["exercise"]: sum(check["points"] for check in exercise["checks"]) for exercise in result["exercises"]}
         flags = "; ".join(f"{exercise['exercise']} {flag}" for exercise in result["exercises"] for flag in exercise["flags"])
-        table.writerow([result["student"], result["submission"], result["points"], result["of"], *each, flags])
+        table.writerow([result["student"], result["submission"], result["points"], result["of"], *(points[column] for column in columns), flags])
     return out.getvalue()
 
 
