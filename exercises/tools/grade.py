@@ -24,7 +24,7 @@ from complaint import Complaint
 from grade_class import grade_class, job_of
 from made import CommandFailed
 from outputs import Outputs
-from plain_text import complain, say, why_unheard
+from plain_text import complain, one_line, say, why_unheard
 from programs import prepare_all
 from reports import FORMATS, marks
 from shards import WHOLE, Part, Stopped, merge, shard_of, stoppable
@@ -65,7 +65,7 @@ def export_for_similarity(folder, submissions, exercises):
 def write_outputs(arguments, outputs, by_name, missing):
     """Whole tables, or none: who has no result is told, and is in none with --incomplete alone. Returns the exit status."""
     for name, why in missing.items():
-        complain(f"{name} has no result{': ' + why if why else ''}")
+        complain(f"{one_line(name)} has no result{': ' + why if why else ''}")
     if missing and not arguments.incomplete:
         complain(f"{len(missing)} submissions have no result, which is not 0 points, so no output is written. --resume grades what is "
                  "missing; --incomplete writes the others'")
@@ -119,7 +119,7 @@ def grade(arguments, outputs):
                 raise
     if arguments.shard != WHOLE:
         for name, why in failed.items():
-            complain(f"{name} has no result: {why}")
+            complain(f"{one_line(name)} has no result: {why}")
         say(f"{len(results)} of {len(results) + len(failed)} results of shard {arguments.shard.number}/{arguments.shard.of} are in {kept}")
         return NO_RESULT if failed else 0
     status = write_outputs(arguments, outputs, results, failed)

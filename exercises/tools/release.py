@@ -17,7 +17,7 @@ from pathlib import Path
 
 from catalogue import read_catalogue
 from complaint import Complaint
-from plain_text import complain, say, why_unheard
+from plain_text import complain, one_line, say, why_unheard
 from starter import regions_of
 
 LEFT_OUT = re.compile(r"(solutions|work|build|third_party)/|tests/exercises/(?!CMakeLists|tools/(run|test_|gradescope_format))|"
@@ -61,7 +61,7 @@ def released_files(root):
 
 def tell_left_out(left_out):
     for name, why in left_out.items():
-        say(f"Left out: {name} ({why})")
+        say(f"Left out: {one_line(name)} ({why})")
 
 
 def what_is_left_of_solutions(root, folder, catalogue):
