@@ -12,6 +12,7 @@ for a run that was stopped.
 """
 
 import argparse
+import hashlib
 import os
 import resource
 import shutil
@@ -56,10 +57,16 @@ def export_for_similarity(folder, submissions, exercises):
         for submission in submissions:
             header = read_header(submission, exercise)
             if header.text:
-                (place / f"{name_of(submission)}.hpp").write_text(header.text, encoding="utf-8", newline="")
+                (place / f"{file_name_of(submission)}.hpp").write_text(header.text, encoding="utf-8", newline="")
         starter = exercise.folder / exercise.header
         if starter.exists():
             shutil.copyfile(starter, place / "STARTER.hpp")
+
+
+def file_name_of(submission):
+    """The submission's name, shortened where an ending would make it too long for a file; what it lost is in a digest then."""
+    name = os.fsencode(name_of(submission))
+    return os.fsdecode(name if len(name) <= 251 else name[:200] + b"-" + hashlib.sha256(name).hexdigest()[:32].encode())
 
 
 def write_outputs(arguments, outputs, by_name, missing):

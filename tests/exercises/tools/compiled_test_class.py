@@ -206,6 +206,14 @@ class NothingLost(AClassOfStandIns):
         _, said = self.run_to_the_end("merge", "kept", code=3)
         self.assertIn("bob has no result", said)
 
+    def test_no_name_is_too_long_to_look_for_copied_code(self):
+        names = ["n" * 251, "n" * 252, "n" * 253 + "1", "n" * 253 + "2", "\u00e9" * 127]
+        self.hand_in_all(**{name: 1 for name in names})
+        self.run_to_the_end("--similarity", "copies")
+        found = [file.name for file in (self.place / "copies" / "doubled").iterdir()]
+        self.assertEqual(len(found), len(names) + 1)
+        self.assertIn("n" * 251 + ".hpp", found)
+
     def test_a_name_of_two_lines_is_told_on_one(self):
         self.hand_in("ada\ncourse: bob", "// breaks\n")
         _, said = self.run_to_the_end(code=3)
