@@ -44,11 +44,11 @@ def find(catalogue, word):
 
 
 def find_all(catalogue, words):
-    """Those of a list such as moon,no_lag, each of which may stand there once; without a list, all."""
+    """Those of a list such as moon,no_lag, each of which may stand there once, in the catalogue's order; without a list, all."""
     if words is None:
         return catalogue
     found = [find(catalogue, word) for word in words.split(",")]
     for exercise in found:
         if found.count(exercise) > 1:
             raise Complaint(f"{exercise.name} stands twice in {words}; its points count once")
-    return found
+    return [exercise for exercise in catalogue if exercise in found]

@@ -12,6 +12,7 @@ for a run that was stopped.
 """
 
 import argparse
+import hashlib
 import os
 import resource
 import shutil
@@ -24,7 +25,7 @@ from complaint import Complaint
 from grade_class import grade_class, job_of
 from made import CommandFailed
 from outputs import Outputs
-from plain_text import complain, say, why_unheard
+from plain_text import complain, one_line, say, why_unheard
 from programs import prepare_all
 from reports import FORMATS, marks
 from shards import WHOLE, Part, Stopped, merge, shard_of, stoppable
@@ -56,16 +57,22 @@ def export_for_similarity(folder, submissions, exercises):
         for submission in submissions:
             header = read_header(submission, exercise)
             if header.text:
-                (place / f"{name_of(submission)}.hpp").write_text(header.text, encoding="utf-8", newline="")
+                (place / f"{file_name_of(submission)}.hpp").write_text(header.text, encoding="utf-8", newline="")
         starter = exercise.folder / exercise.header
         if starter.exists():
             shutil.copyfile(starter, place / "STARTER.hpp")
 
 
+def file_name_of(submission):
+    """The submission's name, shortened where an ending would make it too long for a file; what it lost is in a digest then."""
+    name = os.fsencode(name_of(submission))
+    return os.fsdecode(name if len(name) <= 251 else name[:200] + b"-" + hashlib.sha256(name).hexdigest()[:32].encode())
+
+
 def write_outputs(arguments, outputs, by_name, missing):
     """Whole tables, or none: who has no result is told, and is in none with --incomplete alone. Returns the exit status."""
     for name, why in missing.items():
-        complain(f"{name} has no result{': ' + why if why else ''}")
+        complain(f"{one_line(name)} has no result{': ' + why if why else ''}")
     if missing and not arguments.incomplete:
         complain(f"{len(missing)} submissions have no result, which is not 0 points, so no output is written. --resume grades what is "
                  "missing; --incomplete writes the others'")
@@ -119,7 +126,7 @@ def grade(arguments, outputs):
                 raise
     if arguments.shard != WHOLE:
         for name, why in failed.items():
-            complain(f"{name} has no result: {why}")
+            complain(f"{one_line(name)} has no result: {why}")
         say(f"{len(results)} of {len(results) + len(failed)} results of shard {arguments.shard.number}/{arguments.shard.of} are in {kept}")
         return NO_RESULT if failed else 0
     status = write_outputs(arguments, outputs, results, failed)

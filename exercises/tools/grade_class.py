@@ -28,7 +28,7 @@ def grade_class(arguments, exercises, part, tell):
     """Grades what the part lacks. Returns the results by submission, of those that have one, and why the others have none."""
     folders = {name_of(folder): folder for folder in arguments.folders}
     for name in [name for name, result in part.done.items() if result["handed_in"] != _handed_in(folders[name], exercises)]:
-        del part.done[name]  # it was handed in once more, so it's graded once more
+        part.void(name)  # it was handed in once more, so it's graded once more
     graders = _Graders(arguments, exercises, min(arguments.jobs, len(folders)))
     failed = run(part, lambda name: graders.grade(name, folders[name]), graders.most, graders.end, tell)
     return {name: part.done[name] for name in part.tasks if name in part.done}, failed
@@ -41,7 +41,8 @@ class _Graders:
         self.arguments, self.exercises, self.most = arguments, exercises, most
         self.lock, self.processes, self.ended = threading.Lock(), set(), False
         # Each exercise is compiled, each check takes at most four times its seconds in both precisions, and the judge may have to be made.
-        self.seconds = sum(COMPILING * arguments.seconds + 2 * (4 * arguments.seconds + 3) * len(exercise.checks) + 300
+        # By the clock a compiler has four times what it may compute.
+        self.seconds = sum(4 * COMPILING * arguments.seconds + 2 * (4 * arguments.seconds + 3) * len(exercise.checks) + 300
                            for exercise in exercises)
 
     def grade(self, name, folder):

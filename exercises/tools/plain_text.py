@@ -6,20 +6,33 @@ XML, JSON and CSV themselves are for their own writers (ElementTree, json, csv) 
 
 import contextlib
 import os
+import re
 import sys
 import unicodedata
+
+# Unicode's letters that show nothing, or a blank, and that Python nevertheless calls printable.
+UNSEEN = re.compile("[\u034f\u115f\u1160\u17b4\u17b5\u180b-\u180d\u180f\u2800\u3164\ufe00-\ufe0f\uffa0\U000e0100-\U000e01ef]")
 
 
 def plain(text):
     """Every letter that can't be seen as its escape, such as \\x1b; a blank of another width as a blank; lines and tabs as they are."""
-    if text.isprintable():
+    if _is_seen(text):
         return text
-    return "".join(letter if letter in "\n\t" or letter.isprintable() else _seen(letter) for letter in text.replace("\r\n", "\n"))
+    return "".join(letter if letter in "\n\t" or _is_seen(letter) else " " if unicodedata.category(letter) == "Zs" else _escaped(letter)
+                   for letter in text.replace("\r\n", "\n"))
 
 
-def _seen(letter):
-    if unicodedata.category(letter) == "Zs":
-        return " "
+def one_line(name):
+    """The same for a name: on one line, and unlike what any other name becomes. Its own backslashes are doubled."""
+    return "".join(f"\\u{ord(letter):04x}" if "\x80" <= letter <= "\xff" and not letter.isprintable() else
+                   letter if letter != "\\" and _is_seen(letter) else _escaped(letter) for letter in name)
+
+
+def _is_seen(text):
+    return text.isprintable() and not UNSEEN.search(text)
+
+
+def _escaped(letter):
     if "\udc80" <= letter <= "\udcff":  # Python's stand-in for a byte that is no UTF-8
         return f"\\x{ord(letter) - 0xdc00:02x}"
     return letter.encode("unicode_escape").decode("ascii")

@@ -17,11 +17,11 @@ from pathlib import Path
 
 from catalogue import read_catalogue
 from complaint import Complaint
-from plain_text import complain, say, why_unheard
+from plain_text import complain, one_line, say, why_unheard
 from starter import regions_of
 
 LEFT_OUT = re.compile(r"(solutions|work|build|third_party)/|tests/exercises/(?!CMakeLists|tools/(run|test_|gradescope_format))|"
-                      r"(.*/)?(instructor[^/]*|node_modules|__pycache__)(/|$)|MANIFEST\.json$")
+                      r"(.*/)?(instructor[^/]*|node_modules|__pycache__)(/|$)|MANIFEST\.json$", re.IGNORECASE)
 LICENCES = {"eigen3.txt": "/usr/share/doc/libeigen3-dev/copyright", "doctest.txt": "/usr/share/doc/doctest-dev/copyright",
             "MPL-2.0.txt": "/usr/share/common-licenses/MPL-2.0"}
 LEAST = 12  # letters and signs of a region that can be recognised
@@ -61,7 +61,7 @@ def released_files(root):
 
 def tell_left_out(left_out):
     for name, why in left_out.items():
-        say(f"Left out: {name} ({why})")
+        say(f"Left out: {one_line(name)} ({why})")
 
 
 def what_is_left_of_solutions(root, folder, catalogue):
@@ -78,7 +78,7 @@ def what_is_left_of_solutions(root, folder, catalogue):
     complaints = []
     for file in sorted(folder.rglob("*")):
         name = str(file.relative_to(folder))
-        if {"solutions", "wrong"} & set(Path(name).parts):
+        if {"solutions", "wrong"} & set(Path(name.lower()).parts):
             complaints.append(f"{name} lies where solutions and wrong answers do")
         if not file.is_file() or name.startswith(("chapters/", "common/", "third_party/")) or file.name == "hints.md":
             continue

@@ -4,15 +4,17 @@ import csv
 import functools
 import io
 import json
+import re
 import textwrap
 from xml.etree import ElementTree
 
-from plain_text import all_plain
+from plain_text import all_plain, one_line
 
 
 def _plain(write):
-    """Whatever is handed on holds plain text alone."""
-    return functools.wraps(write)(lambda results: write(all_plain(results)))
+    """Whatever is handed on holds plain text alone, and names of one line."""
+    return functools.wraps(write)(lambda results: write([
+        {**all_plain(result), **{key: one_line(result[key]) for key in ("student", "submission")}} for result in results]))
 
 
 @_plain
@@ -82,13 +84,19 @@ def marks(results):
     """student, submission, points, of, and the points of each exercise."""
     out = io.StringIO(newline="")
     table = csv.writer(out)
-    table.writerow(["student", "submission", "points", "of", *(exercise["exercise"] for result in results[:1]
-                                                                 for exercise in result["exercises"]), "to look at"])
+    columns = [exercise["exercise"] for result in results[:1] for exercise in result["exercises"]]
+    table.writerow(["student", "submission", "points", "of", *columns, "to look at"])
     for result in results:
-        each = [sum(check["points"] for check in exercise["checks"]) for exercise in result["exercises"]]
+        points = {exercise["exercise"]: sum(check["points"] for check in exercise["checks"]) for exercise in result["exercises"]}
         flags = "; ".join(f"{exercise['exercise']} {flag}" for exercise in result["exercises"] for flag in exercise["flags"])
-        table.writerow([result["student"], result["submission"], result["points"], result["of"], *each, flags])
+        names = [_no_formula(result[key]) for key in ("student", "submission")]
+        table.writerow([*names, result["points"], result["of"], *(points[column] for column in columns), flags])
     return out.getvalue()
+
+
+def _no_formula(name):
+    """The name with an escape for a first letter by which a spreadsheet knows what it evaluates."""
+    return re.sub(r"\A[=+@-]", lambda found: f"\\x{ord(found[0]):02x}", name)
 
 
 def _indented(said, indent):

@@ -7,10 +7,11 @@ A job is what must be equal in every shard, and the names of its tasks in the or
         failed = run(part, work, workers=4, stop=end_what_runs)                      # work(name) returns any JSON
     results, missing = merge([Path("1.part"), Path("2.part")])                       # {name: result} in the job's order
 
-Shard 3/16 has the third task and every sixteenth after it. A part is a file of lines, each JSON: first the job and the shard, then a
-result each, the later one where a task has two. What was cut off in the middle of a line is done again. A part of another job, and one that another run is writing, is
-refused. run() tries a task that raises an exception a second time and returns {name: why} of those that failed twice: a failure is no
-result, so --resume tries it again. A Complaint, a full disk among them, and Ctrl-C or SIGTERM (as Stopped) end the run after stop().
+Shard 3/16 has the third task and every sixteenth after it. A part is a file of lines, each JSON and a checksum: first the job and the
+shard, then a result each, or that a task's result is void; of two lines for a task the later counts. What was cut off in the middle of a
+line is done again. A part of another job, and one that another run is writing, is refused. run() tries a task that raises an exception a
+second time and returns {name: why} of those that failed twice: a failure is no result, so --resume tries it again. A Complaint, a full
+disk among them, and Ctrl-C or SIGTERM (as Stopped) end the run after stop().
 The merged results are those of the unsharded run if work() depends on nothing but the job and the name.
 
 In tools/ it's found by sys.path.insert(0, str(ROOT / "exercises" / "tools")).
@@ -22,6 +23,7 @@ import os
 import re
 import signal
 import threading
+import zlib
 from collections import namedtuple
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
 from contextlib import contextmanager
@@ -85,7 +87,12 @@ class Part:
     def add(self, name, result):
         line = _line({"task": name, "result": result})
         self._append(line)
-        self.done[name] = json.loads(line)["result"]
+        self.done[name] = _said(line.rstrip(b"\n"))["result"]
+
+    def void(self, name):
+        """The task's result counts no longer: it's to be done, and until then merge() finds none."""
+        self._append(_line({"task": name, "void": True}))
+        del self.done[name]
 
     def _lock(self):
         try:
@@ -197,7 +204,16 @@ def merge(files):
 
 
 def _line(said):
-    return (json.dumps(said) + "\n").encode("ascii")
+    text = json.dumps(said).encode("ascii")
+    return b"%s %08x\n" % (text, zlib.crc32(text))
+
+
+def _said(line):
+    """What a line says. Raises ValueError if it isn't what was written."""
+    text, _, checksum = line.rpartition(b" ")
+    if checksum != b"%08x" % zlib.crc32(text):
+        raise ValueError
+    return json.loads(text)
 
 
 def _read(text, name):
@@ -206,14 +222,16 @@ def _read(text, name):
     header, mine, results = None, (), {}
     for count, line in enumerate(lines, 1):
         try:
-            said = json.loads(line)
+            said = _said(line)
             if header is None:
                 header = {key: said[key] for key in ("job", "shard", "tasks")}
                 mine = set(share(header["tasks"], Shard(*header["shard"])))
-            elif said["task"] in mine:
-                results[said["task"]] = said["result"]
-            else:
+            elif said["task"] not in mine:
                 raise ValueError
+            elif said.get("void"):
+                results.pop(said["task"], None)
+            else:
+                results[said["task"]] = said["result"]
         except (ValueError, KeyError, TypeError):
             raise Complaint(f"{name} is no part of a job; see its line {count}") from None
     if header is None and not rest.startswith(BEGINNING[:len(rest)]):

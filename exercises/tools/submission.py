@@ -6,6 +6,7 @@ import stat
 from dataclasses import dataclass, field
 
 from complaint import Complaint
+from plain_text import one_line
 
 LARGEST = 256 * 1024  # bytes; the course's own solutions have two thousand
 
@@ -89,16 +90,17 @@ def name_of(folder):
 
 
 def student_of(submission):
-    """Submissions called ada@1 and ada@2 are two of ada's."""
-    return submission.partition("@")[0]
+    """Submissions called ada@1 and ada@2026-03-01 are two of ada's; what else follows an @ belongs to the name, as in an address."""
+    return re.fullmatch(r"(.+?)(?:@[0-9][0-9-]*)?", submission, re.DOTALL)[1]
 
 
 def require_folders(folders):
     seen = {}
     for folder in folders:
         if not folder.is_dir():
-            raise Complaint(f"{folder} is no folder; a submission is a folder that holds a student's headers")
+            raise Complaint(f"{one_line(str(folder))} is no folder; a submission is a folder that holds a student's headers")
         name = name_of(folder)
         if name in seen:
-            raise Complaint(f"two submissions are called {name}: {seen[name]} and {folder}; the name of the folder names the student")
+            raise Complaint(f"two submissions are called {one_line(name)}: {one_line(str(seen[name]))} and {one_line(str(folder))}; "
+                            "the name of the folder names the student")
         seen[name] = folder

@@ -32,13 +32,17 @@ FIRST_USER = 0x70000000  # from here to 0x7fffffff no system gives numbers to ac
 FEW_USERS = 62000        # where a container has but 65536 numbers: beyond those of accounts
 COMPILING = 12           # times as long as a check may take
 ROOM = 256 * MEBIBYTE    # which a compiler must find on the disk
-# The last that the compiler says then; a text's own words can't stand there.
+# The last that the compiler says then; a text can make it say so too, with a static_assert.
 ENDED_FROM_OUTSIDE = re.compile(r"fatal error: (Killed signal terminated program \w+|ld terminated with signal 9 \[Killed\])\n"
                                 r"compilation terminated\.\s*\Z")
 
 
 class Uncompiled(Exception):
     """The text is no program; the compiler's words, or why it was cut short."""
+
+
+class Ended(Uncompiled):
+    """The compiler says that one of its programs was killed, which a text can make it say too."""
 
 
 def seals():
@@ -113,15 +117,36 @@ class Workshop:
 
     def compile(self, text):
         """The workers by precision, both made of the same text. Raises Uncompiled, or GraderFailed where it's not the text's fault."""
-        self._write(self.exercise.header, text)
-        for real in PRECISIONS:
-            self._write(f"answers_{real}.cpp", answers_source(self.exercise, real))
         deadline = time.monotonic() + 4 * self.seconds
         try:
-            return {real: self._worker(real, deadline) for real in PRECISIONS}
+            try:
+                return self._workers(text, deadline)
+            except Ended:
+                self._try_out_on_the_starter()
+            try:
+                return self._workers(text, deadline)
+            except Ended as ended:
+                raise Uncompiled(f"{ended}, twice, but not on the starter") from None
         except Uncompiled:
             self.try_out()
             raise
+
+    def _workers(self, text, deadline):
+        self._write(self.exercise.header, text)
+        for real in PRECISIONS:
+            self._write(f"answers_{real}.cpp", answers_source(self.exercise, real))
+        return {real: self._worker(real, deadline) for real in PRECISIONS}
+
+    def _try_out_on_the_starter(self):
+        """Raises GraderFailed if the compiler is ended there too. The starter asks for as much memory as an answer, an empty program
+        for far less."""
+        starter = self.exercise.folder / self.exercise.header
+        try:
+            self._workers(starter.read_text(encoding="utf-8") if starter.exists() else "", time.monotonic() + 4 * self.seconds)
+        except Ended as ended:
+            raise GraderFailed(f"{ended}; is there too little memory?") from None
+        except Uncompiled:
+            pass  # a private exercise without a starter; what counts is that nobody ended the compiler
 
     def try_out(self):
         """Raises GraderFailed unless the compiler works here, on a text that is beyond doubt."""
@@ -173,12 +198,14 @@ class Workshop:
             raise GraderFailed(f"the compiler does not work where it is confined: {command[0]} was not started: {error}") from None
         end_strays()
         said = ran.output.decode("utf-8", "replace")
-        if ran.code == -signal.SIGKILL and not ran.cut or ENDED_FROM_OUTSIDE.search(said):
+        if ran.code == -signal.SIGKILL and not ran.cut:
             raise GraderFailed("the compiler was ended from outside; is there too little memory?")
         if ran.cut == "time" or "CPU time limit exceeded" in said or ran.code == -signal.SIGXCPU:
             raise Uncompiled(f"it took more than {self.seconds:g} seconds")
         if ran.cut == "output":
             raise Uncompiled(f"it printed more than {limits.output // 1024} KB")
+        if ran.code != 0 and ENDED_FROM_OUTSIDE.search(said):
+            raise Ended("the compiler was ended from outside")
         if ran.code != 0:
             raise Uncompiled(said)
 

@@ -12,9 +12,12 @@ import time
 import unittest
 from dataclasses import replace
 from pathlib import Path
+from unittest import mock
 
+import untrusted
 from catalogue import read_catalogue
 from complaint import GraderFailed
+from confined import Ran, run_confined
 from fixture import PLACE, ROOT
 from grading import RIGHT, Grading
 from programs import prepare
@@ -30,6 +33,7 @@ COMPILES = """template <int n> constexpr int slow() {
 template <int n> struct Slow { static constexpr int value = slow<n>() % 2 + Slow<n - 1>::value; };
 template <> struct Slow<0> { static constexpr int value = 0; };
 """ + RIGHT.replace("number + number", "number * Slow<800>::value")
+KILLED = "fatal error: Killed signal terminated program cc1plus\ncompilation terminated."
 LACKS_LANDLOCK = Path(__file__).with_name("without_landlock.py")
 
 
@@ -150,6 +154,36 @@ class Endings(Grading):
         with a_workshop(broken, self.exercise, own_user(), 60) as workshop:
             with self.assertRaisesRegex(GraderFailed, "the compiler does not work"):
                 workshop.compile(RIGHT)
+
+    def test_a_text_that_claims_the_compilers_end_is_graded_all_the_same(self):
+        said = KILLED.replace("\n", "\\n")
+        linker = "fatal error: ld terminated with signal 9 [Killed]\\ncompilation terminated."
+        self.hand_in("ada", f'{RIGHT}#line 1 "/nonexistent"\nstatic_assert(false, "{said}");\n')
+        self.hand_in("bob", f"""{RIGHT}asm(".warning \\"{linker.replace(chr(92), chr(92) * 2)}\\"");\n""")
+        self.hand_in("eve", f"""{RIGHT}asm(".pushsection .gnu.warning\\n .string \\"{linker.replace(chr(92), chr(92) * 2)}\\"\\n .popsection");\n""")
+        results = self.graded()
+        self.assertEqual({name: result["points"] for name, result in results.items()}, {"ada": 0, "bob": 3, "eve": 3})
+        self.assertEqual(results["ada"]["exercises"][0]["reason"],
+                         "it doesn't compile: the compiler was ended from outside, twice, but not on the starter")
+
+    def compiled_where(self, is_killed):
+        """RIGHT, where the compiler is killed on each text that `is_killed`."""
+        place = []
+
+        def run(command, limits, folder, deadline):
+            if is_killed((place[0] / "text" / "doubled.hpp").read_text(encoding="utf-8")):
+                return Ran(1, f"g++: {KILLED}\n".encode())
+            return run_confined(command, limits, folder, deadline)
+        with a_workshop(self.toolchain, self.exercise, own_user(), 60) as workshop:
+            place.append(workshop.place)
+            with mock.patch.object(untrusted, "run_confined", run):
+                return list(workshop.compile(RIGHT))
+
+    def test_a_compiler_that_is_killed_for_want_of_memory_is_no_fault_of_a_student(self):
+        with self.assertRaisesRegex(GraderFailed, "the compiler was ended from outside; is there too little memory?"):
+            self.compiled_where(lambda text: True)
+        times = iter((True,))
+        self.assertEqual(sorted(self.compiled_where(lambda text: next(times, False))), ["double", "float"])
 
     def test_what_the_system_does_not_start_earns_nothing(self):
         worker = self.root / "worker"

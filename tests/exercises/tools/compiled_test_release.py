@@ -36,7 +36,10 @@ class OfTheFixture(FixtureCourse):
         self.git("add", "--all")
 
     def test_a_student_gets_the_exercise_and_nothing_of_its_answers(self):
-        (self.exercise_folder / "instructor.md").write_text("Ask why.", encoding="utf-8")
+        for name in ("instructor.md", "Instructor_notes.md"):
+            (self.exercise_folder / name).write_text("Ask why.", encoding="utf-8")
+        (self.root / "Solutions").mkdir()
+        (self.root / "Solutions" / "of_last_year.txt").write_text("x", encoding="utf-8")
         (self.root / "work").mkdir()
         (self.root / "work" / "mine.hpp").write_text("mine", encoding="utf-8")
         self.track()
@@ -46,7 +49,7 @@ class OfTheFixture(FixtureCourse):
         self.assertIn("exercises/01_force/doubled/hints.md", names)
         self.assertIn("chapters/01_force/tumble/force.hpp", names)
         for name in names:
-            self.assertFalse(any(word in name for word in ("solutions", "wrong", "instructor", "work", "build")), name)
+            self.assertFalse(any(word in name.lower() for word in ("solutions", "wrong", "instructor", "work", "build")), name)
         manifest = json.loads((self.target / "MANIFEST.json").read_text(encoding="utf-8"))
         self.assertEqual(manifest["exercises"], [{"exercise": "01_force/doubled", "title": "Twice as much", "points": 3, "minutes": 1}])
         self.assertEqual(set(manifest["files"]), names - {"MANIFEST.json"})

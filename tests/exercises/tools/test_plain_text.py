@@ -15,7 +15,7 @@ from xml.etree import ElementTree
 
 from complaint import Complaint
 from outputs import Outputs, write_whole
-from plain_text import all_plain, plain, say
+from plain_text import all_plain, one_line, plain, say
 from reports import FORMATS, marks
 from test_student_files import InAFolder
 
@@ -42,6 +42,30 @@ class PlainText(InAFolder):
         self.assertEqual(json.loads(json.dumps(shown, ensure_ascii=False).encode()), shown)
         self.assertEqual(html.unescape(html.escape(shown)), shown)
 
+    def test_a_name_is_one_line_and_two_that_differ_stay_so(self):
+        self.assertEqual(one_line("caf\u00e9 1\nbob: 5\t\\"), "caf\u00e9 1\\nbob: 5\\t\\\\")
+        names = ["\x1b", "\\x1b", "\u009b", "\udc9b", "\r\n", "\n", "a b", "a\u00a0b", "a", "a\u3164", "a\u034f", "a\ufe0f", "a\u2800"]
+        self.assertEqual(len({one_line(name) for name in names}), len(names))
+        self.assertEqual(len({one_line(letter) for letter in EVERY_LETTER}), len(EVERY_LETTER))
+        shown = one_line(EVERY_LETTER)
+        self.assertEqual((len(shown.splitlines()), plain(shown)), (1, shown))
+
+    def test_a_letter_that_prints_nothing_is_shown_as_its_escape(self):
+        self.assertEqual(plain("a\u3164\u034f\ufe0f\u2800\U000e0100b"), "a\\u3164\\u034f\\ufe0f\\u2800\\U000e0100b")
+
+    def test_no_name_forges_a_line_of_a_report(self):
+        check = {"sentence": "It flies", "points": 0, "of": 1, "status": "failed", "message": "short"}
+        result = {"student": "a\nbob", "submission": "a\nbob: 9 of 9 points\tx", "points": 0, "of": 1, "seconds": 1, "exercises": [
+            {"exercise": "01_force/moon", "title": "The Moon", "reason": "", "flags": [], "checks": [check]}]}
+        self.assertEqual(FORMATS["text"]([result]).splitlines()[0], "a\\nbob: 9 of 9 points\\tx: 0 of 1 points")
+        self.assertEqual(marks([result]).splitlines()[1], "a\\nbob,a\\nbob: 9 of 9 points\\tx,0,1,0,")
+
+    def test_no_name_is_a_formula_of_a_spreadsheet(self):
+        for name in ("=1+1", "+1", "-1", "@A1", "\t=1", "\r=1"):
+            result = {"student": name, "submission": name, "points": 0, "of": 0, "exercises": []}
+            shown = f"\\x{ord(name[0]):02x}{name[1:]}" if name[0] in "=+-@" else one_line(name)
+            self.assertEqual(marks([result]).splitlines()[1], f"{shown},{shown},0,0,")
+
     def test_a_terminal_without_the_letters_gets_escapes(self):
         for letters, expected in (("ascii", "\\u2018a\\u2019 \\x1b"), ("utf-8", "\u2018a\u2019 \\x1b"), ("latin-1", "\\u2018a\\u2019 \\x1b")):
             out = io.TextIOWrapper(io.BytesIO(), encoding=letters)
@@ -59,7 +83,7 @@ class PlainText(InAFolder):
                 self.assertEqual(text.encode().decode().replace("\r\n", "\n"), plain(text))
                 self.assertIn("\\x1b[2J".replace("\\", "\\\\") if name in ("json", "gradescope") else "\\x1b[2J", text)
         self.assertEqual(ElementTree.fromstring(FORMATS["junit"]([result]))[0].find(".//failure").text, plain(NASTY))
-        self.assertEqual(json.loads(FORMATS["json"]([result]))[0]["student"], plain(NASTY))
+        self.assertEqual(json.loads(FORMATS["json"]([result]))[0]["student"], one_line(NASTY))
         self.assertEqual(all_plain([{NASTY: (1, None)[0]}, NASTY, 1.5]), [{plain(NASTY): 1}, plain(NASTY), 1.5])
 
     def test_nothing_else_prints_or_escapes(self):

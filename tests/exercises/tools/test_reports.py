@@ -1,13 +1,17 @@
 """What is handed on, and the judge of Gradescope's format, which must find mistakes."""
 
 import copy
+import csv
+import io
 import json
 import unittest
 from xml.etree import ElementTree
 
 from grade import counted
 from gradescope_format import mistakes_in
-from reports import gradescope, junit, text
+from catalogue import find_all
+from reports import gradescope, junit, marks, text
+from test_texts import exercise
 
 RESULT = {"student": "ada", "submission": "ada@1", "points": 2, "of": 6, "seconds": 1.6, "exercises": [
     {"exercise": "03_inertia/hammer", "title": "A hammer", "reason": "", "flags": ["opens files"], "checks": [
@@ -52,6 +56,16 @@ class Reports(unittest.TestCase):
         said = text([RESULT])
         for expected in ("ada@1: 2 of 6 points", "    moon.hpp is empty", "! look at it: it opens files", "    x It is <long>", "    . It flies"):
             self.assertIn(expected, said)
+
+    def test_marks_stand_in_the_column_of_their_exercise(self):
+        other = {**RESULT, "submission": "bob", "student": "bob", "exercises": RESULT["exercises"][::-1]}
+        rows = list(csv.DictReader(io.StringIO(marks([RESULT, other]))))
+        self.assertEqual([(row["03_inertia/hammer"], row["01_force/moon"]) for row in rows], [("2", "0")] * 2)
+
+    def test_exercises_come_in_one_order_however_they_are_named(self):
+        catalogue = [exercise(name=name) for name in ("moon", "slab", "hammer")]
+        for words in ("slab,moon", "moon,slab"):
+            self.assertEqual([each.name for each in find_all(catalogue, words)], ["moon", "slab"])
 
     def test_the_best_or_the_last_counts(self):
         results = [{"student": "ada", "submission": f"ada@{number}", "points": points} for number, points in ((3, 1), (1, 5), (2, 5))]

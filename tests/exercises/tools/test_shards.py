@@ -82,6 +82,20 @@ class Shards(InAFolder):
             self.refused("is no part of a job" , merge, [self.folder / "mine"])
             self.assertEqual((self.folder / "mine").read_bytes(), text)
 
+    def test_a_part_that_is_damaged_in_any_byte_is_refused(self):
+        with self.part() as part:
+            run(part, work)
+        whole = (self.folder / "part").read_bytes()
+        chance = random.Random(1)
+        for place in (0, 1, whole.index(b"result"), *(chance.randrange(len(whole) - 1) for _ in range(200))):
+            with self.subTest(place):
+                damaged = bytearray(whole)
+                damaged[place] ^= 1 << chance.randrange(8)
+                (self.folder / "part").write_bytes(damaged)
+                self.refused("is no part of a job; see its line ", merge, [self.folder / "part"])
+                self.refused("is no part of a job; see its line ", self.part, resume=True)
+                self.assertEqual((self.folder / "part").read_bytes(), damaged)
+
     def test_merging_names_what_does_not_fit(self):
         for number, of in ((1, 2), (2, 2), (1, 3)):
             with self.part(f"{number}{of}", shard=Shard(number, of)) as part:
@@ -102,7 +116,10 @@ class Shards(InAFolder):
         with self.part() as part:
             run(part, lambda name: "before")
             for name in NAMES[2:4]:
-                del part.done[name]
+                part.void(name)
+            self.assertEqual(merge([self.folder / "part"])[1], NAMES[2:4])
+        with self.part(resume=True) as part:
+            self.assertEqual(part.to_do(), NAMES[2:4])
             run(part, lambda name: "after")
         with self.part(resume=True) as part:
             self.assertEqual(part.done, {name: "after" if name in NAMES[2:4] else "before" for name in NAMES})

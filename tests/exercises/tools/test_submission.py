@@ -54,6 +54,11 @@ class Headers(InAFolder):
     def test_resubmissions_are_of_one_student(self):
         self.assertEqual([student_of(name) for name in ("ada", "ada@1", "ada@2026-03-01")], ["ada"] * 3)
 
+    def test_an_address_and_a_name_without_a_student_stay_whole(self):
+        for name in ("jo@gmail.com", "jo@web.de", "jo@163.com", "@1", "@", "ada@", "@home", "ada@-", "ada@\u0661"):
+            self.assertEqual(student_of(name), name)
+        self.assertEqual([student_of(name) for name in ("jo@web.de@1", "@1@2", "a\nb@3")], ["jo@web.de", "@1", "a\nb"])
+
     def test_a_submission_is_called_as_it_was_given(self):
         for owner in ("ada", "bob"):
             (self.folder / "store" / owner / "latest").mkdir(parents=True)
