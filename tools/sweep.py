@@ -30,7 +30,7 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "exercises" / "tools"))
 from complaint import Complaint  # noqa: E402
-from shards import WHOLE, Part, Stopped, merge, run, shard_of  # noqa: E402
+from shards import WHOLE, Part, Stopped, merge, run, shard_of, stoppable  # noqa: E402
 from sweep_file import combinations_of, job_of, read_sweep  # noqa: E402
 
 COLUMNS = ["scene", "method", "precision", "time step (s)", "seed", "bodies", "steps", "time (s)", "energy at the start (J)",
@@ -54,15 +54,20 @@ class Simulator:
             self.running.add(process)
         try:
             _, errors = process.communicate()
+        except BaseException:  # a signal, when this is the main thread
+            process.kill()
+            raise
         finally:
-            self.running.discard(process)
+            with self.lock:
+                self.running.discard(process)
         return process.returncode, errors.strip().removeprefix("simulate: ")
 
     def stop(self):
         with self.lock:
             self.is_stopped = True
-            for process in self.running:
-                process.kill()
+            ending = list(self.running)
+        for process in ending:
+            process.kill()
 
 
 def require_runnable(simulator, combinations):
@@ -161,6 +166,8 @@ def tell(done, of):
 
 def simulate_share(arguments):
     """The exit code."""
+    if len(arguments.words) > 1:
+        raise Complaint(f"one word too many: {arguments.words[1]}")
     file = Path(arguments.words[0])
     shard = shard_of(arguments.shard) if arguments.shard else WHOLE
     if shard != WHOLE and arguments.output:
@@ -208,20 +215,16 @@ def main():
     parser.add_argument("--digits", type=int, choices=range(1, 18), metavar="N", help="of each number, 1 to 17; all if not given")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="simulations at a time; one for each processor if not given")
     arguments = parser.parse_args()
+    is_merge = arguments.words[0] == "merge" and len(arguments.words) > 1
     try:
-        if arguments.words[0] == "merge" and len(arguments.words) > 1:
-            return merge_parts(arguments)
-        if len(arguments.words) > 1:
-            raise Complaint(f"one word too many: {arguments.words[1]}")
-        return simulate_share(arguments)
+        with stoppable():
+            return merge_parts(arguments) if is_merge else simulate_share(arguments)
     except Complaint as complaint:
         print(f"course: {complaint}", file=sys.stderr)
         return 2
     except Stopped as stopped:
-        print("\ncourse: stopped; --resume takes it up", file=sys.stderr)
+        print("\ncourse: stopped" + ("" if is_merge else "; --resume takes it up"), file=sys.stderr)
         return 128 + stopped.signal
-    except KeyboardInterrupt:  # before anything was simulated
-        return 130
 
 
 if __name__ == "__main__":

@@ -24,6 +24,13 @@ exec '{simulate}' "$@"
 """
 
 
+def is_running(pid):
+    try:
+        return pathlib.Path("/proc", str(pid), "stat").read_text().rsplit(")", 1)[1].split()[0] != "Z"
+    except (FileNotFoundError, ProcessLookupError):
+        return False
+
+
 class Sweep(unittest.TestCase):
     def setUp(self):
         shutil.rmtree(SCRATCH, ignore_errors=True)
@@ -104,6 +111,25 @@ class Sweep(unittest.TestCase):
         begun = (SCRATCH / "slow.begun").read_text().splitlines()
         self.assertEqual(len(set(begun)), 8)  # of 16 combinations, this shard's
         self.assertLessEqual(len(begun), 8 + len(stops))  # only what was interrupted is done again
+
+    def test_a_signal_ends_all_that_runs(self):
+        self.write("sweep.json", {**SPEC, "seeds": list(range(16))})
+        for plan in ("exit 0", f"echo $$ >>'{SCRATCH}/running'; exec sleep 60"):  # while it simulates, and before
+            program, pids = SCRATCH / "idle", SCRATCH / "running"
+            program.write_text("#!/bin/sh\ncase \"$*\" in *--plan*) " + plan + f" ;; esac\necho $$ >>'{pids}'\nexec sleep 60\n")
+            program.chmod(0o755)
+            for _ in range(3):
+                pids.write_text("")
+                running = subprocess.Popen(self.words("sweep.json", "--jobs", "16", simulate=program), cwd=SCRATCH,
+                                           stderr=subprocess.PIPE, text=True)
+                while len(pids.read_text().splitlines()) < (16 if plan == "exit 0" else 1):
+                    self.assertIsNone(running.poll())
+                    time.sleep(0.01)
+                running.terminate()
+                errors = running.communicate(timeout=50)[1]  # the simulations themselves would take longer
+                self.assertEqual((running.returncode, errors), (143, "\ncourse: stopped; --resume takes it up\n"))
+                for pid in pids.read_text().splitlines():
+                    self.assertFalse(is_running(int(pid)), pid)
 
     def test_a_run_that_fails_is_tried_again_and_is_no_row(self):
         broken = SCRATCH / "broken"
