@@ -20,6 +20,7 @@ import argparse
 import json
 import math
 import os
+import stat
 import subprocess
 import sys
 import tempfile
@@ -30,8 +31,9 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "exercises" / "tools"))
 from complaint import Complaint  # noqa: E402
+from outputs import Outputs  # noqa: E402
 from shards import WHOLE, Part, Stopped, merge, run, shard_of, stoppable  # noqa: E402
-from sweep_file import combinations_of, job_of, read_sweep  # noqa: E402
+from sweep_file import combinations_of, find_scene, job_of, read_sweep  # noqa: E402
 
 COLUMNS = ["scene", "method", "precision", "time step (s)", "seed", "bodies", "steps", "time (s)", "energy at the start (J)",
            "energy at the end (J)", "energy from turning (J)", "unexplained energy (J)", "angular momentum at the start (kg m^2/s)",
@@ -128,32 +130,34 @@ def table_of(rows, digits):
     return "".join("\t".join(cell(value, digits) for value in row) + "\n" for row in (COLUMNS, *rows))
 
 
-class Output:
-    """The file for the table, opened before the work begins, or the standard output."""
+def require_a_place_of_its_own(output, inputs):
+    """Neither what is read nor where the standard output goes is overwritten, by whatever name."""
+    try:
+        known = output.stat() if output.exists() else None
+    except OSError as error:
+        raise Complaint(f"--output: {output} can't be written: {error.strerror}") from None
+    for what, file in inputs:
+        if os.path.realpath(file) == os.path.realpath(output) or (known and file.exists() and os.path.samestat(known, file.stat())):
+            raise Complaint(f"--output is {output}; that is {what}, and it would be overwritten")
+    if known and stat.S_ISREG(known.st_mode) and any(os.path.samestat(known, os.fstat(number)) for number in (1, 2)):
+        raise Complaint(f"--output is {output}; what is printed goes there already, and would be lost")
 
-    def __init__(self, path):
-        self.path, self.partial = path, path and path.with_name(f"{path.name}.partial-{os.getpid()}")
-        try:
-            self.file = open(self.partial, "w", encoding="utf-8") if path else sys.stdout
-        except OSError as error:
-            raise Complaint(f"{path} can't be written: {error.strerror}") from None
 
-    def __enter__(self):
-        return self
+def opened_output(outputs, path, inputs):
+    """A function that takes the table."""
+    if path is None:
+        return print_table
+    require_a_place_of_its_own(path, inputs)
+    write = outputs.open("--output", path)
+    return lambda text: write(text.encode("utf-8", "backslashreplace"))
 
-    def finish(self, text):
-        try:
-            self.file.write(text)
-            self.file.flush()
-            if self.path:
-                os.replace(self.partial, self.path)
-        except OSError as error:
-            raise Complaint(f"{self.path or 'the standard output'} can't be written: {error.strerror}") from None
 
-    def __exit__(self, *_):
-        if self.path:
-            self.file.close()
-            self.partial.unlink(missing_ok=True)
+def print_table(text):
+    try:
+        sys.stdout.write(text)
+        sys.stdout.flush()
+    except OSError as error:
+        raise Complaint(f"the standard output can't be written: {error.strerror}") from None
 
 
 def tell(done, of):
@@ -176,10 +180,12 @@ def simulate_share(arguments):
         raise Complaint(f"--jobs is {arguments.jobs}; it must be 1 or more")
     sweep = read_sweep(file)
     combinations = combinations_of(sweep, file.parent)
-    simulator = Simulator(arguments.simulate)
-    require_runnable(simulator, combinations)
     name = arguments.part or Path(f"{file.stem}.part" if shard == WHOLE else f"{file.stem}.{shard.number}-of-{shard.of}.part")
-    with Output(arguments.output) as output:
+    scenes = [(f"the scene {word}", find_scene(word, file.parent)) for word in sweep["scenes"]]
+    simulator = Simulator(arguments.simulate)
+    with Outputs() as outputs:
+        write = opened_output(outputs, arguments.output, [("the sweep itself", file), ("where its results are kept", name), *scenes])
+        require_runnable(simulator, combinations)
         with Part(name, job_of(sweep, file.parent, combinations), shard, arguments.resume) as part:
             failed = run(part, lambda task: row_of(simulator, combinations[task]), arguments.jobs, simulator.stop, tell)
             rows = [part.done[task] for task in part.tasks if task in part.done]
@@ -188,18 +194,20 @@ def simulate_share(arguments):
         if failed:
             return 1
         if shard == WHOLE:
-            output.finish(table_of(rows, arguments.digits))
+            write(table_of(rows, arguments.digits))
             name.unlink()
     return 0
 
 
 def merge_parts(arguments):
-    with Output(arguments.output) as output:
-        results, missing = merge([Path(word) for word in arguments.words[1:]])
+    parts = [Path(word) for word in arguments.words[1:]]
+    with Outputs() as outputs:
+        write = opened_output(outputs, arguments.output, [("one of the parts", part) for part in parts])
+        results, missing = merge(parts)
         if missing:
             raise Complaint(f"{len(missing)} of {len(results) + len(missing)} combinations have no row yet, such as {missing[0]}; "
                             "run their shards with --resume")
-        output.finish(table_of(results.values(), arguments.digits))
+        write(table_of(results.values(), arguments.digits))
     return 0
 
 

@@ -112,6 +112,51 @@ class Sweep(unittest.TestCase):
         self.assertEqual(len(set(begun)), 8)  # of 16 combinations, this shard's
         self.assertLessEqual(len(begun), 8 + len(stops))  # only what was interrupted is done again
 
+    def test_the_table_goes_over_nothing_that_is_read(self):
+        for number in (1, 2):
+            self.sweep("sweep.json", "--shard", f"{number}/2", "--part", f"{number}.part")
+        os.link(SCRATCH / "tops.json", SCRATCH / "hard.json")
+        os.symlink("sweep.json", SCRATCH / "soft.json")
+        os.symlink("new.part", SCRATCH / "soon")
+        before = {path.name: path.read_bytes() for path in SCRATCH.iterdir() if path.exists()}
+        for what, output, words in (("the sweep itself", "sweep.json", ["sweep.json"]), ("the sweep itself", "soft.json", ["sweep.json"]),
+                                    ("the scene tops.json", "./tops.json", ["sweep.json"]),
+                                    ("the scene tops.json", "hard.json", ["sweep.json"]),
+                                    ("where its results are kept", "sweep.part", ["sweep.json"]),
+                                    ("where its results are kept", "soon", ["sweep.json", "--part", "new.part"]),
+                                    ("one of the parts", str(SCRATCH / "2.part"), ["merge", "1.part", "2.part"])):
+            with self.subTest(output):
+                self.assertIn(f"that is {what}, and it would be overwritten", self.sweep(*words, "--output", output, code=2))
+        with open(SCRATCH / "log", "wb") as log:
+            log.write(b"before")
+            log.flush()
+            done = subprocess.run(self.words("sweep.json", "--output", "/dev/stdout"), cwd=SCRATCH, stdout=log, stderr=subprocess.PIPE)
+        self.assertEqual((done.returncode, (SCRATCH / "log").read_bytes()), (2, b"before"))
+        self.assertIn(b"what is printed goes there already", done.stderr)
+        (SCRATCH / "log").unlink()
+        self.assertEqual({path.name: path.read_bytes() for path in SCRATCH.iterdir() if path.exists()}, before)
+
+    def test_a_device_a_pipe_and_a_link_stay_what_they_are(self):
+        table = self.sweep("sweep.json")
+        os.mkfifo(SCRATCH / "pipe")
+        os.symlink("/dev/full", SCRATCH / "full")
+        os.symlink("there.tsv", SCRATCH / "link.tsv")
+        reader = subprocess.Popen(["cat", "pipe"], cwd=SCRATCH, stdout=subprocess.PIPE, text=True)
+        self.sweep("sweep.json", "--output", "pipe")
+        self.assertEqual(reader.communicate()[0], table)
+        self.assertTrue((SCRATCH / "pipe").is_fifo())
+        self.assertIn("full can't be written: No space left on device", self.sweep("sweep.json", "--output", "full", code=2))
+        self.assertTrue((SCRATCH / "full").is_symlink())
+        self.sweep("sweep.json", "--resume", "--output", "link.tsv")
+        self.assertTrue((SCRATCH / "link.tsv").is_symlink())
+        self.assertEqual((SCRATCH / "there.tsv").read_text(), table)
+
+    def test_a_table_that_has_no_place_is_told_before_anything_is_simulated(self):
+        for output in ("", ".", "..", str(SCRATCH), "n" * 300, "tops.json/table"):
+            with self.subTest(output):
+                self.assertIn("can't be written: ", self.sweep("sweep.json", "--output", output, code=2))
+        self.assertEqual(sorted(path.name for path in SCRATCH.iterdir()), ["sweep.json", "tops.json"])
+
     def test_a_signal_ends_all_that_runs(self):
         self.write("sweep.json", {**SPEC, "seeds": list(range(16))})
         for plan in ("exit 0", f"echo $$ >>'{SCRATCH}/running'; exec sleep 60"):  # while it simulates, and before
