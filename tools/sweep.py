@@ -78,7 +78,10 @@ def require_runnable(simulator, combinations):
     for combination in combinations.values():
         tried.setdefault(json.dumps({**combination["given"], "seeds": None}), combination["options"])
     for options in tried.values():
-        code, errors = simulator.run(*options, "--plan")
+        try:
+            code, errors = simulator.run(*options, "--plan")
+        except (OSError, ValueError) as error:  # ValueError: a text with a zero in it, which no program can be given
+            raise Complaint(f"{simulator.program} can't be run: {error}") from None
         if code != 0:
             raise Complaint(errors)
 
@@ -126,6 +129,10 @@ def cell(value, digits):
     return "" if value is None else " ".join(str(value).split())
 
 
+def is_row(row):
+    return isinstance(row, list) and len(row) == len(COLUMNS) and not any(isinstance(value, (list, dict)) for value in row)
+
+
 def table_of(rows, digits):
     return "".join("\t".join(cell(value, digits) for value in row) + "\n" for row in (COLUMNS, *rows))
 
@@ -146,16 +153,23 @@ def require_a_place_of_its_own(output, inputs):
 def opened_output(outputs, path, inputs):
     """A function that takes the table."""
     if path is None:
+        if sys.stdout is None:
+            raise Complaint("the standard output is closed; --output names a file for the table")
         return print_table
     require_a_place_of_its_own(path, inputs)
     write = outputs.open("--output", path)
-    return lambda text: write(text.encode("utf-8", "backslashreplace"))
+    return lambda text: write(encoded(text))
+
+
+def encoded(text):
+    """Of a name that is no text every byte is shown."""
+    return text.encode("utf-8", "backslashreplace")
 
 
 def print_table(text):
     try:
-        sys.stdout.write(text)
-        sys.stdout.flush()
+        with open(sys.stdout.fileno(), "wb", closefd=False) as out:
+            out.write(encoded(text))
     except OSError as error:
         raise Complaint(f"the standard output can't be written: {error.strerror}") from None
 
@@ -176,18 +190,20 @@ def simulate_share(arguments):
     shard = shard_of(arguments.shard) if arguments.shard else WHOLE
     if shard != WHOLE and arguments.output:
         raise Complaint("--output is for a whole sweep; the table of shards comes from ./course sweep merge")
-    if arguments.jobs < 1:
-        raise Complaint(f"--jobs is {arguments.jobs}; it must be 1 or more")
+    jobs = (os.cpu_count() or 1) if arguments.jobs is None else arguments.jobs
+    if jobs < 1:
+        raise Complaint(f"--jobs is {jobs}; it must be 1 or more")
     sweep = read_sweep(file)
     combinations = combinations_of(sweep, file.parent)
+    job = job_of(sweep, file.parent, combinations)
     name = arguments.part or Path(f"{file.stem}.part" if shard == WHOLE else f"{file.stem}.{shard.number}-of-{shard.of}.part")
     scenes = [(f"the scene {word}", find_scene(word, file.parent)) for word in sweep["scenes"]]
     simulator = Simulator(arguments.simulate)
     with Outputs() as outputs:
         write = opened_output(outputs, arguments.output, [("the sweep itself", file), ("where its results are kept", name), *scenes])
         require_runnable(simulator, combinations)
-        with Part(name, job_of(sweep, file.parent, combinations), shard, arguments.resume) as part:
-            failed = run(part, lambda task: row_of(simulator, combinations[task]), arguments.jobs, simulator.stop, tell)
+        with Part(name, job, shard, arguments.resume) as part:
+            failed = run(part, lambda task: row_of(simulator, combinations[task]), jobs, simulator.stop, tell)
             rows = [part.done[task] for task in part.tasks if task in part.done]
         for task, why in failed.items():
             print(f"course: {task} failed twice: {why}", file=sys.stderr)
@@ -195,11 +211,14 @@ def simulate_share(arguments):
             return 1
         if shard == WHOLE:
             write(table_of(rows, arguments.digits))
-            name.unlink()
+            name.unlink(missing_ok=True)
     return 0
 
 
 def merge_parts(arguments):
+    for option, value in (("shard", arguments.shard), ("part", arguments.part), ("jobs", arguments.jobs), ("resume", arguments.resume or None)):
+        if value is not None:
+            raise Complaint(f"--{option} is for a sweep; merge takes parts, --output and --digits")
     parts = [Path(word) for word in arguments.words[1:]]
     with Outputs() as outputs:
         write = opened_output(outputs, arguments.output, [("one of the parts", part) for part in parts])
@@ -207,11 +226,26 @@ def merge_parts(arguments):
         if missing:
             raise Complaint(f"{len(missing)} of {len(results) + len(missing)} combinations have no row yet, such as {missing[0]}; "
                             "run their shards with --resume")
+        for task, row in results.items():
+            if not is_row(row):
+                raise Complaint(f"what the parts hold for {task} is no row of a sweep's table")
         write(table_of(results.values(), arguments.digits))
     return 0
 
 
+def occupy_standard_descriptors():
+    """What is closed would be given to the first file that is opened, and what is printed would land in it."""
+    for number in range(3):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)
+    if sys.stderr is None:
+        sys.stderr = open(2, "w", encoding="utf-8", errors="backslashreplace", closefd=False)
+
+
 def main():
+    occupy_standard_descriptors()
     parser = argparse.ArgumentParser(prog="./course sweep", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
                                      usage="%(prog)s FILE [OPTION...] | merge PART... [--output TABLE]")
     parser.add_argument("--simulate", type=Path, required=True, help=argparse.SUPPRESS)
@@ -221,7 +255,7 @@ def main():
     parser.add_argument("--resume", action="store_true", help="take up what was stopped")
     parser.add_argument("--output", type=Path, help="the file for the table, tabs between columns; the standard output if not given")
     parser.add_argument("--digits", type=int, choices=range(1, 18), metavar="N", help="of each number, 1 to 17; all if not given")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="simulations at a time; one for each processor if not given")
+    parser.add_argument("--jobs", type=int, help="simulations at a time; one for each processor if not given")
     arguments = parser.parse_args()
     is_merge = arguments.words[0] == "merge" and len(arguments.words) > 1
     try:

@@ -157,6 +157,41 @@ class Sweep(unittest.TestCase):
                 self.assertIn("can't be written: ", self.sweep("sweep.json", "--output", output, code=2))
         self.assertEqual(sorted(path.name for path in SCRATCH.iterdir()), ["sweep.json", "tops.json"])
 
+    def test_what_is_no_part_of_a_sweep_is_not_merged(self):
+        head = {"job": {}, "shard": [1, 1], "tasks": ["a"]}
+        for lines in ([{**head, "shard": [1]}], [{**head, "shard": [0, 0]}], [{**head, "shard": ["1", "1"]}], [{**head, "shard": 3}],
+                      [{**head, "tasks": {"a": 1}}], [{**head, "tasks": [[]]}], [{**head, "tasks": "a"}], [[]],
+                      [head, {"task": [], "result": []}], [head, {"task": "a", "result": 1}], [head, {"task": "a", "result": [1]}],
+                      [head, {"task": "a", "result": [[]] * 15}]):
+            with self.subTest(lines):
+                (SCRATCH / "odd.part").write_text("".join(json.dumps(line) + "\n" for line in lines))
+                self.assertRegex(self.sweep("merge", "odd.part", code=2), "^course: (odd.part is no part of|what the parts hold for a)")
+        (SCRATCH / "odd.part").write_text("[" * 5000 + "]" * 5000 + "\n")
+        self.assertIn("odd.part is no part of a job; see its line 1", self.sweep("merge", "odd.part", code=2))
+
+    def test_closed_outputs_lose_nothing(self):
+        def run(words, redirections):
+            return subprocess.run(["sh", "-c", f'"$@" {redirections}', "sh", *self.words(*words)], cwd=SCRATCH, capture_output=True, text=True)
+        table = self.sweep("sweep.json")
+        done = run(["sweep.json"], ">&-")
+        self.assertEqual((done.returncode, done.stderr),
+                         (2, "course: the standard output is closed; --output names a file for the table\n"))
+        done = run(["sweep.json"], "2>&-")
+        self.assertEqual((done.returncode, done.stdout), (0, table))
+        done = run(["sweep.json", "--output", "table.tsv"], "<&- >&- 2>&-")
+        self.assertEqual((done.returncode, (SCRATCH / "table.tsv").read_text()), (0, table))
+        done = run(["sweep.json"], ">/dev/full")
+        self.assertEqual(done.returncode, 2)
+        self.assertTrue(done.stderr.endswith("course: the standard output can't be written: No space left on device\n"), done.stderr)
+        self.assertEqual(self.sweep("sweep.json", "--resume"), table)
+
+    def test_results_that_somebody_removes_are_told(self):
+        program = SCRATCH / "remover"
+        program.write_text(f"#!/bin/sh\ncase \"$*\" in *--plan*) ;; *) rm -f ./*.part ;; esac\nexec '{SIMULATE}' \"$@\"\n")
+        program.chmod(0o755)
+        for words in ([], ["--shard", "1/2"]):
+            self.assertIn("somebody has removed it", self.sweep("sweep.json", *words, code=2, simulate=program))
+
     def test_a_signal_ends_all_that_runs(self):
         self.write("sweep.json", {**SPEC, "seeds": list(range(16))})
         for plan in ("exit 0", f"echo $$ >>'{SCRATCH}/running'; exec sleep 60"):  # while it simulates, and before
@@ -196,6 +231,7 @@ class Sweep(unittest.TestCase):
         self.assertTrue(row[-1].startswith("'comet' at 0.5 s (step 2): point gravity gives a force of"), row[-1])
 
     def test_mistakes_are_told_before_anything_is_simulated(self):
+        (SCRATCH / "deep.json").write_text('{"bodies": ' + "[" * 5000 + "]" * 5000 + "}")
         for change, complaint in (
                 ({"scenes": []}, "scenes must be a list with at least one element"),
                 ({"scenes": ["nowhere"]}, "no scene and no file is called nowhere"),
@@ -205,12 +241,36 @@ class Sweep(unittest.TestCase):
                 ({"time_steps": [1]}, "that is less than half a step of 1 s"),
                 ({"seeds": [1.5]}, "1.5 stands in seeds, where it can't"),
                 ({"until": "1"}, 'until is "1"; it must be a number'),
+                ({"scenes": ["n" * 300]}, "no scene and no file is called nnn"),
+                ({"scenes": ["caf\u00e9"]}, "no scene and no file is called caf\u00e9"),
+                ({"scenes": ["/proc/self/mem"]}, "can't be read: Input/output error"),  # a file that can't be read, not even by root
+                ({"scenes": ["deep.json"]}, "deep.json"),
+                ({"methods": ["a\0b"]}, "can't be run: embedded null byte"),
+                ({"methods": ["\u00e9"]}, "no method is called \u00e9"),
+                ({"seeds": [10**400]}, f"an element of seeds is 1{'0' * 76}...; it must be a number"),
+                ({"time_steps": [10**400]}, "an element of time_steps is 1"),
+                ({"until": 10**400}, "until is 1"),
+                ({"until": -10**400}, "until is -1"),
+                ({"until": float("nan")}, "until is NaN"),
                 ({"colour": ["red"]}, "colour is no key of a sweep")):
             with self.subTest(complaint):
                 self.write("sweep.json", {**SPEC, **change})
                 self.assertIn(complaint, self.sweep("sweep.json", code=2))
+        for text, complaint in (("[" * 5000 + "]" * 5000, "nested too deeply"), ("9" * 5000, "is no JSON"),
+                                ('{"scenes": ["t_handle"], "scenes": ["rain"]}', 'sweep.json: the key "scenes" stands there twice')):
+            with self.subTest(complaint):
+                (SCRATCH / "sweep.json").write_text(text)
+                self.assertIn(complaint, self.sweep("sweep.json", code=2))
+        (SCRATCH / "deep.json").unlink()
         self.write("sweep.json", SPEC)
-        for words, complaint in ((["sweep.json", "--shard", "4/3"], "the shard is 4/3"), (["none.json"], "none.json can't be read"),
+        self.assertIn("nowhere/simulate can't be run", self.sweep("sweep.json", code=2, simulate="nowhere/simulate"))
+        for words, complaint in ((["sweep.json", "--part", "/dev/full"], "/dev/full is no part of a job: it is no file"),
+                                 (["merge", "/dev/zero"], "/dev/zero is no part of a job: it is no file"),
+                                 (["merge", "a", "--shard", "1/2"], "--shard is for a sweep"),
+                                 (["merge", "a", "--jobs", "0"], "--jobs is for a sweep"),
+                                 (["merge", "a", "--part", "b"], "--part is for a sweep"),
+                                 (["merge", "a", "--resume"], "--resume is for a sweep"),
+                                 (["sweep.json", "--shard", "4/3"], "the shard is 4/3"), (["none.json"], "none.json can't be read"),
                                  (["sweep.json", "--output", "nowhere/table"], "nowhere/table can't be written"),
                                  (["sweep.json", "--part", "nowhere/part"], "nowhere/part can't be written"),
                                  (["sweep.json", "extra"], "one word too many: extra")):
