@@ -155,7 +155,7 @@ def opened_output(outputs, path, inputs):
     if path is None:
         if sys.stdout is None:
             raise Complaint("the standard output is closed; --output names a file for the table")
-        return print_table
+        return print_text
     require_a_place_of_its_own(path, inputs)
     write = outputs.open("--output", path)
     return lambda text: write(encoded(text))
@@ -166,9 +166,9 @@ def encoded(text):
     return text.encode("utf-8", "backslashreplace")
 
 
-def print_table(text):
+def print_text(text):
     try:
-        with open(sys.stdout.fileno(), "wb", closefd=False) as out:
+        with open(1, "wb", closefd=False) as out:
             out.write(encoded(text))
     except OSError as error:
         raise Complaint(f"the standard output can't be written: {error.strerror}") from None
@@ -216,7 +216,8 @@ def simulate_share(arguments):
 
 
 def merge_parts(arguments):
-    for option, value in (("shard", arguments.shard), ("part", arguments.part), ("jobs", arguments.jobs), ("resume", arguments.resume or None)):
+    for option, value in (("shard", arguments.shard), ("part", arguments.part), ("jobs", arguments.jobs),
+                          ("resume", arguments.resume or None)):
         if value is not None:
             raise Complaint(f"--{option} is for a sweep; merge takes parts, --output and --digits")
     parts = [Path(word) for word in arguments.words[1:]]
@@ -256,9 +257,11 @@ def main():
     parser.add_argument("--output", type=Path, help="the file for the table, tabs between columns; the standard output if not given")
     parser.add_argument("--digits", type=int, choices=range(1, 18), metavar="N", help="of each number, 1 to 17; all if not given")
     parser.add_argument("--jobs", type=int, help="simulations at a time; one for each processor if not given")
-    arguments = parser.parse_args()
-    is_merge = arguments.words[0] == "merge" and len(arguments.words) > 1
+    parser.print_help = lambda: print_text(parser.format_help())  # argparse's own is silent where it can't be written
+    is_merge = False
     try:
+        arguments = parser.parse_args()
+        is_merge = arguments.words[0] == "merge" and len(arguments.words) > 1
         with stoppable():
             return merge_parts(arguments) if is_merge else simulate_share(arguments)
     except Complaint as complaint:

@@ -3,6 +3,7 @@
 import hashlib
 import itertools
 import json
+import math
 import os
 import sys
 from pathlib import Path
@@ -55,6 +56,17 @@ def _require_list(file, key, values):
             raise Complaint(f"{file}: {_short(value)} stands in {key} twice")
         if key in ("time_steps", "seeds"):
             _require_number(file, f"an element of {key}", value, least=0 if key == "seeds" else None)
+    if key == "time_steps":
+        _require_unlike_steps(file, values)
+
+
+def _require_unlike_steps(file, values):
+    """simulate rounds them to nanoseconds; of those that round to none it says what is wrong."""
+    by_nanoseconds = {}
+    for value in values:
+        other = by_nanoseconds.setdefault(math.floor(float(value) * 1e9 + 0.5) if value <= 3600 else value, value)
+        if other is not value:
+            raise Complaint(f"{file}: {_short(other)} and {_short(value)} in time_steps are the same number of nanoseconds")
 
 
 def _require_number(file, what, value, least=None):

@@ -171,7 +171,8 @@ class Sweep(unittest.TestCase):
 
     def test_closed_outputs_lose_nothing(self):
         def run(words, redirections):
-            return subprocess.run(["sh", "-c", f'"$@" {redirections}', "sh", *self.words(*words)], cwd=SCRATCH, capture_output=True, text=True)
+            return subprocess.run(["sh", "-c", f'"$@" {redirections}', "sh", *self.words(*words)], cwd=SCRATCH,
+                                  capture_output=True, text=True)
         table = self.sweep("sweep.json")
         done = run(["sweep.json"], ">&-")
         self.assertEqual((done.returncode, done.stderr),
@@ -180,6 +181,9 @@ class Sweep(unittest.TestCase):
         self.assertEqual((done.returncode, done.stdout), (0, table))
         done = run(["sweep.json", "--output", "table.tsv"], "<&- >&- 2>&-")
         self.assertEqual((done.returncode, (SCRATCH / "table.tsv").read_text()), (0, table))
+        done = run(["--help"], ">/dev/full")
+        self.assertEqual((done.returncode, done.stderr), (2, "course: the standard output can't be written: No space left on device\n"))
+        self.assertTrue(run(["--help"], "").stdout.startswith("usage: ./course sweep FILE [OPTION...] | merge PART..."))
         done = run(["sweep.json"], ">/dev/full")
         self.assertEqual(done.returncode, 2)
         self.assertTrue(done.stderr.endswith("course: the standard output can't be written: No space left on device\n"), done.stderr)
@@ -237,6 +241,8 @@ class Sweep(unittest.TestCase):
                 ({"scenes": ["nowhere"]}, "no scene and no file is called nowhere"),
                 ({"methods": ["spliting"]}, "no method is called spliting; did you mean splitting?"),
                 ({"time_steps": [0.01, 0.01]}, "0.01 stands in time_steps twice"),
+                ({"time_steps": [0.01, 0.02, 0.0100000000001]},
+                 "0.01 and 0.0100000000001 in time_steps are the same number of nanoseconds"),
                 ({"time_steps": [0]}, "an element of time_steps is 0; it must be a number greater than 0"),
                 ({"time_steps": [1]}, "that is less than half a step of 1 s"),
                 ({"seeds": [1.5]}, "1.5 stands in seeds, where it can't"),
