@@ -20,6 +20,7 @@ import argparse
 import json
 import math
 import os
+import stat
 import subprocess
 import sys
 import tempfile
@@ -30,8 +31,9 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "exercises" / "tools"))
 from complaint import Complaint  # noqa: E402
-from shards import WHOLE, Part, Stopped, merge, run, shard_of  # noqa: E402
-from sweep_file import combinations_of, job_of, read_sweep  # noqa: E402
+from outputs import Outputs  # noqa: E402
+from shards import WHOLE, Part, Stopped, merge, run, shard_of, stoppable  # noqa: E402
+from sweep_file import combinations_of, find_scene, job_of, read_sweep  # noqa: E402
 
 COLUMNS = ["scene", "method", "precision", "time step (s)", "seed", "bodies", "steps", "time (s)", "energy at the start (J)",
            "energy at the end (J)", "energy from turning (J)", "unexplained energy (J)", "angular momentum at the start (kg m^2/s)",
@@ -54,15 +56,20 @@ class Simulator:
             self.running.add(process)
         try:
             _, errors = process.communicate()
+        except BaseException:  # a signal, when this is the main thread
+            process.kill()
+            raise
         finally:
-            self.running.discard(process)
+            with self.lock:
+                self.running.discard(process)
         return process.returncode, errors.strip().removeprefix("simulate: ")
 
     def stop(self):
         with self.lock:
             self.is_stopped = True
-            for process in self.running:
-                process.kill()
+            ending = list(self.running)
+        for process in ending:
+            process.kill()
 
 
 def require_runnable(simulator, combinations):
@@ -71,7 +78,10 @@ def require_runnable(simulator, combinations):
     for combination in combinations.values():
         tried.setdefault(json.dumps({**combination["given"], "seeds": None}), combination["options"])
     for options in tried.values():
-        code, errors = simulator.run(*options, "--plan")
+        try:
+            code, errors = simulator.run(*options, "--plan")
+        except (OSError, ValueError) as error:  # ValueError: a text with a zero in it, which no program can be given
+            raise Complaint(f"{simulator.program} can't be run: {error}") from None
         if code != 0:
             raise Complaint(errors)
 
@@ -119,36 +129,49 @@ def cell(value, digits):
     return "" if value is None else " ".join(str(value).split())
 
 
+def is_row(row):
+    return isinstance(row, list) and len(row) == len(COLUMNS) and not any(isinstance(value, (list, dict)) for value in row)
+
+
 def table_of(rows, digits):
     return "".join("\t".join(cell(value, digits) for value in row) + "\n" for row in (COLUMNS, *rows))
 
 
-class Output:
-    """The file for the table, opened before the work begins, or the standard output."""
+def require_a_place_of_its_own(output, inputs):
+    """Neither what is read nor where the standard output goes is overwritten, by whatever name."""
+    try:
+        known = output.stat() if output.exists() else None
+    except OSError as error:
+        raise Complaint(f"--output: {output} can't be written: {error.strerror}") from None
+    for what, file in inputs:
+        if os.path.realpath(file) == os.path.realpath(output) or (known and file.exists() and os.path.samestat(known, file.stat())):
+            raise Complaint(f"--output is {output}; that is {what}, and it would be overwritten")
+    if known and stat.S_ISREG(known.st_mode) and any(os.path.samestat(known, os.fstat(number)) for number in (1, 2)):
+        raise Complaint(f"--output is {output}; what is printed goes there already, and would be lost")
 
-    def __init__(self, path):
-        self.path, self.partial = path, path and path.with_name(f"{path.name}.partial-{os.getpid()}")
-        try:
-            self.file = open(self.partial, "w", encoding="utf-8") if path else sys.stdout
-        except OSError as error:
-            raise Complaint(f"{path} can't be written: {error.strerror}") from None
 
-    def __enter__(self):
-        return self
+def opened_output(outputs, path, inputs):
+    """A function that takes the table."""
+    if path is None:
+        if sys.stdout is None:
+            raise Complaint("the standard output is closed; --output names a file for the table")
+        return print_text
+    require_a_place_of_its_own(path, inputs)
+    write = outputs.open("--output", path)
+    return lambda text: write(encoded(text))
 
-    def finish(self, text):
-        try:
-            self.file.write(text)
-            self.file.flush()
-            if self.path:
-                os.replace(self.partial, self.path)
-        except OSError as error:
-            raise Complaint(f"{self.path or 'the standard output'} can't be written: {error.strerror}") from None
 
-    def __exit__(self, *_):
-        if self.path:
-            self.file.close()
-            self.partial.unlink(missing_ok=True)
+def encoded(text):
+    """Of a name that is no text every byte is shown."""
+    return text.encode("utf-8", "backslashreplace")
+
+
+def print_text(text):
+    try:
+        with open(1, "wb", closefd=False) as out:
+            out.write(encoded(text))
+    except OSError as error:
+        raise Complaint(f"the standard output can't be written: {error.strerror}") from None
 
 
 def tell(done, of):
@@ -161,42 +184,69 @@ def tell(done, of):
 
 def simulate_share(arguments):
     """The exit code."""
+    if len(arguments.words) > 1:
+        raise Complaint(f"one word too many: {arguments.words[1]}")
     file = Path(arguments.words[0])
     shard = shard_of(arguments.shard) if arguments.shard else WHOLE
     if shard != WHOLE and arguments.output:
         raise Complaint("--output is for a whole sweep; the table of shards comes from ./course sweep merge")
-    if arguments.jobs < 1:
-        raise Complaint(f"--jobs is {arguments.jobs}; it must be 1 or more")
+    jobs = (os.cpu_count() or 1) if arguments.jobs is None else arguments.jobs
+    if jobs < 1:
+        raise Complaint(f"--jobs is {jobs}; it must be 1 or more")
     sweep = read_sweep(file)
     combinations = combinations_of(sweep, file.parent)
-    simulator = Simulator(arguments.simulate)
-    require_runnable(simulator, combinations)
+    job = job_of(sweep, file.parent, combinations)
     name = arguments.part or Path(f"{file.stem}.part" if shard == WHOLE else f"{file.stem}.{shard.number}-of-{shard.of}.part")
-    with Output(arguments.output) as output:
-        with Part(name, job_of(sweep, file.parent, combinations), shard, arguments.resume) as part:
-            failed = run(part, lambda task: row_of(simulator, combinations[task]), arguments.jobs, simulator.stop, tell)
+    scenes = [(f"the scene {word}", find_scene(word, file.parent)) for word in sweep["scenes"]]
+    simulator = Simulator(arguments.simulate)
+    with Outputs() as outputs:
+        write = opened_output(outputs, arguments.output, [("the sweep itself", file), ("where its results are kept", name), *scenes])
+        require_runnable(simulator, combinations)
+        with Part(name, job, shard, arguments.resume) as part:
+            failed = run(part, lambda task: row_of(simulator, combinations[task]), jobs, simulator.stop, tell)
             rows = [part.done[task] for task in part.tasks if task in part.done]
         for task, why in failed.items():
             print(f"course: {task} failed twice: {why}", file=sys.stderr)
         if failed:
             return 1
         if shard == WHOLE:
-            output.finish(table_of(rows, arguments.digits))
-            name.unlink()
+            write(table_of(rows, arguments.digits))
+            name.unlink(missing_ok=True)
     return 0
 
 
 def merge_parts(arguments):
-    with Output(arguments.output) as output:
-        results, missing = merge([Path(word) for word in arguments.words[1:]])
+    for option, value in (("shard", arguments.shard), ("part", arguments.part), ("jobs", arguments.jobs),
+                          ("resume", arguments.resume or None)):
+        if value is not None:
+            raise Complaint(f"--{option} is for a sweep; merge takes parts, --output and --digits")
+    parts = [Path(word) for word in arguments.words[1:]]
+    with Outputs() as outputs:
+        write = opened_output(outputs, arguments.output, [("one of the parts", part) for part in parts])
+        results, missing = merge(parts)
         if missing:
             raise Complaint(f"{len(missing)} of {len(results) + len(missing)} combinations have no row yet, such as {missing[0]}; "
                             "run their shards with --resume")
-        output.finish(table_of(results.values(), arguments.digits))
+        for task, row in results.items():
+            if not is_row(row):
+                raise Complaint(f"what the parts hold for {task} is no row of a sweep's table")
+        write(table_of(results.values(), arguments.digits))
     return 0
 
 
+def occupy_standard_descriptors():
+    """What is closed would be given to the first file that is opened, and what is printed would land in it."""
+    for number in range(3):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)
+    if sys.stderr is None:
+        sys.stderr = open(2, "w", encoding="utf-8", errors="backslashreplace", closefd=False)
+
+
 def main():
+    occupy_standard_descriptors()
     parser = argparse.ArgumentParser(prog="./course sweep", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter,
                                      usage="%(prog)s FILE [OPTION...] | merge PART... [--output TABLE]")
     parser.add_argument("--simulate", type=Path, required=True, help=argparse.SUPPRESS)
@@ -206,22 +256,20 @@ def main():
     parser.add_argument("--resume", action="store_true", help="take up what was stopped")
     parser.add_argument("--output", type=Path, help="the file for the table, tabs between columns; the standard output if not given")
     parser.add_argument("--digits", type=int, choices=range(1, 18), metavar="N", help="of each number, 1 to 17; all if not given")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="simulations at a time; one for each processor if not given")
-    arguments = parser.parse_args()
+    parser.add_argument("--jobs", type=int, help="simulations at a time; one for each processor if not given")
+    parser.print_help = lambda: print_text(parser.format_help())  # argparse's own is silent where it can't be written
+    is_merge = False
     try:
-        if arguments.words[0] == "merge" and len(arguments.words) > 1:
-            return merge_parts(arguments)
-        if len(arguments.words) > 1:
-            raise Complaint(f"one word too many: {arguments.words[1]}")
-        return simulate_share(arguments)
+        arguments = parser.parse_args()
+        is_merge = arguments.words[0] == "merge" and len(arguments.words) > 1
+        with stoppable():
+            return merge_parts(arguments) if is_merge else simulate_share(arguments)
     except Complaint as complaint:
         print(f"course: {complaint}", file=sys.stderr)
         return 2
     except Stopped as stopped:
-        print("\ncourse: stopped; --resume takes it up", file=sys.stderr)
+        print("\ncourse: stopped" + ("" if is_merge else "; --resume takes it up"), file=sys.stderr)
         return 128 + stopped.signal
-    except KeyboardInterrupt:  # before anything was simulated
-        return 130
 
 
 if __name__ == "__main__":

@@ -4,6 +4,8 @@ import hashlib
 import itertools
 import json
 import math
+import os
+import sys
 from pathlib import Path
 
 from complaint import Complaint
@@ -16,11 +18,15 @@ LISTS = {"scenes": str, "methods": str, "precisions": str, "time_steps": (int, f
 def read_sweep(file):
     """The sweep in a file, with only keys that are known and lists of what belongs there."""
     try:
-        sweep = json.loads(file.read_bytes())
+        sweep = json.loads(file.read_bytes(), object_pairs_hook=_unlike_keys)
     except OSError as error:
         raise Complaint(f"{file} can't be read: {error.strerror}") from None
     except ValueError as error:
         raise Complaint(f"{file} is no JSON: {error}") from None
+    except RecursionError:
+        raise Complaint(f"{file} is no sweep: its lists and objects are nested too deeply") from None
+    except Complaint as complaint:
+        raise Complaint(f"{file}: {complaint}") from None
     if not isinstance(sweep, dict) or "scenes" not in sweep:
         raise Complaint(f'{file} must be an object of JSON with the key "scenes"')
     for key, value in sweep.items():
@@ -33,28 +39,51 @@ def read_sweep(file):
     return sweep
 
 
+def _unlike_keys(pairs):
+    for number, (key, _) in enumerate(pairs):
+        if key in dict(pairs[:number]):
+            raise Complaint(f"the key {json.dumps(key, ensure_ascii=False)} stands there twice")
+    return dict(pairs)
+
+
 def _require_list(file, key, values):
     if not isinstance(values, list) or not values:
         raise Complaint(f"{file}: {key} must be a list with at least one element")
     for value in values:
         if isinstance(value, bool) or not isinstance(value, LISTS[key]):
-            raise Complaint(f"{file}: {json.dumps(value)} stands in {key}, where it can't")
+            raise Complaint(f"{file}: {_short(value)} stands in {key}, where it can't")
         if values.count(value) > 1:
-            raise Complaint(f"{file}: {json.dumps(value)} stands in {key} twice")
+            raise Complaint(f"{file}: {_short(value)} stands in {key} twice")
         if key in ("time_steps", "seeds"):
             _require_number(file, f"an element of {key}", value, least=0 if key == "seeds" else None)
+    if key == "time_steps":
+        _require_unlike_steps(file, values)
+
+
+def _require_unlike_steps(file, values):
+    """simulate rounds them to nanoseconds; of those that round to none it says what is wrong."""
+    by_nanoseconds = {}
+    for value in values:
+        other = by_nanoseconds.setdefault(math.floor(float(value) * 1e9 + 0.5) if value <= 3600 else value, value)
+        if other is not value:
+            raise Complaint(f"{file}: {_short(other)} and {_short(value)} in time_steps are the same number of nanoseconds")
 
 
 def _require_number(file, what, value, least=None):
-    is_number = isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+    is_number = isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
     if not is_number or not (value > 0 or value == least):
-        raise Complaint(f"{file}: {what} is {json.dumps(value)}; it must be a number greater than 0" + ("" if least is None else ", or 0"))
+        raise Complaint(f"{file}: {what} is {_short(value)}; it must be a number greater than 0" + ("" if least is None else ", or 0"))
+
+
+def _short(value):
+    text = json.dumps(value, ensure_ascii=False)
+    return text if len(text) <= 80 else text[:77] + "..."
 
 
 def find_scene(word, folder):
     shipped = SCENES / f"{word}.json"
-    path = shipped if "/" not in word and shipped.is_file() else folder / word
-    if path.is_file():
+    path = shipped if "/" not in word and os.path.isfile(shipped) else folder / word
+    if os.path.isfile(path):  # also of what no file can be called
         return path.resolve()
     raise Complaint(f"no scene and no file is called {word}; looked for {shipped.name} among the scenes of the course, and in {folder}")
 
@@ -63,7 +92,7 @@ def is_random(path):
     try:
         bodies = json.loads(path.read_bytes())["bodies"]
         return any("many" in body for body in bodies)
-    except (ValueError, KeyError, TypeError):
+    except (OSError, ValueError, KeyError, TypeError, RecursionError):
         return False  # simulate says what is wrong with it
 
 
@@ -80,13 +109,20 @@ def combinations_of(sweep, folder):
         for option, value in (("method", given["methods"]), ("precision", given["precisions"]), ("dt", given["time_steps"]),
                               ("seed", given["seeds"]), ("until", sweep.get("until"))):
             if value is not None:
-                options += [f"--{option}", json.dumps(value).strip('"')]
-        name = " ".join(json.dumps(value) for value in given.values())
+                options += [f"--{option}", value if isinstance(value, str) else json.dumps(value)]
+        name = " ".join(json.dumps(value, ensure_ascii=False) for value in given.values())
         combinations[name] = {"given": given, "options": options}
     return combinations
 
 
 def job_of(sweep, folder, combinations):
     """What must be equal in all shards: the sweep and the bytes of its scenes."""
-    scenes = {word: hashlib.sha256(find_scene(word, folder).read_bytes()).hexdigest() for word in sweep["scenes"]}
+    scenes = {word: _hash_of(find_scene(word, folder)) for word in sweep["scenes"]}
     return Job({"sweep": sweep, "scenes": scenes}, list(combinations))
+
+
+def _hash_of(file):
+    try:
+        return hashlib.sha256(file.read_bytes()).hexdigest()
+    except OSError as error:
+        raise Complaint(f"{file} can't be read: {error.strerror}") from None

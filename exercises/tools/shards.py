@@ -17,6 +17,7 @@ The merged results are those of the unsharded run if work() depends on nothing b
 In tools/ it's found by sys.path.insert(0, str(ROOT / "exercises" / "tools")).
 """
 
+import errno
 import fcntl
 import json
 import os
@@ -64,6 +65,7 @@ class Part:
 
     def __init__(self, file, job, shard=WHOLE, resume=False):
         self.name, self.tasks, self.done = file, share(job.tasks, shard), {}
+        _require_no_device(file)
         try:
             self.file = open(file, "a+b", buffering=0)
         except OSError as error:
@@ -121,6 +123,8 @@ class Part:
         """The whole line or nothing of it."""
         length = os.fstat(self.file.fileno()).st_size
         try:
+            if os.fstat(self.file.fileno()).st_nlink == 0:
+                raise FileNotFoundError(errno.ENOENT, "somebody has removed it")
             written = 0
             while written < len(line):
                 written += self.file.write(line[written:])
@@ -186,6 +190,7 @@ def merge(files):
     """The results of a job's parts, {name: result} in the order of its tasks, and the names of the tasks that have none."""
     first, shards, results = None, {}, {}
     for file in files:
+        _require_no_device(file)
         try:
             header, found, _ = _read(Path(file).read_bytes(), file)
         except OSError as error:
@@ -201,6 +206,12 @@ def merge(files):
         results.update(found)
     tasks = first["tasks"]
     return {name: results[name] for name in tasks if name in results}, [name for name in tasks if name not in results]
+
+
+def _require_no_device(file):
+    """A pipe has no results to come back to, and a device may never end."""
+    if os.path.exists(file) and not os.path.isfile(file) and not os.path.isdir(file):  # of a folder the system says that it is one
+        raise Complaint(f"{file} is no part of a job: it is no file")
 
 
 def _line(said):
@@ -225,18 +236,25 @@ def _read(text, name):
             said = _said(line)
             if header is None:
                 header = {key: said[key] for key in ("job", "shard", "tasks")}
-                mine = set(share(header["tasks"], Shard(*header["shard"])))
+                mine = set(_share_in(header))
             elif said["task"] not in mine:
                 raise ValueError
             elif said.get("void"):
                 results.pop(said["task"], None)
             else:
                 results[said["task"]] = said["result"]
-        except (ValueError, KeyError, TypeError):
+        except (ValueError, KeyError, TypeError, RecursionError):
             raise Complaint(f"{name} is no part of a job; see its line {count}") from None
     if header is None and not rest.startswith(BEGINNING[:len(rest)]):
         raise Complaint(f"{name} is no part of a job; see its line 1")
     return header, results, len(text) - len(rest)
+
+
+def _share_in(header):
+    number, of = header["shard"]
+    if not (type(number) is type(of) is int and 1 <= number <= of and isinstance(header["tasks"], list)):
+        raise ValueError
+    return share(header["tasks"], Shard(number, of))
 
 
 def _require_equal(file, found, wanted):

@@ -73,6 +73,13 @@ verify "with its bodies" says "bodies"
 run --help
 verify "--help tells the options" says "--inertia A,B,C"
 verify "--help ends well" ends_with 0
+"$cost" --help >/dev/full 2>errors.txt
+code=$? output="" errors=$(cat errors.txt)
+rm errors.txt
+verify "help that can't be written is told" complains "the answer can't be written"
+verify "and ends with 1" ends_with 1
+run --inertia 2,2,2 --spin 1,2,3 --for 5 --angle 1e-9 --json=false
+verify "--json=false is no JSON" [ "${output:0:1}" != "{" ]
 
 # What can't be confirmed is not promised.
 for wish in 1e-17 1e-16; do

@@ -1,6 +1,8 @@
 #!/usr/bin/env bash
 # simulate_test.sh SIMULATE SCRATCH: what the program simulate answers to every option, to mistakes and to Ctrl-C.
 set -u
+# Whoever started this may ignore signals, as nohup does; what they end is tried here.
+[ -n "${SIGNALS_AS_USUAL-}" ] || SIGNALS_AS_USUAL=yes exec env --default-signal=INT,HUP,TERM,PIPE bash "$0" "$@"
 simulate=$1
 scratch=$2
 failures=0
@@ -50,6 +52,13 @@ verify "without a terminal it tells calmly how far it is" says " 50 %: step 12 o
 verify "and draws no bar" says_not "["
 run t_handle --until 0.1 --no-ledger
 verify "--no-ledger leaves the books out" says_not "unexplained"
+run t_handle --until 0.1 --no-ledger=false --plan=false --bill=false --help=false
+verify "a switch that is false is off" says "unexplained"
+verify "and so are the others" says_not "ns per body and step"
+run t_handle --plan=true
+verify "a switch that is true is on" says_not "steps per second"
+run t_handle --plan=perhaps
+verify "a switch is nothing else" ends_with 2
 run t_handle --until 0.1 --bill
 verify "--bill measures each effect" says "ns per body and step"
 run t_handle --until 1 --dt 0.0166666666666
@@ -179,6 +188,36 @@ run t_handle --until 0.1 --csv loop
 verify "a link that leads to itself is told" complains "Too many levels of symbolic links"
 verify "and ends with 3" ends_with 3
 rm loop
+
+# No output goes where what is printed goes.
+echo before >log.txt
+for path in /dev/stdout /proc/self/fd/1 /dev/fd/1 log.txt /dev/stderr /proc/self/fd/7; do
+  "$simulate" t_handle --until 0.1 --csv "$path" >>log.txt 2>>log.txt 7>>log.txt
+  code=$? output=$(cat log.txt) errors=$output
+  verify "$path is refused where something is printed" complains "cannot write $path: it is open already"
+  verify "and ends with 3" ends_with 3
+  verify "and nothing is lost" [ "$(head -1 log.txt)" = before ]
+  verify "nor simulated" says_not "steps per second"
+  echo before >log.txt
+done
+rm log.txt
+
+# One output that fails does not lose those after it.
+mkdir programs
+while IFS=';' read -r ending expected complaint; do
+  printf '#!/bin/sh\necho broken >&2\n%s\n' "$ending" >programs/gnuplot
+  chmod +x programs/gnuplot
+  path=$PWD/programs:$PATH run t_handle --until 0.1 --csv a.csv --plot a.svg --view a.html --books a.json
+  verify "where gnuplot ends with '$ending' it is told" complains "a.svg: $complaint"
+  verify "and simulate ends with $expected" ends_with "$expected"
+  verify "and all but the figure are there" [ "$(echo ./a*)" = "./a.csv ./a.html ./a.json" ]
+  verify "and whole" grep -q '"unexplained"' a.json
+  rm -f ./a.*
+done <<'ENDINGS'
+exit 1;3;gnuplot says: broken
+exit 130;130;gnuplot was interrupted
+ENDINGS
+rm -r programs
 
 # No output goes over the scene or over another output, by whatever name.
 printf '{"duration": 0.05, "bodies": [{"name": "a", "mass": 1}]}' >scene.json

@@ -24,6 +24,13 @@ exec '{simulate}' "$@"
 """
 
 
+def is_running(pid):
+    try:
+        return pathlib.Path("/proc", str(pid), "stat").read_text().rsplit(")", 1)[1].split()[0] != "Z"
+    except (FileNotFoundError, ProcessLookupError):
+        return False
+
+
 class Sweep(unittest.TestCase):
     def setUp(self):
         shutil.rmtree(SCRATCH, ignore_errors=True)
@@ -105,6 +112,109 @@ class Sweep(unittest.TestCase):
         self.assertEqual(len(set(begun)), 8)  # of 16 combinations, this shard's
         self.assertLessEqual(len(begun), 8 + len(stops))  # only what was interrupted is done again
 
+    def test_the_table_goes_over_nothing_that_is_read(self):
+        for number in (1, 2):
+            self.sweep("sweep.json", "--shard", f"{number}/2", "--part", f"{number}.part")
+        os.link(SCRATCH / "tops.json", SCRATCH / "hard.json")
+        os.symlink("sweep.json", SCRATCH / "soft.json")
+        os.symlink("new.part", SCRATCH / "soon")
+        before = {path.name: path.read_bytes() for path in SCRATCH.iterdir() if path.exists()}
+        for what, output, words in (("the sweep itself", "sweep.json", ["sweep.json"]), ("the sweep itself", "soft.json", ["sweep.json"]),
+                                    ("the scene tops.json", "./tops.json", ["sweep.json"]),
+                                    ("the scene tops.json", "hard.json", ["sweep.json"]),
+                                    ("where its results are kept", "sweep.part", ["sweep.json"]),
+                                    ("where its results are kept", "soon", ["sweep.json", "--part", "new.part"]),
+                                    ("one of the parts", str(SCRATCH / "2.part"), ["merge", "1.part", "2.part"])):
+            with self.subTest(output):
+                self.assertIn(f"that is {what}, and it would be overwritten", self.sweep(*words, "--output", output, code=2))
+        with open(SCRATCH / "log", "wb") as log:
+            log.write(b"before")
+            log.flush()
+            done = subprocess.run(self.words("sweep.json", "--output", "/dev/stdout"), cwd=SCRATCH, stdout=log, stderr=subprocess.PIPE)
+        self.assertEqual((done.returncode, (SCRATCH / "log").read_bytes()), (2, b"before"))
+        self.assertIn(b"what is printed goes there already", done.stderr)
+        (SCRATCH / "log").unlink()
+        self.assertEqual({path.name: path.read_bytes() for path in SCRATCH.iterdir() if path.exists()}, before)
+
+    def test_a_device_a_pipe_and_a_link_stay_what_they_are(self):
+        table = self.sweep("sweep.json")
+        os.mkfifo(SCRATCH / "pipe")
+        os.symlink("/dev/full", SCRATCH / "full")
+        os.symlink("there.tsv", SCRATCH / "link.tsv")
+        reader = subprocess.Popen(["cat", "pipe"], cwd=SCRATCH, stdout=subprocess.PIPE, text=True)
+        self.sweep("sweep.json", "--output", "pipe")
+        self.assertEqual(reader.communicate()[0], table)
+        self.assertTrue((SCRATCH / "pipe").is_fifo())
+        self.assertIn("full can't be written: No space left on device", self.sweep("sweep.json", "--output", "full", code=2))
+        self.assertTrue((SCRATCH / "full").is_symlink())
+        self.sweep("sweep.json", "--resume", "--output", "link.tsv")
+        self.assertTrue((SCRATCH / "link.tsv").is_symlink())
+        self.assertEqual((SCRATCH / "there.tsv").read_text(), table)
+
+    def test_a_table_that_has_no_place_is_told_before_anything_is_simulated(self):
+        for output in ("", ".", "..", str(SCRATCH), "n" * 300, "tops.json/table"):
+            with self.subTest(output):
+                self.assertIn("can't be written: ", self.sweep("sweep.json", "--output", output, code=2))
+        self.assertEqual(sorted(path.name for path in SCRATCH.iterdir()), ["sweep.json", "tops.json"])
+
+    def test_what_is_no_part_of_a_sweep_is_not_merged(self):
+        head = {"job": {}, "shard": [1, 1], "tasks": ["a"]}
+        for lines in ([{**head, "shard": [1]}], [{**head, "shard": [0, 0]}], [{**head, "shard": ["1", "1"]}], [{**head, "shard": 3}],
+                      [{**head, "tasks": {"a": 1}}], [{**head, "tasks": [[]]}], [{**head, "tasks": "a"}], [[]],
+                      [head, {"task": [], "result": []}], [head, {"task": "a", "result": 1}], [head, {"task": "a", "result": [1]}],
+                      [head, {"task": "a", "result": [[]] * 15}]):
+            with self.subTest(lines):
+                (SCRATCH / "odd.part").write_text("".join(json.dumps(line) + "\n" for line in lines))
+                self.assertRegex(self.sweep("merge", "odd.part", code=2), "^course: (odd.part is no part of|what the parts hold for a)")
+        (SCRATCH / "odd.part").write_text("[" * 5000 + "]" * 5000 + "\n")
+        self.assertIn("odd.part is no part of a job; see its line 1", self.sweep("merge", "odd.part", code=2))
+
+    def test_closed_outputs_lose_nothing(self):
+        def run(words, redirections):
+            return subprocess.run(["sh", "-c", f'"$@" {redirections}', "sh", *self.words(*words)], cwd=SCRATCH,
+                                  capture_output=True, text=True)
+        table = self.sweep("sweep.json")
+        done = run(["sweep.json"], ">&-")
+        self.assertEqual((done.returncode, done.stderr),
+                         (2, "course: the standard output is closed; --output names a file for the table\n"))
+        done = run(["sweep.json"], "2>&-")
+        self.assertEqual((done.returncode, done.stdout), (0, table))
+        done = run(["sweep.json", "--output", "table.tsv"], "<&- >&- 2>&-")
+        self.assertEqual((done.returncode, (SCRATCH / "table.tsv").read_text()), (0, table))
+        done = run(["--help"], ">/dev/full")
+        self.assertEqual((done.returncode, done.stderr), (2, "course: the standard output can't be written: No space left on device\n"))
+        self.assertTrue(run(["--help"], "").stdout.startswith("usage: ./course sweep FILE [OPTION...] | merge PART..."))
+        done = run(["sweep.json"], ">/dev/full")
+        self.assertEqual(done.returncode, 2)
+        self.assertTrue(done.stderr.endswith("course: the standard output can't be written: No space left on device\n"), done.stderr)
+        self.assertEqual(self.sweep("sweep.json", "--resume"), table)
+
+    def test_results_that_somebody_removes_are_told(self):
+        program = SCRATCH / "remover"
+        program.write_text(f"#!/bin/sh\ncase \"$*\" in *--plan*) ;; *) rm -f ./*.part ;; esac\nexec '{SIMULATE}' \"$@\"\n")
+        program.chmod(0o755)
+        for words in ([], ["--shard", "1/2"]):
+            self.assertIn("somebody has removed it", self.sweep("sweep.json", *words, code=2, simulate=program))
+
+    def test_a_signal_ends_all_that_runs(self):
+        self.write("sweep.json", {**SPEC, "seeds": list(range(16))})
+        for plan in ("exit 0", f"echo $$ >>'{SCRATCH}/running'; exec sleep 60"):  # while it simulates, and before
+            program, pids = SCRATCH / "idle", SCRATCH / "running"
+            program.write_text("#!/bin/sh\ncase \"$*\" in *--plan*) " + plan + f" ;; esac\necho $$ >>'{pids}'\nexec sleep 60\n")
+            program.chmod(0o755)
+            for _ in range(3):
+                pids.write_text("")
+                running = subprocess.Popen(self.words("sweep.json", "--jobs", "16", simulate=program), cwd=SCRATCH,
+                                           stderr=subprocess.PIPE, text=True)
+                while len(pids.read_text().splitlines()) < (16 if plan == "exit 0" else 1):
+                    self.assertIsNone(running.poll())
+                    time.sleep(0.01)
+                running.terminate()
+                errors = running.communicate(timeout=50)[1]  # the simulations themselves would take longer
+                self.assertEqual((running.returncode, errors), (143, "\ncourse: stopped; --resume takes it up\n"))
+                for pid in pids.read_text().splitlines():
+                    self.assertFalse(is_running(int(pid)), pid)
+
     def test_a_run_that_fails_is_tried_again_and_is_no_row(self):
         broken = SCRATCH / "broken"
         broken.write_text("#!/bin/sh\ncase \"$*\" in *--plan*) exit 0 ;; *'--dt 0.02 --seed 1 '*) echo simulate: no memory >&2; exit 4 ;; "
@@ -125,21 +235,48 @@ class Sweep(unittest.TestCase):
         self.assertTrue(row[-1].startswith("'comet' at 0.5 s (step 2): point gravity gives a force of"), row[-1])
 
     def test_mistakes_are_told_before_anything_is_simulated(self):
+        (SCRATCH / "deep.json").write_text('{"bodies": ' + "[" * 5000 + "]" * 5000 + "}")
         for change, complaint in (
                 ({"scenes": []}, "scenes must be a list with at least one element"),
                 ({"scenes": ["nowhere"]}, "no scene and no file is called nowhere"),
                 ({"methods": ["spliting"]}, "no method is called spliting; did you mean splitting?"),
                 ({"time_steps": [0.01, 0.01]}, "0.01 stands in time_steps twice"),
+                ({"time_steps": [0.01, 0.02, 0.0100000000001]},
+                 "0.01 and 0.0100000000001 in time_steps are the same number of nanoseconds"),
                 ({"time_steps": [0]}, "an element of time_steps is 0; it must be a number greater than 0"),
                 ({"time_steps": [1]}, "that is less than half a step of 1 s"),
                 ({"seeds": [1.5]}, "1.5 stands in seeds, where it can't"),
                 ({"until": "1"}, 'until is "1"; it must be a number'),
+                ({"scenes": ["n" * 300]}, "no scene and no file is called nnn"),
+                ({"scenes": ["caf\u00e9"]}, "no scene and no file is called caf\u00e9"),
+                ({"scenes": ["/proc/self/mem"]}, "can't be read: Input/output error"),  # a file that can't be read, not even by root
+                ({"scenes": ["deep.json"]}, "deep.json"),
+                ({"methods": ["a\0b"]}, "can't be run: embedded null byte"),
+                ({"methods": ["\u00e9"]}, "no method is called \u00e9"),
+                ({"seeds": [10**400]}, f"an element of seeds is 1{'0' * 76}...; it must be a number"),
+                ({"time_steps": [10**400]}, "an element of time_steps is 1"),
+                ({"until": 10**400}, "until is 1"),
+                ({"until": -10**400}, "until is -1"),
+                ({"until": float("nan")}, "until is NaN"),
                 ({"colour": ["red"]}, "colour is no key of a sweep")):
             with self.subTest(complaint):
                 self.write("sweep.json", {**SPEC, **change})
                 self.assertIn(complaint, self.sweep("sweep.json", code=2))
+        for text, complaint in (("[" * 5000 + "]" * 5000, "nested too deeply"), ("9" * 5000, "is no JSON"),
+                                ('{"scenes": ["t_handle"], "scenes": ["rain"]}', 'sweep.json: the key "scenes" stands there twice')):
+            with self.subTest(complaint):
+                (SCRATCH / "sweep.json").write_text(text)
+                self.assertIn(complaint, self.sweep("sweep.json", code=2))
+        (SCRATCH / "deep.json").unlink()
         self.write("sweep.json", SPEC)
-        for words, complaint in ((["sweep.json", "--shard", "4/3"], "the shard is 4/3"), (["none.json"], "none.json can't be read"),
+        self.assertIn("nowhere/simulate can't be run", self.sweep("sweep.json", code=2, simulate="nowhere/simulate"))
+        for words, complaint in ((["sweep.json", "--part", "/dev/full"], "/dev/full is no part of a job: it is no file"),
+                                 (["merge", "/dev/zero"], "/dev/zero is no part of a job: it is no file"),
+                                 (["merge", "a", "--shard", "1/2"], "--shard is for a sweep"),
+                                 (["merge", "a", "--jobs", "0"], "--jobs is for a sweep"),
+                                 (["merge", "a", "--part", "b"], "--part is for a sweep"),
+                                 (["merge", "a", "--resume"], "--resume is for a sweep"),
+                                 (["sweep.json", "--shard", "4/3"], "the shard is 4/3"), (["none.json"], "none.json can't be read"),
                                  (["sweep.json", "--output", "nowhere/table"], "nowhere/table can't be written"),
                                  (["sweep.json", "--part", "nowhere/part"], "nowhere/part can't be written"),
                                  (["sweep.json", "extra"], "one word too many: extra")):

@@ -135,14 +135,19 @@ std::filesystem::path find_scene(const std::string& word) {
                    did_you_mean(option, {known.begin(), known.end()}));
 }
 
+/// Of a switch: --plan, --plan=true and --plan=false can be written.
+bool is_on(const cxxopts::ParseResult& given, const std::string& name) {
+  return given.count(name) > 0 && given[name].as<bool>();
+}
+
 Options read(const cxxopts::ParseResult& given) {
   const auto text = [&](const std::string& name) { return given[name].as<std::string>(); };
   Options options;
   if (given.count("scene") == 0) throw UsageError("which scene? --help lists the options");
   options.scene = find_scene(text("scene"));
-  options.only_plan = given.count("plan") > 0;
-  options.ledger = given.count("no-ledger") == 0;
-  options.bill = given.count("bill") > 0;
+  options.only_plan = is_on(given, "plan");
+  options.ledger = !is_on(given, "no-ledger");
+  options.bill = is_on(given, "bill");
   if (!options.ledger && given.count("books"))
     throw UsageError("--books writes the books that --no-ledger does not keep");
   if (given.count("dt")) options.changes.step = rounded_step(text("dt"), options.said);
@@ -205,7 +210,7 @@ std::optional<Options> read_options(int argument_count, char** arguments) {
   parser.parse_positional({"scene"});
   try {
     const cxxopts::ParseResult given = parser.parse(argument_count, arguments);
-    if (given.count("help") > 0) {
+    if (is_on(given, "help")) {
       std::fputs(help, stdout);
       return std::nullopt;
     }

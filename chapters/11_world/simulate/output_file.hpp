@@ -64,6 +64,8 @@ class OutputFile {
       if (fs::is_directory(place)) throw FileError(path, "it is a directory");
       if (fs::exists(place) && !fs::is_regular_file(place))
         throw FileError(path, "it is no regular file");
+      if (is_open(place))
+        throw FileError(path, "it is open already, such as for what is printed, and would be lost");
       if (!fs::is_directory(place.parent_path()))
         throw FileError(path, "there is no directory " + place.parent_path().string());
       if (::access(fs::exists(place) ? place.c_str() : place.parent_path().c_str(), W_OK) != 0)
@@ -72,6 +74,15 @@ class OutputFile {
     } catch (const fs::filesystem_error& error) {  // a loop of links, a name that is too long
       throw FileError(path, error.code().message());
     }
+  }
+
+  /// Whether a descriptor that this program was given leads to the file.
+  static bool is_open(const std::filesystem::path& place) {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    for (const fs::directory_entry& descriptor : fs::directory_iterator("/proc/self/fd", ignored))
+      if (fs::equivalent(descriptor.path(), place, ignored)) return true;
+    return false;
   }
 
   std::filesystem::path path_, partial_;

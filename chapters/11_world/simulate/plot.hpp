@@ -2,10 +2,13 @@
 /// Paths and energies as a figure, drawn by gnuplot like the figures of the book.
 #pragma once
 
+#include <sys/wait.h>
+
 #include <course/record.hpp>
 #include <cstdlib>
 #include <tumble/ledger.hpp>
 
+#include "interrupts.hpp"
 #include "trajectory.hpp"
 
 namespace tumble::simulate {
@@ -78,7 +81,14 @@ class Plot {
         shell_word("paths=" + std::to_string(paths_.size()) + "; across='" + names[across] +
                    "'; up='" + names[up] + "'; scene=" + gnuplot_text(title)) +
         " " + shell_word(TUMBLE_PLOT_SCRIPT) + " 2>gnuplot.log";
-    if (std::system(command.c_str()) != 0) {
+    const int status = std::system(command.c_str());
+    // A program that waits for a shell is deaf to Ctrl-C; the shell and gnuplot are not.
+    if ((WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) ||
+        (WIFEXITED(status) && WEXITSTATUS(status) == 128 + SIGINT)) {
+      ended_by = SIGINT;
+      throw FileError(file_.path(), "gnuplot was interrupted");
+    }
+    if (status != 0) {
       std::ifstream log(scratch.path() / "gnuplot.log");
       throw FileError(file_.path(),
                       "gnuplot says: " + std::string(std::istreambuf_iterator<char>(log), {}));

@@ -2,6 +2,8 @@
 /// One simulation from the scene file to the last line.
 #pragma once
 
+#include <exception>
+
 #include "bill.hpp"
 #include "books.hpp"
 #include "interrupts.hpp"
@@ -42,13 +44,31 @@ struct Outputs {
     if (view && !comes_early) view->record(scene);
   }
 
-  void finish(const std::string& title) {
-    const auto say = [](OutputFile& file) { std::printf("wrote %s\n", file.path().c_str()); };
-    if (csv) csv->file().finish(), say(csv->file());
-    if (json_lines) json_lines->file().finish(), say(json_lines->file());
-    if (plot) plot->finish(title), say(plot->file());
-    if (view) view->finish(), say(view->file());
-    if (books) books->finish(), say(*books);
+  /// Finishes all that can be finished, and then throws what went wrong first. If Ctrl-C ended the
+  /// drawing, that is told here, and the caller ends as after any signal.
+  void finish(const std::string& title, const std::string& text_of_books) {
+    std::exception_ptr failure;
+    const auto attempt = [&failure](OutputFile& file, const auto& finish_file) {
+      try {
+        finish_file();
+        std::printf("wrote %s\n", file.path().c_str());
+      } catch (const std::exception& error) {
+        if (failure || ended_by != 0)
+          std::fprintf(stderr, "simulate: %s\n", error.what());
+        else
+          failure = std::current_exception();
+      }
+    };
+    if (csv) attempt(csv->file(), [this] { csv->file().finish(); });
+    if (json_lines) attempt(json_lines->file(), [this] { json_lines->file().finish(); });
+    if (plot) attempt(plot->file(), [&] { plot->finish(title); });
+    if (view) attempt(view->file(), [this] { view->finish(); });
+    if (books)
+      attempt(*books, [&] {
+        books->write(text_of_books);
+        books->finish();
+      });
+    if (failure) std::rethrow_exception(failure);
   }
 };
 
@@ -150,9 +170,9 @@ ExitCode run(const Options& options) {
   if (options.ledger) std::printf("\n%s", table_of(ledger, scene.world).c_str());
   if (options.bill && code == all_simulated)
     std::printf("\n%s", Bill<Real, Keeping>(start, steps).table().c_str());
-  if (outputs.books) outputs.books->write(books_of(ledger, scene, stored_at_the_start));
-  outputs.finish(scene.title);
-  return code == interrupted ? static_cast<ExitCode>(interrupted + ended_by) : code;
+  outputs.finish(scene.title,
+                 outputs.books ? books_of(ledger, scene, stored_at_the_start) : std::string());
+  return ended_by != 0 ? static_cast<ExitCode>(interrupted + ended_by) : code;
 }
 
 }  // namespace tumble::simulate

@@ -7,18 +7,25 @@
 
 #include "answer.hpp"
 
+namespace {
+
+/// Prints what is said. @return `code`, or that it can't be written
+int written(const std::string& said, int code) {
+  if (std::fputs(said.c_str(), stdout) != EOF && std::fflush(stdout) == 0) return code;
+  std::fputs("cost: the answer can't be written\n", stderr);
+  return tumble::cost::refused;
+}
+
+}  // namespace
+
 int main(int argument_count, char** arguments) {
   using namespace tumble::cost;
   try {
     const std::optional<Options> options = read_options(argument_count, arguments);
-    if (!options) return confirmed;
+    if (!options) return written("", confirmed);
     const Answer answer = answer_to(*options);
-    const std::string said = options->json ? json_of(answer) : text_of(answer);
-    if (std::fputs(said.c_str(), stdout) == EOF || std::fflush(stdout) != 0) {
-      std::fputs("cost: the answer can't be written\n", stderr);
-      return refused;
-    }
-    return answer.verdict.winner ? confirmed : refused;
+    return written(options->json ? json_of(answer) : text_of(answer),
+                   answer.verdict.winner ? confirmed : refused);
   } catch (const UsageError& error) {
     std::fprintf(stderr, "cost: %s\n", error.what());
     return bad_input;

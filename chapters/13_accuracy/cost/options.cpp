@@ -180,7 +180,7 @@ Options read(const cxxopts::ParseResult& given) {
   if (has("place")) options.wish.place = between("place", text("place"), "m", 0, 1e12);
   options.precisions = precisions_of(text("precision", "any"));
   options.longest_run = between("longest-run", text("longest-run", "1"), "s", 0.001, 600);
-  options.json = has("json");
+  options.json = has("json") && given["json"].as<bool>();
   return options;
 }
 
@@ -196,7 +196,7 @@ std::optional<Options> read_options(int argument_count, char** arguments) {
   parser.parse_positional({"scene"});
   try {
     const cxxopts::ParseResult given = parser.parse(argument_count, arguments);
-    if (given.count("help") > 0) {
+    if (given.count("help") > 0 && given["help"].as<bool>()) {
       std::fputs(help, stdout);
       return std::nullopt;
     }
