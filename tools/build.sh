@@ -108,7 +108,7 @@ is_broken() {
 run_tests() { # PRESET SENTENCE CTEST-OPTION...
   local status=0 before usual=()
   # Started in the background, we may have been told to ignore signals; tests end what they start by them.
-  if env --default-signal=INT true 2>/dev/null; then usual=(env --default-signal=INT,HUP,PIPE); fi
+  if env --default-signal=INT true 2>/dev/null; then usual=(env "--default-signal=INT,HUP,PIPE"); fi
   before=$(wc -l <"$log")
   stage "$2" ${usual[@]+"${usual[@]}"} ctest --test-dir "build/$1" --parallel "$jobs" --output-on-failure --no-label-summary --no-tests=error \
     "${@:3}" || status=$?

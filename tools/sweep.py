@@ -25,6 +25,7 @@ import subprocess
 import sys
 import tempfile
 import threading
+from concurrent.futures import ThreadPoolExecutor, wait
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -56,13 +57,22 @@ class Simulator:
             self.running.add(process)
         try:
             _, errors = process.communicate()
-        except BaseException:  # a signal, when this is the main thread
-            process.kill()
-            raise
         finally:
             with self.lock:
                 self.running.discard(process)
         return process.returncode, errors.strip().removeprefix("simulate: ")
+
+    def run_alone(self, *options):
+        """The same for the main thread, which gets the signals: they may come at any moment, so another one runs the program."""
+        with ThreadPoolExecutor(1) as pool:
+            try:
+                future = pool.submit(self.run, *options)
+                while not wait([future], timeout=1).done:  # a signal just before it waits is noticed only afterwards
+                    pass
+            except BaseException:
+                self.stop()
+                raise
+            return future.result()
 
     def stop(self):
         with self.lock:
@@ -79,7 +89,7 @@ def require_runnable(simulator, combinations):
         tried.setdefault(json.dumps({**combination["given"], "seeds": None}), combination["options"])
     for options in tried.values():
         try:
-            code, errors = simulator.run(*options, "--plan")
+            code, errors = simulator.run_alone(*options, "--plan")
         except (OSError, ValueError) as error:  # ValueError: a text with a zero in it, which no program can be given
             raise Complaint(f"{simulator.program} can't be run: {error}") from None
         if code != 0:
