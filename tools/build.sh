@@ -4,7 +4,7 @@
 memory_file=/proc/meminfo
 memory_limit_file=/sys/fs/cgroup/memory.max # a container's
 
-# how_many_jobs: one for each core, but no more than fit into the free memory: a compiler takes up to a gigabyte.
+# how_many_jobs: one for each core, but no more than fit into the free memory: most compilers need less than a gigabyte.
 how_many_jobs() {
   local cores memory limit=""
   cores=$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
