@@ -121,6 +121,18 @@ function(tumble_add_checks chapter)
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RUNS ${result})
 endfunction()
 
+# tumble_compile_once(NAME LIBRARY... FILES FILE...): two libraries, NAME_for_checks and NAME_for_programs, of what many
+# files would otherwise compile each for itself, on top of the given libraries.
+function(tumble_compile_once name)
+  cmake_parse_arguments(PARSE_ARGV 1 once "" "" "FILES")
+  foreach(use IN ITEMS check program)
+    add_library(${name}_for_${use}s STATIC EXCLUDE_FROM_ALL ${once_FILES})
+    list(TRANSFORM once_UNPARSED_ARGUMENTS REPLACE "_for_$" "_for_${use}s" OUTPUT_VARIABLE libraries)
+    target_link_libraries(${name}_for_${use}s PUBLIC ${libraries} PRIVATE tumble_${use}_flags)
+    target_precompile_headers(${name}_for_${use}s REUSE_FROM tumble_${use}_headers)
+  endforeach()
+endfunction()
+
 # tumble_add_program(CHAPTER NAME [LONG] [MEASURES]): compiles NAME.cpp; it is run with the results folder as its one
 # argument. A LONG one finds TUMBLE_FULL in its environment when it shall take its time. One that MEASURES time is run
 # alone, after everything else.
