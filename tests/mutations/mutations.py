@@ -38,7 +38,7 @@ class Build:
             raise ListError(f"{path} does not exist; configure the build with CMAKE_EXPORT_COMPILE_COMMANDS")
         for entry in json.loads(path.read_text()):
             # What the course compiles once for many programs is compiled here with the mutation in it.
-            words = [word for word in shlex.split(entry["command"]) if word != "-DTUMBLE_COMPILED_SCENES"]
+            words = [word for word in shlex.split(entry["command"]) if not word.startswith("-DTUMBLE_COMPILED_")]
             file, target = Path(entry["file"]), words.index("-o") + 1
             if file.name == "check_main.cpp":
                 self.main = Path(entry["directory"], words[target])
