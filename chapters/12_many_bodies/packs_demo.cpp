@@ -69,13 +69,13 @@ int main(int argument_count, char** arguments) {
     course::expect(packed_x == alone.angular_momentum_body.x(), "a lane has the bits of one body");
   }
 
-  //! [three_worlds]
-  const Bodies<float> one_by_one = after_a_minute(falling_boxes<World<float>>(2000));
-  const Bodies<float> in_packs = after_a_minute(falling_boxes<ManyBodies<float>>(2000));
   //! [use]
   auto world = falling_boxes<ManyBodies<float>>(2000);  // ManyBodies in place of World
   world.keeping().use_threads(2);
   //! [use]
+  //! [three_worlds]
+  const Bodies<float> one_by_one = after_a_minute(falling_boxes<World<float>>(2000));
+  const Bodies<float> in_packs = after_a_minute(falling_boxes<ManyBodies<float>>(2000));
   const Bodies<float> on_two_threads = after_a_minute(world);
   //! [three_worlds]
   const bool same =
