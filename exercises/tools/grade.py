@@ -29,7 +29,7 @@ from plain_text import complain, one_line, say, why_unheard
 from programs import prepare_all
 from reports import FORMATS, marks
 from shards import WHOLE, Part, Stopped, merge, shard_of, stoppable
-from submission import name_of, read_header, require_folders
+from submission import places_of, read_header
 from toolchain import read_toolchain
 from untrusted import require_seals, seals_in_words
 
@@ -54,18 +54,18 @@ def export_for_similarity(folder, submissions, exercises):
     for exercise in exercises:
         place = folder / exercise.name
         place.mkdir(parents=True, exist_ok=True)
-        for submission in submissions:
+        for name, submission in submissions.items():
             header = read_header(submission, exercise)
             if header.text:
-                (place / f"{file_name_of(submission)}.hpp").write_text(header.text, encoding="utf-8", newline="")
+                (place / f"{file_name_of(name)}.hpp").write_text(header.text, encoding="utf-8", newline="")
         starter = exercise.folder / exercise.header
         if starter.exists():
             shutil.copyfile(starter, place / "STARTER.hpp")
 
 
 def file_name_of(submission):
-    """The submission's name, shortened where an ending would make it too long for a file; what it lost is in a digest then."""
-    name = os.fsencode(name_of(submission))
+    """A submission's name, shortened where an ending would make it too long for a file; what it lost is in a digest then."""
+    name = os.fsencode(submission)
     return os.fsdecode(name if len(name) <= 251 else name[:200] + b"-" + hashlib.sha256(name).hexdigest()[:32].encode())
 
 
@@ -99,7 +99,7 @@ def opened_outputs(stack, arguments):
 
 
 def grade(arguments, outputs):
-    require_folders(arguments.folders)
+    submissions = places_of(arguments.folders, arguments.follow_links)
     exercises = find_all(read_catalogue(arguments.root, arguments.private), arguments.exercises)
     if not 0 < arguments.seconds <= MOST_SECONDS:
         raise Complaint(f"seconds is {arguments.seconds:g}; it must be greater than 0 and at most {MOST_SECONDS}")
@@ -110,14 +110,15 @@ def grade(arguments, outputs):
     toolchain = read_toolchain(arguments.toolchain, arguments.root / "exercises" / "common", arguments.toolchain.parent)
     with tempfile.TemporaryDirectory(prefix="grade-") as scratch:
         kept = part_of(arguments)
-        with Part(kept or Path(scratch) / "part", job_of(arguments, exercises), arguments.shard, arguments.resume) as part:
+        job = job_of(arguments, submissions, exercises)
+        with Part(kept or Path(scratch) / "part", job, arguments.shard, arguments.resume) as part:
             if arguments.similarity:
-                export(arguments, exercises)
+                export(arguments.similarity, submissions, exercises)
             prepare_all(toolchain, exercises, arguments.jobs)
             require_seals(toolchain, exercises[0], arguments.unsealed)
             before, computed = len(part.done), seconds_computed()
             try:
-                results, failed = grade_class(arguments, exercises, part, show_how_far)
+                results, failed = grade_class(arguments, submissions, exercises, part, show_how_far)
                 tell_throughput(len(part.done) - before, len(exercises), seconds_computed() - computed)
             except Stopped:
                 if kept:
@@ -144,13 +145,13 @@ def part_of(arguments):
     return Path("grade.part") if len(arguments.folders) > 1 or arguments.resume else None
 
 
-def export(arguments, exercises):
-    if "STARTER" in map(name_of, arguments.folders):
+def export(folder, submissions, exercises):
+    if "STARTER" in submissions:
         raise Complaint("a submission is called STARTER, as the starters are among the files for similarity")
     try:
-        export_for_similarity(arguments.similarity, arguments.folders, exercises)
+        export_for_similarity(folder, submissions, exercises)
     except OSError as error:
-        raise Complaint(f"--similarity: {arguments.similarity} can't be written: {error.strerror}") from None
+        raise Complaint(f"--similarity: {folder} can't be written: {error.strerror}") from None
 
 
 def parsers():
@@ -170,6 +171,7 @@ def parsers():
     grading.add_argument("--similarity", type=Path, help="a folder for programs that look for copied code")
     grading.add_argument("--seconds", type=float, default=SECONDS, help="of computing, for one check")
     grading.add_argument("--unsealed", action="store_true", help="grade also where a submission can't be confined")
+    grading.add_argument("--follow-links", action="store_true", help="grade submissions that are symbolic links, wherever they lead")
     grading.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="submissions that are graded at the same time")
     grading.add_argument("--shard", default="1/1", help="NUMBER/OF: this share alone, for ./course grade merge")
     grading.add_argument("--part", type=Path, help="the file in which results are kept as they come")
