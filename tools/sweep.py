@@ -24,7 +24,6 @@ import stat
 import subprocess
 import sys
 import tempfile
-import threading
 from concurrent.futures import ThreadPoolExecutor, wait
 from pathlib import Path
 
@@ -34,6 +33,7 @@ sys.path.insert(0, str(ROOT / "exercises" / "tools"))
 from complaint import Complaint  # noqa: E402
 from outputs import Outputs  # noqa: E402
 from shards import WHOLE, Part, Stopped, merge, run, shard_of, stoppable  # noqa: E402
+from running import Running  # noqa: E402
 from sweep_file import combinations_of, find_scene, job_of, read_sweep  # noqa: E402
 
 COLUMNS = ["scene", "method", "precision", "time step (s)", "seed", "bodies", "steps", "time (s)", "energy at the start (J)",
@@ -45,22 +45,12 @@ class Simulator:
     """Runs the program, and ends what runs."""
 
     def __init__(self, program):
-        self.program, self.running, self.lock, self.is_stopped = program, set(), threading.Lock(), False
+        self.program, self.running = program, Running("sweep")
 
     def run(self, *options):
         """Its exit code and what it complained of."""
-        words = [str(self.program), *map(str, options)]
-        with self.lock:
-            if self.is_stopped:
-                raise RuntimeError("the sweep was stopped")
-            process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-            self.running.add(process)
-        try:
-            _, errors = process.communicate()
-        finally:
-            with self.lock:
-                self.running.discard(process)
-        return process.returncode, errors.strip().removeprefix("simulate: ")
+        done = self.running.run([self.program, *options], stdout=subprocess.DEVNULL)
+        return done.returncode, done.stderr.strip().removeprefix("simulate: ")
 
     def run_alone(self, *options):
         """The same for the main thread, which gets the signals: they may come at any moment, so another one runs the program."""
@@ -70,16 +60,9 @@ class Simulator:
                 while not wait([future], timeout=1).done:  # a signal just before it waits is noticed only afterwards
                     pass
             except BaseException:
-                self.stop()
+                self.running.stop()
                 raise
             return future.result()
-
-    def stop(self):
-        with self.lock:
-            self.is_stopped = True
-            ending = list(self.running)
-        for process in ending:
-            process.kill()
 
 
 def require_runnable(simulator, combinations):
@@ -213,7 +196,7 @@ def simulate_share(arguments):
         write = opened_output(outputs, arguments.output, [("the sweep itself", file), ("where its results are kept", name), *scenes])
         require_runnable(simulator, combinations)
         with Part(name, job, shard, arguments.resume) as part:
-            failed = run(part, lambda task: row_of(simulator, combinations[task]), jobs, simulator.stop, tell)
+            failed = run(part, lambda task: row_of(simulator, combinations[task]), jobs, simulator.running.stop, tell)
             rows = [part.done[task] for task in part.tasks if task in part.done]
         for task, why in failed.items():
             print(f"course: {task} failed twice: {why}", file=sys.stderr)
