@@ -26,6 +26,7 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "exercises" / "tools"))
 from complaint import Complaint  # noqa: E402
+from outputs import occupy_standard_descriptors  # noqa: E402
 from running import Running  # noqa: E402
 from shards import Job, Part, Stopped, job_of_part, merge, run, shard_of, stoppable  # noqa: E402
 
@@ -74,7 +75,8 @@ def sources(root):
 def processor():
     try:
         text = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace")
-        return re.search(r"^(?:model name|Processor|cpu model)\s*:\s*(.+)$", text, re.MULTILINE)[1].strip()
+        name = re.search(r"^(?:model name|Processor|cpu model)\s*:\s*(.+)$", text, re.MULTILINE)[1].strip()
+        return re.sub(r"[^\w ()@.,:+/-]", "?", name)  # it's set into pages and files
     except (OSError, TypeError):
         return platform.processor() or platform.machine()
 
@@ -117,6 +119,14 @@ class Measuring:
         return done
 
 
+def stamp_of(program):
+    try:
+        status = os.stat(program["program"])
+    except OSError as error:
+        raise Complaint(f"{program['program']} is not there: {error.strerror}") from None
+    return status.st_mtime_ns, status.st_size, status.st_ino
+
+
 def tell(done, of):
     print(f"{done} of {of}", file=sys.stderr, flush=True)
 
@@ -126,10 +136,16 @@ def do_share(arguments):
     tasks = tasks_of(programs)
     name = arguments.part or Path(f"measured.{shard.number}-of-{shard.of}.part")
     measuring = Measuring(arguments.quick)
-    failed = {}
+    failed, compiled = {}, {name: stamp_of(program) for name, program in programs.items()}
+
+    def result_of(task):
+        result = measuring.result_of(*tasks[task])
+        if stamp_of(tasks[task][0]) != compiled[tasks[task][0]["name"]]:
+            raise Complaint(f"{tasks[task][0]['name']} was compiled anew meanwhile; what was measured before is kept, and no more")
+        return result
     with Part(name, Job(what_is_measured(arguments), list(tasks)), shard, arguments.resume) as part:
         for is_alone in (False, True):
-            failed |= run(part, lambda task: measuring.result_of(*tasks[task]), 1 if is_alone else os.cpu_count() or 1,
+            failed |= run(part, result_of, 1 if is_alone else os.cpu_count() or 1,
                           measuring.running.stop, tell, lambda task: tasks[task][0]["measures"] == is_alone)
     for task, why in failed.items():
         print(f"course: {task} failed twice: {why}", file=sys.stderr)
@@ -190,6 +206,7 @@ def main():
     parser.add_argument("--shard", help="the share of the items to do, such as 3/16")
     parser.add_argument("--part", type=Path, help="where results are kept as they come; measured.3-of-16.part if not given")
     parser.add_argument("--resume", action="store_true", help="take up what was stopped")
+    occupy_standard_descriptors()
     arguments = parser.parse_args()
     try:
         with stoppable():

@@ -21,17 +21,17 @@ import tempfile
 from pathlib import Path
 
 from catalogue import find_all, read_catalogue
-from complaint import Complaint
+from complaint import Complaint, GraderFailed
 from grade_class import grade_class, job_of
 from made import CommandFailed
-from outputs import Outputs
+from outputs import Outputs, occupy_standard_descriptors, require_a_place_of_its_own
 from plain_text import complain, one_line, say, why_unheard
 from programs import prepare_all
 from reports import FORMATS, marks
 from shards import WHOLE, Part, Stopped, merge, shard_of, stoppable
-from submission import places_of, read_header
+from submission import places_of, places_of_header, read_header
 from toolchain import read_toolchain
-from untrusted import require_seals, seals_in_words
+from untrusted import require_out_of_reach, require_seals, seals_in_words
 
 SECONDS, MOST_SECONDS = 5, 3600  # of computing, for one check
 NO_RESULT = 3
@@ -93,12 +93,15 @@ def write_outputs(arguments, outputs, by_name, missing):
     return NO_RESULT if missing else 0
 
 
-def opened_outputs(stack, arguments):
+def opened_outputs(stack, arguments, inputs):
     files = {"output": arguments.output, "marks": arguments.marks}
+    for name, file in files.items():
+        if file:
+            require_a_place_of_its_own(f"--{name}", file, inputs)
     return {name: stack.open(f"--{name}", file) for name, file in files.items() if file}
 
 
-def grade(arguments, outputs):
+def grade(arguments, stack):
     submissions = places_of(arguments.folders, arguments.follow_links)
     exercises = find_all(read_catalogue(arguments.root, arguments.private), arguments.exercises)
     if not 0 < arguments.seconds <= MOST_SECONDS:
@@ -107,6 +110,7 @@ def grade(arguments, outputs):
         raise Complaint(f"jobs is {arguments.jobs}; it must be at least 1")
     if arguments.format == "gradescope" and len(arguments.folders) != 1:
         raise Complaint(f"{len(arguments.folders)} submissions; Gradescope grades one at a time")
+    outputs = opened_outputs(stack, arguments, read_by_it(arguments, submissions, exercises))
     toolchain = read_toolchain(arguments.toolchain, arguments.root / "exercises" / "common", arguments.toolchain.parent)
     with tempfile.TemporaryDirectory(prefix="grade-") as scratch:
         kept = part_of(arguments)
@@ -116,6 +120,10 @@ def grade(arguments, outputs):
                 export(arguments.similarity, submissions, exercises)
             prepare_all(toolchain, exercises, arguments.jobs)
             require_seals(toolchain, exercises[0], arguments.unsealed)
+            if not arguments.unsealed:
+                require_out_of_reach([("the course", arguments.root), ("the build", arguments.toolchain.parent), ("what TMPDIR names",
+                                      tempfile.gettempdir()), *([("what --private names", arguments.private)] if arguments.private else []),
+                                      *((f"the submission {one_line(name)}", place) for name, place in submissions.items())])
             before, computed = len(part.done), seconds_computed()
             try:
                 results, failed = grade_class(arguments, submissions, exercises, part, show_how_far)
@@ -134,6 +142,13 @@ def grade(arguments, outputs):
     if status == 0 and kept and not arguments.part:
         os.remove(kept)  # nothing of it is left to do
     return status
+
+
+def read_by_it(arguments, submissions, exercises):
+    """What no output may overwrite: what it is, and the file."""
+    headers = [("a submission's header", place) for folder in submissions.values() for exercise in exercises
+               for place in places_of_header(folder, exercise) if place.exists()]
+    return [("where results are kept", part_of(arguments)), *headers] if part_of(arguments) else headers
 
 
 def part_of(arguments):
@@ -213,20 +228,28 @@ def show_how_far(done, of):
 
 
 def main(words):
+    occupy_standard_descriptors()
     arguments = commanded(words)
     try:
+        if sys.stdout is None:
+            if not arguments.output:
+                raise Complaint("the standard output is closed; --output names a file for what is handed on")
+            sys.stdout = open(1, "w", encoding="utf-8", closefd=False)
         with stoppable(), Outputs() as stack:
             if "parts" in arguments:
-                outputs = opened_outputs(stack, arguments)
+                outputs = opened_outputs(stack, arguments, [("one of the parts", part) for part in arguments.parts])
                 results, missing = merge(arguments.parts)
                 return write_outputs(arguments, outputs, results, dict.fromkeys(missing, ""))
             arguments.shard = shard_of(arguments.shard)
             if arguments.shard != WHOLE and (arguments.output or arguments.marks):
                 raise Complaint("a shard writes its part alone; --output and --marks are for ./course grade merge")
-            status = grade(arguments, opened_outputs(stack, arguments))
+            status = grade(arguments, stack)
     except Complaint as complaint:
         complain(complaint)
         return 2
+    except GraderFailed as failure:
+        complain(failure)
+        return NO_RESULT
     except CommandFailed as failure:
         complain(f"the checks themselves don't compile:\n{failure.output}")
         return 2

@@ -64,7 +64,7 @@ class Part:
     """The file with the results of one shard, locked while it is open. `done` holds them by the task's name."""
 
     def __init__(self, file, job, shard=WHOLE, resume=False):
-        self.name, self.tasks, self.done = file, share(job.tasks, shard), {}
+        self.name, self.job, self.tasks, self.done = file, job, share(job.tasks, shard), {}
         _require_no_device(file)
         try:
             self.file = open(file, "a+b", buffering=0)

@@ -1,14 +1,16 @@
 """A submission: a folder with a student's headers, none of which is trusted."""
 
+import errno
 import os
 import re
 import stat
 from dataclasses import dataclass, field
 
-from complaint import Complaint
+from complaint import Complaint, GraderFailed
 from plain_text import one_line
 
 LARGEST = 256 * 1024  # bytes; the course's own solutions have two thousand
+OF_THE_FILE = (errno.EACCES, errno.ENXIO, errno.ENOTDIR, errno.ENOENT, errno.ELOOP)  # and not of the disk or the machine
 BELOW = os.O_PATH | os.O_NOFOLLOW | os.O_CLOEXEC  # a folder to go on from
 
 # What no exercise needs. It costs no points; a person should look at it.
@@ -36,15 +38,23 @@ class Header:
     flags: list = field(default_factory=list)
 
 
+def places_of_header(folder, exercise):
+    """Where the header for an exercise may lie: in the folder itself, or below it in NAME/, CHAPTER/NAME/ or work/CHAPTER/NAME/."""
+    return [folder / below / exercise.header for below in ("", exercise.name, exercise.path, f"work/{exercise.path}")]
+
+
 def read_header(folder, exercise):
-    """The header for an exercise: in the folder itself, or below it in NAME/, CHAPTER/NAME/ or work/CHAPTER/NAME/."""
-    for below in ("", exercise.name, exercise.path, f"work/{exercise.path}"):
-        place = folder / below / exercise.header
+    """The header for an exercise, in the first of its places that is there."""
+    for place in places_of_header(folder, exercise):
         if os.path.lexists(place):
             try:
                 return _judged(_bytes_of(folder, place))
-            except (Complaint, OSError) as error:
-                return Header(reason=str(error))
+            except Complaint as complaint:
+                return Header(reason=str(complaint))
+            except OSError as error:
+                if error.errno not in OF_THE_FILE:
+                    raise GraderFailed(f"{place} can't be read: {error.strerror}") from None
+                return Header(reason=f"{place.relative_to(folder)} can't be read: {error.strerror}")
     return Header(reason=f"{exercise.header} was not handed in")
 
 

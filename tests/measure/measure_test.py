@@ -130,6 +130,14 @@ class Measurements(unittest.TestCase):
         self.assertIn("crashing failed twice: RuntimeError: it ended with 1", self.measure("--shard", "1/1", "--part", "all", code=1))
         self.assertIn("1 of 17 items have no result yet, such as crashing", self.measure("--into", "measured", "--merge", "all", code=2))
 
+    def test_a_program_that_is_compiled_anew_meanwhile_ends_the_share(self):
+        script = SCRATCH / "anew.sh"
+        script.write_text('#!/bin/sh\ntouch "$0"\n')
+        script.chmod(0o755)
+        self.programs.append(self.program("anew", str(script)))
+        self.list_programs()
+        self.assertIn("anew was compiled anew meanwhile", self.measure("--shard", "1/1", "--part", "all", code=2))
+
     def test_a_part_that_names_a_file_elsewhere_is_refused(self):
         self.measure("--shard", "1/1", "--part", "all")
         sys.path.insert(0, str(MEASURE.parents[1] / "exercises" / "tools"))

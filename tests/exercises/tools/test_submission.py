@@ -1,9 +1,12 @@
 """What is read of a submission, and what a person should look at."""
 
+import errno
 import os
+import socket
+import unittest.mock
 from pathlib import Path
 
-from complaint import Complaint
+from complaint import Complaint, GraderFailed
 from submission import LARGEST, name_of, places_of, read_header, student_of
 from test_texts import InAFolder, exercise
 
@@ -58,6 +61,23 @@ class Headers(InAFolder):
         for name in ("jo@gmail.com", "jo@web.de", "jo@163.com", "@1", "@", "ada@", "@home", "ada@-", "ada@\u0661"):
             self.assertEqual(student_of(name), name)
         self.assertEqual([student_of(name) for name in ("jo@web.de@1", "@1@2", "a\nb@3")], ["jo@web.de", "@1", "a\nb"])
+
+    def test_what_is_no_file_is_told_as_that(self):
+        def bind(place):
+            with socket.socket(socket.AF_UNIX) as made:
+                made.bind(str(place))
+        for kind, make in (("socket", bind), ("pipe", os.mkfifo), ("folder", Path.mkdir)):
+            with self.subTest(kind):
+                place = self.folder / kind
+                place.mkdir()
+                make(place / "hammer.hpp")
+                self.assertRegex(read_header(place, exercise()).reason, r"^hammer\.hpp (is no file|can't be read: No such device or address)$")
+
+    def test_a_disk_that_fails_is_no_fault_of_the_student(self):
+        (self.folder / "hammer.hpp").write_text(PLAIN, encoding="utf-8")
+        for number in (errno.EIO, errno.ESTALE, errno.EMFILE, errno.ENOMEM):
+            with unittest.mock.patch("os.open", side_effect=OSError(number, os.strerror(number))), self.assertRaises(GraderFailed):
+                read_header(self.folder, exercise())
 
     def link(self, name, target):
         (self.folder / name).symlink_to(self.folder / target)
