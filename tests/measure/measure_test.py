@@ -1,4 +1,4 @@
-"""measure_test.py TINY_ITEMS_DEMO LONG_PROGRAMS SCRATCH: long measurements are the same whole and in shards, however often they are stopped."""
+"""measure_test.py TINY_ITEMS_DEMO LONG_PROGRAMS SCRATCH: measurements are the same whole and in shards, however often they are stopped."""
 import json
 import os
 import pathlib

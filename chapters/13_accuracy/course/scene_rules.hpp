@@ -3,6 +3,7 @@
 /// Boost is there to compute it.
 #pragma once
 
+#include <tumble/in_packs.hpp>
 #include <tumble/turning_rungs.hpp>
 #if __has_include(<tumble/exact/free_top.hpp>)
 #include <tumble/exact/free_top.hpp>
@@ -28,3 +29,13 @@ using SceneRules = RungsOfWorlds;
 #endif
 
 }  // namespace tumble::course
+
+#ifdef TUMBLE_COMPILED_SCENES
+namespace tumble {
+// They are compiled once, see chapters/13_accuracy/scene.
+extern template void course::SceneRules::choose(World<float>&, std::size_t);
+extern template void course::SceneRules::choose(World<double>&, std::size_t);
+extern template void course::SceneRules::choose(ManyBodies<float>&, std::size_t);
+extern template void course::SceneRules::choose(ManyBodies<double>&, std::size_t);
+}  // namespace tumble
+#endif

@@ -117,7 +117,8 @@ class OfTheFixture(FixtureCourse):
             with self.subTest(closed), tempfile.TemporaryDirectory() as folder:
                 words = [sys.executable, "-B", str(ROOT / "exercises" / "tools" / "release.py"), "--root", str(self.root), "--toolchain",
                          str(self.toolchain_file), f"{folder}/copy"]
-                done = subprocess.run(["sh", "-c", f'"$@" {closed}', "sh", *words], stdin=subprocess.DEVNULL, capture_output=True, timeout=300)
+                done = subprocess.run(["sh", "-c", f'"$@" {closed}', "sh", *words], stdin=subprocess.DEVNULL, capture_output=True,
+                                      timeout=300)
                 self.assertEqual((done.returncode, done.stderr), (0, b""))
                 self.assertTrue(Path(folder, "copy", "MANIFEST.json").exists())
 

@@ -71,7 +71,8 @@ class Headers(InAFolder):
                 place = self.folder / kind
                 place.mkdir()
                 make(place / "hammer.hpp")
-                self.assertRegex(read_header(place, exercise()).reason, r"^hammer\.hpp (is no file|can't be read: No such device or address)$")
+                reason = read_header(place, exercise()).reason
+                self.assertRegex(reason, r"^hammer\.hpp (is no file|can't be read: No such device or address)$")
 
     def test_a_disk_that_fails_is_no_fault_of_the_student(self):
         (self.folder / "hammer.hpp").write_text(PLAIN, encoding="utf-8")
