@@ -142,8 +142,7 @@ void wait_for_flips(course::Notebook& notebook, const Handle& handle) {
     table.row(wobble, wait, stepped, 2 * std::log(1 / wobble) / kappa);
     if (wobble > 5e-7)
       course::expect(std::abs(stepped / wait - 1) < 1e-3, "it flips when it should");
-    else
-      course::expect(stepped < wait, "a rounding brings the flip forward");
+    if (n == 16) course::expect(stepped < 0.98 * wait, "rounding brings the flip forward");
     if (n % 2 != 0) continue;
     std::printf("10^-%d %12.4f %12.4f", n / 2, wait, stepped);
     std::printf(n > 0 ? " %12.4f\n" : "\n", wait - last);
