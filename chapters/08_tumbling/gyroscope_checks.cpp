@@ -227,7 +227,7 @@ TEST_CASE_TEMPLATE("A top is held up for ten seconds in float as in double", Rea
 }
 
 //! [without]
-TEST_CASE("Without the gyroscopic term a fast top goes round at M g l/(I1 w3), and doesn't nod") {
+TEST_CASE("Without the gyroscopic term a fast top goes round at M g l/(I1 w3), and hardly nods") {
   const auto gyroscope = toy_gyroscope<double>();
   const double tilt = 1, seconds = 0.5;
   const auto off = [&](double spin) {

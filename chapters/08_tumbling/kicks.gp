@@ -1,5 +1,5 @@
 set title "The kicks are perpendicular to L, so L goes round"
-set xlabel "L, eastward (g m^2/s)"
+set xlabel "L, eastward (g m^2/s)" offset 0,-0.2
 set ylabel "L, northward (g m^2/s)"
 set termoption enhanced
 set size ratio -1
@@ -7,6 +7,6 @@ set xrange [-14:14]
 set yrange [-14:14]
 set xtics 5
 set ytics 5
-set key below left Left reverse
-plot "kicks.tsv" using (0):(0):1:2 with vectors head size 0.6,18 linestyle 6 linewidth 1.3 dashtype solid title "L, every 0.1 s", \
-     "kicks.tsv" using 1:2:3:4 with vectors head size 0.8,20 linestyle 2 linewidth 2 dashtype solid title "the kicks between"
+set key outside right center Left reverse
+plot "kicks.tsv" using (0):(0):1:2 with vectors head size 0.6,18 linestyle 6 linewidth 1.3 dashtype solid title "L", \
+     "kicks.tsv" using 1:2:3:4 with vectors head size 0.8,20 linestyle 2 linewidth 2 dashtype solid title "kicks"

@@ -5,16 +5,13 @@ unset tics
 unset grid
 set xrange [-1.15:1.15]
 set yrange [-1.15:1.15]
-set lmargin 1
-set rmargin 1
-set tmargin 2
-set key below left Left reverse maxrows 2
+set key outside right center Left reverse
 plot "sphere.tsv" using 1:2 with lines linecolor rgb "#555555" linewidth 1 notitle, \
      "polhodes.tsv" using 3:4 with lines linecolor rgb "#b9c2c9" linewidth 1 notitle, \
      "separatrix.tsv" using 3:4 with lines linecolor rgb "#b9c2c9" linewidth 1.6 notitle, \
-     "polhodes.tsv" using 1:2 with lines linetype 6 linewidth 1.3 dashtype solid title "constant energy", \
+     "polhodes.tsv" using 1:2 with lines linetype 6 linewidth 1.3 dashtype solid title "energies", \
      "separatrix.tsv" using 1:2 with lines linestyle 2 linewidth 2.2 title "separatrix", \
-     "polhode_through.tsv" using 1:2 with lines linestyle 3 dashtype solid linewidth 1.3 title "one of them", \
+     "polhode_through.tsv" using 1:2 with lines linestyle 3 dashtype solid linewidth 1.3 title "one energy", \
      "polhode_stepped.tsv" using 1:2 with points linetype 1 pointsize 0.5 title "stepped", \
      "axes.tsv" using 1:2 with points pointtype 7 pointsize 0.6 linecolor rgb "#22303a" notitle, \
      "axes.tsv" using 3:4:5 with labels textcolor rgb "#22303a" notitle

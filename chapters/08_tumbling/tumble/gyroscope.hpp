@@ -84,7 +84,8 @@ void add_weight(Top<Real>& top, const Gyroscope<Real>& gyroscope) {
 template <class Real>
 std::pair<Real, Real> steady_precessions(const Gyroscope<Real>& gyroscope, Same<Real> cosine,
                                          Same<Real> spin) {
-  const Real a = gyroscope.across * cosine, b = gyroscope.along * spin, c = pull_of(gyroscope);
+  const Real a = gyroscope.across * cosine, b = gyroscope.along * spin;
+  const Real c = pull_of(gyroscope);
   const Real square = b * b - 4 * a * c;
   if (!(square >= 0))
     reject("spin", spin, "rad/s", "it is too slow for the axis to go round steadily");
