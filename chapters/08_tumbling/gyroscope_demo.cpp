@@ -172,7 +172,7 @@ void try_rules(course::Notebook& notebook) {
                  "explicit, restored and implicit don't keep it up");
   course::expect(most[3] > 179 * degree, "the implicit rule ends hanging");
   course::expect(falls[4] == 0 && most[4] > 74 * degree, "carrying the momentum it sinks");
-  for (const std::size_t rule : {5, 6})
+  for (const std::size_t rule : {std::size_t{5}, std::size_t{6}})
     course::expect(std::abs(turned[rule] / exactly_turned - 1) < 0.002 &&
                        std::abs(std::cos(most[rule]) - exact.lowest()) < 0.002,
                    "the splittings go round and dip as the exact top does");
