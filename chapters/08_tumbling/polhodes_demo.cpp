@@ -80,12 +80,11 @@ void draw_sphere(course::Notebook& notebook, const Handle& handle) {
     rim.push_back(std::cos(n * pi / 60) * view.right + std::sin(n * pi / 60) * view.up);
   course::Table outline = notebook.table("sphere", {"x", "y"});
   for (const Vec3d& point : rim) outline.row(view.right.dot(point), view.up.dot(point));
-  course::Table ends = notebook.table("axes", {"x", "y", "label x", "label y", "name"});
+  course::Table ends = notebook.table("axes", {"x", "y", "name"});
   const std::array names = {"axis 1", "axis 2", "axis 3"};
   for (int axis = 0; axis < 3; ++axis) {
-    const Vec3d end = Vec3d::Unit(axis), label = 1.12 * end;
-    ends.row(view.right.dot(end), view.up.dot(end), view.right.dot(label), view.up.dot(label),
-             names[static_cast<std::size_t>(axis)]);
+    const Vec3d end = Vec3d::Unit(axis);
+    ends.row(view.right.dot(end), view.up.dot(end), names[static_cast<std::size_t>(axis)]);
   }
 
   // A throw that is off by a third, stepped; and the loop through its start.
