@@ -42,7 +42,7 @@ if(CMAKE_CXX_COMPILER_LAUNCHER)
     $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)
 endif()
 # g++ collects its own garbage while it compiles, a tenth of the time of our files. Most of them need less than half a
-# gigabyte and are done before it begins. Of the others, those that compile several kinds of World still pass one.
+# gigabyte and are done before it begins. The largest, which compile several kinds of World, stay just below one.
 target_compile_options(tumble_flags INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=40 --param=ggc-min-heapsize=450000>)
 if(TUMBLE_SANITIZE)
@@ -119,6 +119,18 @@ function(tumble_add_checks chapter)
   add_dependencies(results checks_result_${chapter})
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${result})
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RUNS ${result})
+endfunction()
+
+# tumble_compile_once(NAME LIBRARY... FILES FILE...): two libraries, NAME_for_checks and NAME_for_programs, of what many
+# files would otherwise compile each for itself, on top of the given libraries.
+function(tumble_compile_once name)
+  cmake_parse_arguments(PARSE_ARGV 1 once "" "" "FILES")
+  foreach(use IN ITEMS check program)
+    add_library(${name}_for_${use}s STATIC EXCLUDE_FROM_ALL ${once_FILES})
+    list(TRANSFORM once_UNPARSED_ARGUMENTS REPLACE "_for_$" "_for_${use}s" OUTPUT_VARIABLE libraries)
+    target_link_libraries(${name}_for_${use}s PUBLIC ${libraries} PRIVATE tumble_${use}_flags)
+    target_precompile_headers(${name}_for_${use}s REUSE_FROM tumble_${use}_headers)
+  endforeach()
 endfunction()
 
 # tumble_add_program(CHAPTER NAME [LONG] [MEASURES]): compiles NAME.cpp; it is run with the results folder as its one

@@ -2,6 +2,7 @@
 /// A symmetric top that stands on its tip: what turns it, and what holds it up.
 #pragma once
 
+#include <tumble/mass_properties.hpp>
 #include <tumble/torque.hpp>
 #include <tumble/tumbling.hpp>
 #include <utility>

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <tumble/exact/free_top.hpp>
+#include <tumble/in_packs.hpp>
 #include <tumble/turning_rungs.hpp>
 
 namespace tumble::course {
@@ -21,3 +22,13 @@ struct ExactSolution {
 using SceneRules = Longer<RungsOfWorlds, ExactSolution>::Type;
 
 }  // namespace tumble::course
+
+#ifdef TUMBLE_COMPILED_SCENES
+namespace tumble {
+// They are compiled once, see chapters/13_accuracy/scene.
+extern template void course::SceneRules::choose(World<float>&, std::size_t);
+extern template void course::SceneRules::choose(World<double>&, std::size_t);
+extern template void course::SceneRules::choose(ManyBodies<float>&, std::size_t);
+extern template void course::SceneRules::choose(ManyBodies<double>&, std::size_t);
+}  // namespace tumble
+#endif
