@@ -14,6 +14,9 @@ assigning = {"+=": ("add_to", ["-=", "="]), "-=": ("take_from", ["+="]), "*=": (
              "/=": ("divide", ["*="])}
 # Calls whose arguments may change places, and such as are no calls.
 symmetric = {"max", "min", "hypot", "dot", "swap", "same_bits", "cwiseProduct", "cwiseMax", "cwiseMin"}
+# Tables that the compiler computes, but that may as well be computed when the program starts.
+late_variables = {"row", "from", "portions", "rule", "weight", "turning_ladder", "motion_ladder", "torque_ladder", "quarter_turn",
+                  "sine_series", "cosine_series", "element_slack", "steps_to_repeat", "smallest_share", "packs_in_block"}
 no_calls = {"if", "for", "while", "sizeof", "decltype", "noexcept", "alignof", "static_assert", "requires", "catch",
             "return", "throw", "operator", "alignas"}
 
@@ -44,6 +47,8 @@ class Mutant:
     number: int = 0
     edits: list = field(default_factory=list)  # empty if it can't be switched; one of several of a site holds them
     site: int = 0
+    may_be_constant: bool = False  # it may be computed by the compiler
+    is_late: bool = False  # it is in a table that is computed when the program starts
 
 
 class Generator:
@@ -52,16 +57,31 @@ class Generator:
         self.mutants = []
         self.sites = 0
         self.constant = False  # inside of what the compiler computes
+        self.may_be_constant = False  # inside of a function that it may compute
+        self.late = []  # the edits that let this constexpr be computed when the program starts
+        self.late_edits = []  # all of the header
 
     def everything(self):
         source = read(self.text)
-        for words, is_constexpr in source.initialisers:
-            self.constant = is_constexpr
-            self.list_of(words)
+        for words, declared in source.initialisers:
+            self.declared(words, declared, "inline const")
         for function in source.functions:
-            self.constant = function.is_constexpr
+            self.may_be_constant = function.is_constexpr
             self.block(function.body)
         return self.mutants
+
+    def declared(self, words, declared, late_words):
+        """The initialiser of a variable. `declared` stands before it where it is a constexpr, and is empty else."""
+        names = [word.text for word in declared if word.kind == "name"]
+        outer_late, self.late = self.late, []
+        if names and names[-1] in late_variables:
+            word = next(word for word in declared if is_name(word, "constexpr"))
+            inline = "const" if "inline" in names else late_words
+            self.late = [Replace(word.start, word.end, inline)]
+            self.late_edits += self.late
+        outer, self.constant = self.constant, self.constant or bool(names and not self.late)
+        self.list_of(words)
+        self.constant, self.late = outer, outer_late
 
     def add(self, kind, alternatives, edits):
         """A site with a mutant for each (start, end, replacement). `edits(number)` makes its edits, given its first number."""
@@ -69,7 +89,7 @@ class Generator:
         made = [] if self.constant else edits(first)
         self.sites += 1
         for start, end, replacement in alternatives:
-            self.mutants.append(Mutant(self.header, kind, start, end, replacement, self.next, made, self.sites))
+            self.mutants.append(Mutant(self.header, kind, start, end, replacement, self.next, made, self.sites, self.may_be_constant, bool(self.late)))
             self.next += 1
 
     # --- Statements ----------------------------------------------------------------------------------------------------
@@ -84,13 +104,17 @@ class Generator:
             return self.block(statement.inner)
         if statement.kind in ("if", "while"):
             outer = self.constant
-            self.constant = outer or statement.is_constexpr
+            head = statement.head.inside
+            if statement.is_constexpr and head and is_name(head[0], *late_variables):
+                self.late = [Replace(statement.start, statement.head.start, "if ")]
+                self.late_edits += self.late
+            self.constant = outer or (statement.is_constexpr and not self.late)
             pieces = split(statement.head.inside, {";"})
             for piece in pieces[:-1]:
                 self.list_of(piece)
             dropped = statement.kind == "if" and len(statement.inner) == 1
             self.condition(pieces[-1], "a dropped statement" if dropped else "")
-            self.constant = outer
+            self.constant, self.late = outer, []
             return self.block(statement.inner)
         if statement.kind == "for":
             pieces = split(statement.head.inside, {";"})
@@ -114,10 +138,12 @@ class Generator:
         if statement.kind == "declaration":
             if is_name(words[0], "using", "static_assert", "struct", "class", "enum", "typedef"):
                 return None
-            outer = self.constant
-            self.constant = outer or any(is_name(word, "constexpr") for word in words)
-            self.list_of(words)
-            self.constant = outer
+            constant = any(is_name(word, "constexpr") for word in words)
+            place = next((i for i, word in enumerate(words) if word.kind == "mark" and word.text == "="), 0)
+            if constant and place:
+                self.declared(words[place + 1:], words[:place], "const")
+            else:
+                self.list_of(words)
             return None
         if not is_name(words[0], "delete"):
             self.drop(statement)
@@ -278,7 +304,7 @@ class Generator:
                 value = int(digits.replace("'", ""))
                 others = {0: [f"1{suffix}"], 1: [f"0{suffix}", f"2{suffix}"], 2: [f"1{suffix}"]}.get(value, [f"{value + 1}{suffix}"])
         self.add("a constant", [(start, end, other) for other in others], lambda n: [
-            Replace(start, end, f"::tumble_mutants::number({', '.join([str(n), text, *others])})")])
+            Replace(start, end, f"::tumble_mutants::{'late_number' if self.late else 'number'}({', '.join([str(n), text, *others])})")])
 
     def call(self, words, i):
         """Neighbouring arguments of a call change places. Whether they are of one type is found out when the program runs."""

@@ -145,6 +145,18 @@ constexpr T number(int number, T original, std::type_identity_t<T> other, std::t
   return chosen(number) ? other : original;
 }
 
+/// Where the compiler must not compute the number, but the program when it starts.
+template <class T>
+[[gnu::noinline]] T late_number(int number, T original, std::type_identity_t<T> other) {
+  return chosen(number) ? other : original;
+}
+
+template <class T>
+[[gnu::noinline]] T late_number(int number, T original, std::type_identity_t<T> other, std::type_identity_t<T> third) {
+  if (chosen(number + 1)) return third;
+  return chosen(number) ? other : original;
+}
+
 /// The first of two; the second, if they are of one type.
 template <class A, class B>
 constexpr decltype(auto) first_of(int number, A&& a, B&& b) {

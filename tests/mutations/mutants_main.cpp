@@ -27,6 +27,7 @@
 #include <fstream>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -124,15 +125,27 @@ Child begin(std::vector<Check>& checks, int number, const std::vector<std::size_
 }
 
 /// The same where static variables depend on the mutant: the program begins anew.
-Child begin_anew(const char* program, int number, const std::vector<std::size_t>& order, Report* report) {
-  report->check = order.empty() ? -1 : static_cast<int>(order.back());
+Child begin_anew(const std::vector<Check>& checks, const char* program, int number, const std::vector<std::size_t>& order, Report* report) {
+  report->check = -1;
+  std::string words;
+  for (const std::size_t index : order) words += std::to_string(index) + " " + std::to_string(checks[index].seconds) + " ";
   const pid_t process = fork();
   if (process != 0) return {process, report};
   be_quiet();
   setenv("TUMBLE_MUTANT", std::to_string(number).c_str(), 1);
-  limit(600);
-  execl(program, program, "--abort-after=1", static_cast<char*>(nullptr));
+  execl(program, program, words.c_str(), static_cast<char*>(nullptr));
   _exit(3);
+}
+
+/// What begin_anew() has begun: runs the checks whose indices and times `words` holds.
+int run_in_order(std::vector<Check>& checks, const char* words) {
+  std::istringstream order(words);
+  double seconds = 0;
+  for (std::size_t index = 0; order >> index >> seconds;) {
+    limit(1 + 20 * seconds);
+    if (!run(checks, index)) return 1;
+  }
+  return 0;
 }
 
 void survey(std::vector<Check>& checks, Seen& at_start) {
@@ -203,7 +216,7 @@ void try_all(std::vector<Check>& checks, const Seen& at_start, const std::vector
     if (running.size() == jobs) wait_for_one();
     Report* report = free_reports.back();
     free_reports.pop_back();
-    const Child child = at_start[n] == 1 ? begin_anew(program, number, order, report) : begin(checks, number, order, report);
+    const Child child = at_start[n] == 1 ? begin_anew(checks, program, number, order, report) : begin(checks, number, order, report);
     running[child.process] = {number, child.report};
   }
   while (!running.empty()) wait_for_one();
@@ -214,10 +227,12 @@ void try_all(std::vector<Check>& checks, const Seen& at_start, const std::vector
 
 int main(int argc, char** argv) {
   using namespace tumble_mutants;
-  if (argc < 3) return doctest::Context(argc, argv).run();
+  const bool goes_on = argc == 2 && std::isdigit(argv[1][0]);
+  if (argc < 3 && !goes_on) return doctest::Context(argc, argv).run();
   std::vector<Check> checks;
   for (const auto& test : doctest::detail::getRegisteredTests())  // what is changed is no part of their order
     checks.push_back({const_cast<doctest::detail::TestCase*>(&test), 0, {}, false});
+  if (goes_on) return run_in_order(checks, argv[1]);
   Seen at_start;
   survey(checks, at_start);
   std::vector<int> wanted;

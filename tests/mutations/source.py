@@ -200,7 +200,8 @@ def declares(words):
         if before.kind == "mark" and before.text in assignments:
             return False
         if word.kind == "name" and (before.kind == "<" or (before.kind == "name" and before.text != "template") or
-                                    (before.kind == "mark" and before.text in ("*", "&", "&&") and not before.after_blank)):
+                                    (before.kind == "mark" and before.text in ("*", "&", "&&") and
+                                     (not before.after_blank or not word.after_blank) and before is not words[0])):
             return True
     return False
 
@@ -269,7 +270,7 @@ class Function:
 class Source:
     text: str
     functions: list = field(default_factory=list)  # bodies
-    initialisers: list = field(default_factory=list)  # (words, is constexpr) outside of functions
+    initialisers: list = field(default_factory=list)  # (words, the words declared by a constexpr) outside of functions
 
 
 def read(text):
@@ -337,7 +338,7 @@ def read_value_or_function(source, words, first):
             end = i
             while end < len(words) and not (words[end].kind == "mark" and words[end].text == ";"):
                 end += 1
-            source.initialisers.append((words[i + 1:end], constant))
+            source.initialisers.append((words[i + 1:end], words[first:i] if constant else []))
             return end + 1
         elif word.kind == "mark" and word.text == "=":  # = 0, = default, = delete
             return skip_to_semicolon(words, i)
@@ -346,7 +347,7 @@ def read_value_or_function(source, words, first):
             continue
         elif word.kind == "{":
             if parameters is None:  # a variable, initialised by braces
-                source.initialisers.append(([word], constant))
+                source.initialisers.append(([word], words[first:i] if constant else []))
             else:
                 read_parameters(source, parameters)
                 source.functions.append(Function(word.start, word.end, statements(word.inside), constant))
@@ -360,7 +361,7 @@ def read_members(source, words, i):
     while i < len(words):
         while words[i].kind not in ("(", "{"):
             i += 1
-        source.initialisers.append(([words[i]], False))
+        source.initialisers.append(([words[i]], []))
         i += 1
         if i < len(words) and words[i].kind == "mark" and words[i].text == ",":
             i += 1
@@ -374,5 +375,5 @@ def read_parameters(source, group):
     for run in split(group.inside, {","}):
         for i, word in enumerate(run):
             if word.kind == "mark" and word.text == "=" and i + 1 < len(run):
-                source.initialisers.append((run[i + 1:], False))
+                source.initialisers.append((run[i + 1:], []))
                 break
