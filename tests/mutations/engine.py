@@ -44,8 +44,8 @@ def plain_words(words):
 
 
 class Engine:
-    def __init__(self, build, jobs, say):
-        self.build, self.jobs, self.say = build, jobs, say
+    def __init__(self, build, jobs, longest, say):
+        self.build, self.jobs, self.longest, self.say = build, jobs, longest, say
         self.folder = build.folder / "mutants"
         self.folder.mkdir(exist_ok=True)
         self.columns, self.digests = [], {}
@@ -60,15 +60,23 @@ class Engine:
         self.columns = ["-fdiagnostics-column-unit=byte"] if "Free Software" in version else []
         switch_text = (here / "mutants.hpp").read_text().replace("#pragma once", "")
         text = "".join(f"#include <{name}>\n" for name in precompiled) + switch_text
-        main_text = (here / "mutants_main.cpp").read_text()
-        key = digest(text, main_text, version, words, flags)
-        self.header, stamp = self.folder / "all.hpp", self.folder / "key"
-        if stamp.exists() and stamp.read_text() == key:
-            return
-        self.header.write_text(text)
-        self.must(run([*words, *flags, "-x", "c++-header", self.header, "-o", f"{self.header}.gch"]))
-        self.must(run([*words, "-O1", "-w", f"-I{here}", "-c", here / "mutants_main.cpp", "-o", self.folder / "main.o"]))
-        stamp.write_text(key)
+        self.header, main = self.folder / "all.hpp", here / "mutants_main.cpp"
+        self.key = digest(text, version, words, flags)
+        if self.is_new("all", self.key):
+            self.header.write_text(text)
+            self.must(run([*words, *flags, "-x", "c++-header", self.header, "-o", f"{self.header}.gch"]))
+            self.note("all", self.key)
+        key = digest(self.key, main.read_text())
+        if self.is_new("main", key):
+            self.must(run([*words, "-O1", "-w", f"-I{here}", "-c", main, "-o", self.folder / "main.o"]))
+            self.note("main", key)
+
+    def is_new(self, name, key):
+        stamp = self.folder / f"{name}.key"
+        return not stamp.exists() or stamp.read_text() != key
+
+    def note(self, name, key):
+        (self.folder / f"{name}.key").write_text(key)
 
     def must(self, done):
         if done.returncode:
@@ -128,7 +136,7 @@ class Engine:
 
     def compile(self, chapter, folder, written):
         """Makes the program; gives what the compiler complained of."""
-        common = digest(sorted((name, header.text) for name, header in written.items()), (self.folder / "key").read_text())
+        common = digest(sorted((name, header.text) for name, header in written.items()), self.key)
         sources = [*self.build.checks(chapter).values(), *self.build.others.get(chapter, {}).values()]
         begun = time.time()
 
@@ -176,7 +184,7 @@ class Engine:
     def run_mutants(self, chapter, folder, active):
         (folder / "wanted.txt").write_text("\n".join(str(mutant.number) for mutant in active))
         begun = time.time()
-        ran = run([folder / "checks", folder / "wanted.txt", self.jobs], folder)
+        ran = run([folder / "checks", folder / "wanted.txt", self.jobs, self.longest], folder)
         (folder / "ran.tsv").write_text(ran.stdout)
         if ran.returncode:
             raise EngineError(f"{chapter}: the program of all mutants ended with {ran.returncode}: {ran.stderr[:1000]}")

@@ -1,10 +1,11 @@
 // Runs the checks it is linked with once for each mutant that it is asked for, each time in a process of its own.
 //
-//   PROGRAM WANTED JOBS    WANTED is a file of mutants' numbers; prints "NUMBER<tab>END<tab>CHECK" for each
+//   PROGRAM WANTED JOBS LONGEST    WANTED is a file of mutants' numbers; prints "NUMBER<tab>END<tab>CHECK" for each
 //   TUMBLE_MUTANT=17 PROGRAM    runs all checks with mutant 17, as doctest does
 //
 // At first each check runs alone without a mutant, which tells how long it takes and which mutants it reaches. A mutant then
-// runs those that reach it, the quickest first, until one fails. END is
+// runs those that reach it, the quickest first, until one fails. A check that takes more than LONGEST seconds is left out
+// where a quicker one reaches the mutant too. END is
 //   killed      a check failed
 //   crashed     the process ended by a signal
 //   endless     a check computed 20 times as long as without the mutant and a second more, or slept for a minute
@@ -185,7 +186,7 @@ void print(int number, const char* end, const std::string& check) {
 }
 
 void try_all(std::vector<Check>& checks, const Seen& at_start, const std::vector<int>& wanted, std::size_t jobs,
-             const char* program) {
+             double longest, const char* program) {
   std::map<pid_t, std::pair<int, Report*>> running;
   std::vector<Report*> free_reports;
   for (std::size_t job = 0; job < jobs; ++job) free_reports.push_back(shared_report());
@@ -213,6 +214,7 @@ void try_all(std::vector<Check>& checks, const Seen& at_start, const std::vector
     }
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return checks[a].seconds < checks[b].seconds; });
+    while (order.size() > 1 && checks[order.back()].seconds > longest) order.pop_back();
     if (running.size() == jobs) wait_for_one();
     Report* report = free_reports.back();
     free_reports.pop_back();
@@ -228,7 +230,7 @@ void try_all(std::vector<Check>& checks, const Seen& at_start, const std::vector
 int main(int argc, char** argv) {
   using namespace tumble_mutants;
   const bool goes_on = argc == 2 && std::isdigit(argv[1][0]);
-  if (argc < 3 && !goes_on) return doctest::Context(argc, argv).run();
+  if (argc != 4 && !goes_on) return doctest::Context(argc, argv).run();
   std::vector<Check> checks;
   for (const auto& test : doctest::detail::getRegisteredTests())  // what is changed is no part of their order
     checks.push_back({const_cast<doctest::detail::TestCase*>(&test), 0, {}, false});
@@ -239,5 +241,5 @@ int main(int argc, char** argv) {
   std::ifstream file(argv[1]);
   for (int number = 0; file >> number;) wanted.push_back(number);
   std::fflush(stdout);
-  try_all(checks, at_start, wanted, static_cast<std::size_t>(std::atoi(argv[2])), argv[0]);
+  try_all(checks, at_start, wanted, static_cast<std::size_t>(std::atoi(argv[2])), std::atof(argv[3]), argv[0]);
 }

@@ -5,6 +5,7 @@
                                               this file
     mutations.py BUILD_FOLDER --write         the same, and writes what came of it into caught.tsv, which the book shows
     mutations.py BUILD_FOLDER --chapters 03_inertia,04_quaternions    those of these chapters alone
+    mutations.py BUILD_FOLDER --patient       runs the checks too that take more than half a second, for hours
     mutations.py BUILD_FOLDER LIST...         the mutations of these lists, as mutation_list.py describes them
 
 All mutants of a chapter's headers are compiled together, with the chapter's checks, and chosen when those run (engine.py); what
@@ -37,6 +38,7 @@ root = here.parent.parent
 jobs = 2
 caught_ends = {"killed", "crashed", "endless"}
 wanted_share = 0.95
+longest_check = 0.5  # s of a processor; what takes longer is left out where a quicker check reaches the mutant
 
 
 @dataclass
@@ -147,8 +149,8 @@ def settle_alone(mutants, build):
             mutant.result, mutant.check = end, check
 
 
-def try_all(by_lists, made, late, build):
-    engine = Engine(build, jobs, say)
+def try_all(by_lists, made, late, build, longest):
+    engine = Engine(build, jobs, longest, say)
     chapters = [name for name in [*build.chapters(), "exact"] if name in build.commands]
     tried = {mutant.chapter for mutant in [*by_lists, *made]}
     for chapter in chapters:
@@ -230,6 +232,7 @@ def main():
     parser.add_argument("lists", nargs="*")
     parser.add_argument("--chapters", default="")
     parser.add_argument("--write", action="store_true")
+    parser.add_argument("--patient", action="store_true")
     options = parser.parse_args()
     try:
         build = Build(options.build)
@@ -241,7 +244,7 @@ def main():
         if wanted == build.chapters() or "common" in options.chapters.split(","):
             wanted.insert(0, "common")
         made, late = ([], {}) if options.lists else generated(wanted, build, len(by_lists) + 1, equal)
-        try_all(by_lists, made, late, build)
+        try_all(by_lists, made, late, build, float("inf") if options.patient else longest_check)
     except (ListError, EngineError, OSError) as error:
         sys.exit(f"mutations: {error}")
     wrong = tell_of_lists(by_lists)
