@@ -35,7 +35,7 @@ from mutation_list import ListError, read_list
 
 here = Path(__file__).parent
 root = here.parent.parent
-jobs = 2
+jobs = 2  # at a time
 caught_ends = {"killed", "crashed", "endless"}
 wanted_share = 0.95
 longest_check = 0.5  # s of a processor; what takes longer is left out where a quicker check reaches the mutant
@@ -233,7 +233,10 @@ def main():
     parser.add_argument("--chapters", default="")
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--patient", action="store_true")
+    parser.add_argument("--jobs", type=int, default=2)
     options = parser.parse_args()
+    global jobs
+    jobs = options.jobs
     try:
         build = Build(options.build)
         wanted = [name for name in build.chapters() if not options.chapters or name in options.chapters.split(",")]
