@@ -5,7 +5,8 @@
                                               this file
     mutations.py BUILD_FOLDER --write         the same, and writes what came of it into caught.tsv, which the book shows
     mutations.py BUILD_FOLDER --chapters 03_inertia,04_quaternions    those of these chapters alone
-    mutations.py BUILD_FOLDER --patient       runs the checks too that take more than half a second, for hours
+    mutations.py BUILD_FOLDER --patient       leaves nothing out: runs the checks too that take more than half a second, and
+                                              compiles alone whatever must be, which takes much longer
     mutations.py BUILD_FOLDER LIST...         the mutations of these lists, as mutation_list.py describes them
 
 All mutants of a chapter's headers are compiled together, with the chapter's checks, and chosen when those run (engine.py); what
@@ -18,6 +19,7 @@ compile; whatever is called equivalent (for generated ones: in the lists of equa
 fewer than 95 of 100 are either caught or listed as equal."""
 import argparse
 import datetime
+import random
 import sys
 import time
 from dataclasses import dataclass, field
@@ -38,6 +40,9 @@ root = here.parent.parent
 jobs = 2  # at a time
 caught_ends = {"killed", "crashed", "endless"}
 wanted_share = 0.95
+# What can't be switched is compiled alone. From this chapter on that takes so long that of the generated ones a sample must do.
+first_slow_chapter, sample, seed = "11_world", 12, 20261122
+most_in_list = 500  # mutations
 longest_check = 0.5  # s of a processor; what takes longer is left out where a quicker check reaches the mutant
 
 
@@ -83,7 +88,7 @@ def say(sentence):
 
 def from_lists(paths, build):
     """The mutants of lists."""
-    made, late = [], {}
+    made = []
     for path in paths:
         for mutation in read_list(path):
             header = build.header(mutation.chapter, mutation.header)
@@ -93,7 +98,7 @@ def from_lists(paths, build):
             mutation.apply(text)  # or refuse
             alone.checks_that_see(mutation, build)
             start = text.index(mutation.original)
-            number = len(made) + 1
+            number = first_number(mutation.chapter, build) + sum(mutant.chapter == mutation.chapter for mutant in made)
             edits, is_late = by_hand.edits_of(text, start, start + len(mutation.original), mutation.replacement, number)
             made.append(Mutant(mutation.chapter, mutation.header, header, start, start + len(mutation.original),
                                mutation.replacement, number, edits, f"by hand {number}", mutation.breaks, is_late,
@@ -101,15 +106,22 @@ def from_lists(paths, build):
     return made
 
 
-def generated(chapters, build, first_number, equal):
+def first_number(chapter, build):
+    """A chapter's mutants have numbers of their own, so that a change in one recompiles no other."""
+    return 1 + 4000 * ["common", *build.chapters(), *sorted(set(build.commands) - set(build.chapters()))].index(chapter)
+
+
+def generated(chapters, build, equal):
     """The mutants of the headers of `chapters` and the edits of late tables by header."""
     made, late = [], {}
     for chapter in chapters:
+        number = first_number(chapter, build) + most_in_list
         folder = root / "common" if chapter == "common" else root / "chapters" / chapter
         for path in sorted((folder / "tumble").glob("*.hpp")):
             name, text = f"tumble/{path.name}", path.read_text()
-            generator = Generator(name, text, first_number + len(made))
+            generator = Generator(name, text, number)
             found = generator.everything()
+            number = generator.next
             late[path] = generator.late_edits
             sites = {}
             for one in found:
@@ -149,8 +161,13 @@ def settle_alone(mutants, build):
             mutant.result, mutant.check = end, check
 
 
-def try_all(by_lists, made, late, build, longest):
-    engine = Engine(build, jobs, longest, say)
+def is_for_the_compiler(mutant):
+    """Whether no check can reach a mutant because the compiler computes what it changes."""
+    return mutant.result in ("unreached", "none") and (mutant.may_be_constant or mutant.listed is not None)
+
+
+def try_all(by_lists, made, late, build, patient):
+    engine = Engine(build, jobs, float("inf") if patient else longest_check, say)
     chapters = [name for name in [*build.chapters(), "exact"] if name in build.commands]
     tried = {mutant.chapter for mutant in [*by_lists, *made]}
     for chapter in chapters:
@@ -158,7 +175,7 @@ def try_all(by_lists, made, late, build, longest):
         if chapter != "exact" and chapter in tried:
             mine += [m for m in made if m.chapter == chapter or (
                 m.result in ("", "survived", "unreached") and not (m.proof and m.result == "survived") and
-                (m.chapter == "common" or m.chapter < chapter))]
+                not is_for_the_compiler(m) and (m.chapter == "common" or m.chapter < chapter))]
         if not any(m.edits for m in mine):
             continue
         ends = engine.chapter(chapter, mine, late)
@@ -166,10 +183,16 @@ def try_all(by_lists, made, late, build, longest):
             end, check = ends.get(mutant.number, ("", ""))
             if end and not (end == "unreached" and mutant.result) and not (end == "none" and mutant.result == "survived"):
                 mutant.result, mutant.check = end, f"{chapter} {check}"
-    left = [m for m in [*by_lists, *made] if not m.result or (m.result in ("unreached", "none") and (m.may_be_constant or m.listed))]
+    left = [m for m in [*by_lists, *made] if is_for_the_compiler(m) or not m.result]
+    slow = [m for m in left if not m.listed and home_of(m, build) >= first_slow_chapter]
+    spared = set() if patient else {m.number for m in slow} - {m.number for m in random.Random(seed).sample(slow, min(len(slow), sample))}
+    left = [m for m in left if m.number not in spared]
+    for mutant in slow:
+        if mutant.number in spared:
+            mutant.result = "not tried"
     begun = time.time()
     settle_alone(left, build)
-    say(f"{len(left)} mutants compiled alone in {time.time() - begun:.0f} s")
+    say(f"{len(left)} mutants compiled alone in {time.time() - begun:.0f} s; {len(spared)} more were not tried")
 
 
 def tell_of_lists(mutants):
@@ -196,7 +219,7 @@ def tell_of_generated(mutants, equal, path):
     if not mutants:
         return [], []
     path.write_text("".join("\t".join([str(m.number), m.header, m.kind, m.result, m.check, str(m)]) + "\n" for m in mutants))
-    real = [m for m in mutants if m.result not in ("none", "no code")]
+    real = [m for m in mutants if m.result not in ("none", "no code", "not tried")]
     wrong = [f"{m} -- is listed as equal, but seen: {m.check}" for m in real if m.proof and m.result in caught_ends]
     rows = []
     for chapter in [*dict.fromkeys(m.chapter for m in mutants), "all"]:
@@ -212,7 +235,8 @@ def tell_of_generated(mutants, equal, path):
     headers = {m.header for m in mutants}
     wrong += [f"{header}: the lists of equal mutants name one that is not made: {old}  becomes  {new}"
               for header, old, new in equal if header in headers and (header, old, new) not in used]
-    say(f"{len(mutants)} generated, of which {len(mutants) - len(real)} compile nowhere")
+    nowhere = sum(m.result in ("none", "no code") for m in mutants)
+    say(f"{len(mutants)} generated, of which {nowhere} compile nowhere")
     for row in rows:
         say("{}: {} mutants, {} caught, of which {} by a crash or no end; {} equal, {} survive".format(*row))
     if rows[-1][5] > (1 - wanted_share) * rows[-1][1]:
@@ -246,8 +270,8 @@ def main():
         equal = read_equal(here / "equal")
         if wanted == build.chapters() or "common" in options.chapters.split(","):
             wanted.insert(0, "common")
-        made, late = ([], {}) if options.lists else generated(wanted, build, len(by_lists) + 1, equal)
-        try_all(by_lists, made, late, build, float("inf") if options.patient else longest_check)
+        made, late = ([], {}) if options.lists else generated(wanted, build, equal)
+        try_all(by_lists, made, late, build, options.patient)
     except (ListError, EngineError, OSError) as error:
         sys.exit(f"mutations: {error}")
     wrong = tell_of_lists(by_lists)
