@@ -19,6 +19,9 @@ precompiled = ["doctest/doctest.h", "Eigen/Core", "Eigen/Geometry", "Eigen/Eigen
 # bounds ends the program, as it does in the checks that the sanitizers see.
 flags = ["-w", "-Wno-narrowing", "-fmax-errors=0", "-D_GLIBCXX_ASSERTIONS"]
 
+# The checks run in one precision, and the slowest of them are left out. A run that is patient leaves out nothing.
+longest = 1.5  # s of a processor, which the checks that are run on a mutant take without it
+
 
 class EngineError(Exception):
     """Something that is no mutant's fault; the sentence says what."""
@@ -44,8 +47,10 @@ def plain_words(words):
 
 
 class Engine:
-    def __init__(self, build, jobs, longest, say):
-        self.build, self.jobs, self.longest, self.say = build, jobs, longest, say
+    def __init__(self, build, jobs, patient, say):
+        self.build, self.jobs, self.say = build, jobs, say
+        self.longest = float("inf") if patient else longest
+        self.precision = [] if patient else ["-DTUMBLE_ONE_PRECISION=double"]
         self.folder = build.folder / "mutants"
         self.folder.mkdir(exist_ok=True)
         self.columns, self.digests = [], {}
@@ -144,7 +149,7 @@ class Engine:
             directory, words, file = source
             target, stamp = folder / f"{file.stem}.o", folder / f"{file.stem}.key"
             command = [words[0], f"-I{folder}", *plain_words(words)[1:], "-include", self.header, "-Og", "-UNDEBUG", "-g0",
-                       *flags, *self.columns]
+                       *flags, *self.columns, *self.precision]
             key = digest(common, command, file.read_text(), [self.headers_in(folder) for folder in include_folders(words)])
             if target.exists() and stamp.exists() and stamp.read_text() == key:
                 return ""

@@ -1,6 +1,6 @@
 /// @file
-/// What the switched copies of the headers call: each computes what stood there, or, in the one mutant that was chosen, what
-/// the mutant says. Each also notes that it was reached.
+/// What the switched copies of the headers call: each computes what stood there, or, in the one
+/// mutant that was chosen, what the mutant says. Each also notes that it was reached.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,12 +12,11 @@ namespace tumble_mutants {
 inline constexpr int most = 1 << 16;
 /// The mutant that runs; 0 is none.
 extern int chosen_number;
-/// Of each mutant: 1 if it was reached, 2 if only where its change would not compile, as a product's division by a matrix.
+/// Of each mutant: 1 if it was reached, 2 if only where its change would not compile, as a
+/// product's division by a matrix.
 extern unsigned char seen[most];
 
-#define TUMBLE_MUTANTS_INLINE [[gnu::always_inline]] constexpr
-
-TUMBLE_MUTANTS_INLINE bool chosen(int number) {
+[[gnu::always_inline]] constexpr bool chosen(int number) {
   if (std::is_constant_evaluated()) return false;
   seen[number] = 1;
   return number == chosen_number;
@@ -39,16 +38,16 @@ struct PlainOf<T, std::void_t<typename std::decay_t<T>::PlainObject>> {
 template <class T>
 using Plain = typename PlainOf<T>::type;
 
-#define TUMBLE_MUTANTS_BINARY(name, original, other)                                   \
-  template <class A, class B>                                                          \
-  constexpr auto name(int number, A&& a, B&& b)->Plain<decltype(a original b)> {       \
-    using Result = Plain<decltype(a original b)>;                                      \
-    if constexpr (requires { Result(a other b); }) {                                   \
-      if (chosen(number)) return Result(a other b);                                    \
-    } else {                                                                           \
-      note_no_such(number);                                                            \
-    }                                                                                  \
-    return a original b;                                                               \
+#define TUMBLE_MUTANTS_BINARY(name, original, other)                             \
+  template <class A, class B>                                                    \
+  constexpr auto name(int number, A&& a, B&& b)->Plain<decltype(a original b)> { \
+    using Result = Plain<decltype(a original b)>;                                \
+    if constexpr (requires { Result(a other b); }) {                             \
+      if (chosen(number)) return Result(a other b);                              \
+    } else {                                                                     \
+      note_no_such(number);                                                      \
+    }                                                                            \
+    return a original b;                                                         \
   }
 TUMBLE_MUTANTS_BINARY(plus, +, -)
 TUMBLE_MUTANTS_BINARY(minus, -, +)
@@ -61,15 +60,15 @@ TUMBLE_MUTANTS_BINARY(greater_equal, >=, >)
 TUMBLE_MUTANTS_BINARY(equal, ==, !=)
 TUMBLE_MUTANTS_BINARY(not_equal, !=, ==)
 
-#define TUMBLE_MUTANTS_ASSIGN(name, original, other)                  \
-  template <class A, class B>                                         \
-  constexpr decltype(auto) name(int number, A&& a, B&& b) {           \
-    if constexpr (requires { a other b; }) {                          \
-      if (chosen(number)) return a other b;                           \
-    } else {                                                          \
-      note_no_such(number);                                           \
-    }                                                                 \
-    return a original b;                                              \
+#define TUMBLE_MUTANTS_ASSIGN(name, original, other)        \
+  template <class A, class B>                               \
+  constexpr decltype(auto) name(int number, A&& a, B&& b) { \
+    if constexpr (requires { a other b; }) {                \
+      if (chosen(number)) return a other b;                 \
+    } else {                                                \
+      note_no_such(number);                                 \
+    }                                                       \
+    return a original b;                                    \
   }
 TUMBLE_MUTANTS_ASSIGN(take_from, -=, +=)
 TUMBLE_MUTANTS_ASSIGN(multiply, *=, /=)
@@ -100,22 +99,28 @@ constexpr Plain<decltype(-std::declval<A>())> opposite(int number, A&& a) {
 template <class A>
 constexpr auto inverse(int number, A&& a) {
   using Result = std::decay_t<decltype(!a)>;
-  if constexpr (std::is_same_v<Result, bool>) return static_cast<bool>(a) == chosen(number);
-  else return chosen(number) ? Result(a) : Result(!a);
+  if constexpr (std::is_same_v<Result, bool>)
+    return static_cast<bool>(a) == chosen(number);
+  else
+    return chosen(number) ? Result(a) : Result(!a);
 }
 
 template <class A, class B>
 constexpr auto both(int number, A&& a, const B& b) {
   using Result = std::decay_t<decltype(a && b())>;
-  if constexpr (std::is_same_v<Result, bool>) return chosen(number) ? a || b() : a && b();
-  else return chosen(number) ? Result(a || b()) : Result(a && b());
+  if constexpr (std::is_same_v<Result, bool>)
+    return chosen(number) ? a || b() : a && b();
+  else
+    return chosen(number) ? Result(a || b()) : Result(a && b());
 }
 
 template <class A, class B>
 constexpr auto either_of(int number, A&& a, const B& b) {
   using Result = std::decay_t<decltype(a || b())>;
-  if constexpr (std::is_same_v<Result, bool>) return chosen(number) ? a && b() : a || b();
-  else return chosen(number) ? Result(a && b()) : Result(a || b());
+  if constexpr (std::is_same_v<Result, bool>)
+    return chosen(number) ? a && b() : a || b();
+  else
+    return chosen(number) ? Result(a && b()) : Result(a || b());
 }
 
 template <class A>
@@ -140,7 +145,8 @@ constexpr T number(int number, T original, std::type_identity_t<T> other) {
 }
 
 template <class T>
-constexpr T number(int number, T original, std::type_identity_t<T> other, std::type_identity_t<T> third) {
+constexpr T number(int number, T original, std::type_identity_t<T> other,
+                   std::type_identity_t<T> third) {
   if (chosen(number + 1)) return third;
   return chosen(number) ? other : original;
 }
@@ -152,7 +158,8 @@ template <class T>
 }
 
 template <class T>
-[[gnu::noinline]] T late_number(int number, T original, std::type_identity_t<T> other, std::type_identity_t<T> third) {
+[[gnu::noinline]] T late_number(int number, T original, std::type_identity_t<T> other,
+                                std::type_identity_t<T> third) {
   if (chosen(number + 1)) return third;
   return chosen(number) ? other : original;
 }
@@ -163,7 +170,8 @@ constexpr decltype(auto) first_of(int number, A&& a, B&& b) {
   if constexpr (std::is_same_v<A, B> && std::is_lvalue_reference_v<A>) {
     if (chosen(number)) return std::forward<B>(b);
     return std::forward<A>(a);
-  } else if constexpr (std::is_same_v<Plain<A>, Plain<B>> && std::is_copy_constructible_v<Plain<A>>) {
+  } else if constexpr (std::is_same_v<Plain<A>, Plain<B>> &&
+                       std::is_copy_constructible_v<Plain<A>>) {
     if (chosen(number)) return Plain<A>(b);
     return Plain<A>(a);
   } else {

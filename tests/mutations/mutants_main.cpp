@@ -1,17 +1,19 @@
-// Runs the checks it is linked with once for each mutant that it is asked for, each time in a process of its own.
+// Runs the checks it is linked with once for each mutant that it is asked for, each time in a
+// process of its own.
 //
-//   PROGRAM WANTED JOBS LONGEST    WANTED is a file of mutants' numbers; prints "NUMBER<tab>END<tab>CHECK" for each
-//   TUMBLE_MUTANT=17 PROGRAM    runs all checks with mutant 17, as doctest does
+//   PROGRAM WANTED JOBS LONGEST    WANTED is a file of mutants' numbers; prints
+//   "NUMBER<tab>END<tab>CHECK" for each TUMBLE_MUTANT=17 PROGRAM    runs all checks with mutant 17,
+//   as doctest does
 //
-// At first each check runs alone without a mutant, which tells how long it takes and which mutants it reaches. A mutant then
-// runs those that reach it, the quickest first, until one fails. A check that takes more than LONGEST seconds is left out
-// where a quicker one reaches the mutant too. END is
+// At first each check runs alone without a mutant, which tells how long it takes and which mutants
+// it reaches. A mutant then runs those that reach it, the quickest first, until one fails. The
+// slowest are left out, as long as those that reach it take more than LONGEST seconds together. END
+// is
 //   killed      a check failed
 //   crashed     the process ended by a signal
-//   endless     a check computed 20 times as long as without the mutant and a second more, or slept for a minute
-//   survived    all checks that reach it held
-//   unreached   no check reaches it
-//   none        where it is reached its change would not compile
+//   endless     a check computed 20 times as long as without the mutant and a second more, or slept
+//   for a minute survived    all checks that reach it held unreached   no check reaches it none
+//   where it is reached its change would not compile
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 #include <fcntl.h>
@@ -72,7 +74,8 @@ double processor_seconds() {
 void limit(double seconds) {
   itimerval timer = {};
   timer.it_value.tv_sec = static_cast<time_t>(seconds);
-  timer.it_value.tv_usec = static_cast<suseconds_t>((seconds - double(timer.it_value.tv_sec)) * 1e6);
+  timer.it_value.tv_usec =
+      static_cast<suseconds_t>((seconds - double(timer.it_value.tv_sec)) * 1e6);
   setitimer(ITIMER_PROF, &timer, nullptr);
   alarm(static_cast<unsigned>(60 + 10 * seconds));
 }
@@ -106,12 +109,14 @@ Report* shared_report() {
 }
 
 std::string name_of(const Check& check) {
-  return std::string(check.test->m_file.c_str()).substr(std::string(check.test->m_file.c_str()).rfind('/') + 1) + ": " +
-         check.test->m_name;
+  return std::string(check.test->m_file.c_str())
+             .substr(std::string(check.test->m_file.c_str()).rfind('/') + 1) +
+         ": " + check.test->m_name;
 }
 
 /// Runs the checks of `order` with the mutant in a child, until one fails.
-Child begin(std::vector<Check>& checks, int number, const std::vector<std::size_t>& order, Report* report) {
+Child begin(std::vector<Check>& checks, int number, const std::vector<std::size_t>& order,
+            Report* report) {
   report->check = -1;
   const pid_t process = fork();
   if (process != 0) return {process, report};
@@ -126,10 +131,12 @@ Child begin(std::vector<Check>& checks, int number, const std::vector<std::size_
 }
 
 /// The same where static variables depend on the mutant: the program begins anew.
-Child begin_anew(const std::vector<Check>& checks, const char* program, int number, const std::vector<std::size_t>& order, Report* report) {
+Child begin_anew(const std::vector<Check>& checks, const char* program, int number,
+                 const std::vector<std::size_t>& order, Report* report) {
   report->check = -1;
   std::string words;
-  for (const std::size_t index : order) words += std::to_string(index) + " " + std::to_string(checks[index].seconds) + " ";
+  for (const std::size_t index : order)
+    words += std::to_string(index) + " " + std::to_string(checks[index].seconds) + " ";
   const pid_t process = fork();
   if (process != 0) return {process, report};
   be_quiet();
@@ -169,7 +176,8 @@ void survey(std::vector<Check>& checks, Seen& at_start) {
     check.holds = status == 0;
     check.seconds = report->seconds;
     check.reached.assign(report->reached, report->reached + most);
-    std::printf("0\t%s\t%.4f %s\n", check.holds ? "holds" : "fails", check.seconds, name_of(check).c_str());
+    std::printf("0\t%s\t%.4f %s\n", check.holds ? "holds" : "fails", check.seconds,
+                name_of(check).c_str());
   }
 }
 
@@ -185,8 +193,8 @@ void print(int number, const char* end, const std::string& check) {
   std::fflush(stdout);
 }
 
-void try_all(std::vector<Check>& checks, const Seen& at_start, const std::vector<int>& wanted, std::size_t jobs,
-             double longest, const char* program) {
+void try_all(std::vector<Check>& checks, const Seen& at_start, const std::vector<int>& wanted,
+             std::size_t jobs, double longest, const char* program) {
   std::map<pid_t, std::pair<int, Report*>> running;
   std::vector<Report*> free_reports;
   for (std::size_t job = 0; job < jobs; ++job) free_reports.push_back(shared_report());
@@ -197,7 +205,9 @@ void try_all(std::vector<Check>& checks, const Seen& at_start, const std::vector
     running.erase(process);
     const char* end = end_of(status);
     const bool survived = std::strcmp(end, "survived") == 0;
-    print(number, end, survived || report->check < 0 ? "" : name_of(checks[static_cast<std::size_t>(report->check)]));
+    print(number, end,
+          survived || report->check < 0 ? ""
+                                        : name_of(checks[static_cast<std::size_t>(report->check)]));
     free_reports.push_back(report);
   };
   for (const int number : wanted) {
@@ -212,13 +222,18 @@ void try_all(std::vector<Check>& checks, const Seen& at_start, const std::vector
       print(number, has_none ? "none" : "unreached", "");
       continue;
     }
-    std::stable_sort(order.begin(), order.end(),
-                     [&](std::size_t a, std::size_t b) { return checks[a].seconds < checks[b].seconds; });
-    while (order.size() > 1 && checks[order.back()].seconds > longest) order.pop_back();
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return checks[a].seconds < checks[b].seconds;
+    });
+    double seconds = 0;
+    for (const std::size_t index : order) seconds += checks[index].seconds;
+    for (; order.size() > 1 && seconds > longest; order.pop_back())
+      seconds -= checks[order.back()].seconds;
     if (running.size() == jobs) wait_for_one();
     Report* report = free_reports.back();
     free_reports.pop_back();
-    const Child child = at_start[n] == 1 ? begin_anew(checks, program, number, order, report) : begin(checks, number, order, report);
+    const Child child = at_start[n] == 1 ? begin_anew(checks, program, number, order, report)
+                                         : begin(checks, number, order, report);
     running[child.process] = {number, child.report};
   }
   while (!running.empty()) wait_for_one();
@@ -232,7 +247,8 @@ int main(int argc, char** argv) {
   const bool goes_on = argc == 2 && std::isdigit(argv[1][0]);
   if (argc != 4 && !goes_on) return doctest::Context(argc, argv).run();
   std::vector<Check> checks;
-  for (const auto& test : doctest::detail::getRegisteredTests())  // what is changed is no part of their order
+  for (const auto& test :
+       doctest::detail::getRegisteredTests())  // what is changed is no part of their order
     checks.push_back({const_cast<doctest::detail::TestCase*>(&test), 0, {}, false});
   if (goes_on) return run_in_order(checks, argv[1]);
   Seen at_start;
@@ -241,5 +257,6 @@ int main(int argc, char** argv) {
   std::ifstream file(argv[1]);
   for (int number = 0; file >> number;) wanted.push_back(number);
   std::fflush(stdout);
-  try_all(checks, at_start, wanted, static_cast<std::size_t>(std::atoi(argv[2])), std::atof(argv[3]), argv[0]);
+  try_all(checks, at_start, wanted, static_cast<std::size_t>(std::atoi(argv[2])),
+          std::atof(argv[3]), argv[0]);
 }

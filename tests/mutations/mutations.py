@@ -5,8 +5,8 @@
                                               this file
     mutations.py BUILD_FOLDER --write         the same, and writes what came of it into caught.tsv, which the book shows
     mutations.py BUILD_FOLDER --chapters 03_inertia,04_quaternions    those of these chapters alone
-    mutations.py BUILD_FOLDER --patient       leaves nothing out: runs the checks too that take more than half a second, and
-                                              compiles alone whatever must be, which takes much longer
+    mutations.py BUILD_FOLDER --patient       leaves nothing out: neither float, nor the slowest of the checks that reach a
+                                              mutant, nor what must be compiled alone; it takes much longer
     mutations.py BUILD_FOLDER LIST...         the mutations of these lists, as mutation_list.py describes them
 
 All mutants of a chapter's headers are compiled together, with the chapter's checks, and chosen when those run (engine.py); what
@@ -40,10 +40,9 @@ root = here.parent.parent
 jobs = 2  # at a time
 caught_ends = {"killed", "crashed", "endless"}
 wanted_share = 0.95
-# What can't be switched is compiled alone. From this chapter on that takes so long that of the generated ones a sample must do.
-first_slow_chapter, sample, seed = "11_world", 12, 20261122
+# What can't be switched is compiled alone; of the generated ones a sample, unless the run is patient.
+sample, seed = 24, 20261122
 most_in_list = 500  # mutations
-longest_check = 0.5  # s of a processor; what takes longer is left out where a quicker check reaches the mutant
 
 
 @dataclass
@@ -167,7 +166,7 @@ def is_for_the_compiler(mutant):
 
 
 def try_all(by_lists, made, late, build, patient):
-    engine = Engine(build, jobs, float("inf") if patient else longest_check, say)
+    engine = Engine(build, jobs, patient, say)
     chapters = [name for name in [*build.chapters(), "exact"] if name in build.commands]
     tried = {mutant.chapter for mutant in [*by_lists, *made]}
     for chapter in chapters:
@@ -184,7 +183,7 @@ def try_all(by_lists, made, late, build, patient):
             if end and not (end == "unreached" and mutant.result) and not (end == "none" and mutant.result == "survived"):
                 mutant.result, mutant.check = end, f"{chapter} {check}"
     left = [m for m in [*by_lists, *made] if is_for_the_compiler(m) or not m.result]
-    slow = [m for m in left if not m.listed and home_of(m, build) >= first_slow_chapter]
+    slow = [m for m in left if not m.listed]
     spared = set() if patient else {m.number for m in slow} - {m.number for m in random.Random(seed).sample(slow, min(len(slow), sample))}
     left = [m for m in left if m.number not in spared]
     for mutant in slow:
@@ -245,9 +244,15 @@ def tell_of_generated(mutants, equal, path):
 
 
 def write_table(rows):
-    today = datetime.date.today().isoformat()
+    """Replaces the rows of these chapters; the last row sums all."""
+    path, today = here / "caught.tsv", datetime.date.today().isoformat()
     names = ["headers of", "mutants", "caught", "by a crash or a hang", "equal", "survive", "when"]
-    (here / "caught.tsv").write_text("".join("\t".join(map(str, row)) + "\n" for row in [names, *([*row, today] for row in rows)]))
+    old = [line.split("\t") for line in path.read_text().splitlines()[1:]] if path.exists() else []
+    table = {row[0]: row for row in old} | {row[0]: [*map(str, row), today] for row in rows}
+    table.pop("all", None)
+    chapters = sorted(table.values(), key=lambda row: (row[0] != "common", row[0]))
+    sums = [str(sum(int(row[column]) for row in chapters)) for column in range(1, 6)]
+    path.write_text("".join("\t".join(row) + "\n" for row in [names, *chapters, ["all", *sums, max(row[6] for row in chapters)]]))
 
 
 def main():

@@ -53,7 +53,7 @@ class Lists(unittest.TestCase):
         self.assertEqual(run.returncode, 1, run.stderr)
         self.assertIn("is listed as equivalent, but a check sees it", run.stdout)
         self.assertIn("does not compile", run.stdout)
-        self.assertIn("2 mutations, 2 of them wrong", run.stdout)
+        self.assertIn("2 mutations, 0 generated mutants, 2 wrong", run.stdout)
 
     def test_a_line_that_is_not_there_once_is_refused_before_anything_is_compiled(self):
         self.refused(fatal.replace("return due", "return dew"), "holds \"return dew;\" 0 times; it must do so exactly once")
