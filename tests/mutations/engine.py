@@ -20,7 +20,7 @@ precompiled = ["doctest/doctest.h", "Eigen/Core", "Eigen/Geometry", "Eigen/Eigen
 flags = ["-w", "-Wno-narrowing", "-fmax-errors=0", "-D_GLIBCXX_ASSERTIONS"]
 
 # The checks run in one precision, and the slowest of them are left out. A run that is patient leaves out nothing.
-longest = 1.5  # s of a processor, which the checks that are run on a mutant take without it
+longest = 1.0  # s of a processor, which the checks that are run on a mutant take without it
 
 
 class EngineError(Exception):
@@ -189,12 +189,13 @@ class Engine:
     def run_mutants(self, chapter, folder, active):
         (folder / "wanted.txt").write_text("\n".join(str(mutant.number) for mutant in active))
         begun = time.time()
-        ran = run([folder / "checks", folder / "wanted.txt", self.jobs, self.longest], folder)
-        (folder / "ran.tsv").write_text(ran.stdout)
+        command = [str(word) for word in (folder / "checks", folder / "wanted.txt", self.jobs, self.longest)]
+        with (folder / "ran.tsv").open("w") as output:
+            ran = subprocess.run(command, cwd=folder, stdout=output, stderr=subprocess.PIPE, text=True, errors="replace")
         if ran.returncode:
             raise EngineError(f"{chapter}: the program of all mutants ended with {ran.returncode}: {ran.stderr[:1000]}")
         ends, red = {}, []
-        for row in ran.stdout.splitlines():
+        for row in (folder / "ran.tsv").read_text(errors="replace").splitlines():
             number, end, check = row.split("\t")
             if number != "0":
                 ends[int(number)] = end, check.replace("_checks.cpp: ", ": ", 1)

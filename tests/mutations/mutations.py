@@ -165,7 +165,7 @@ def is_for_the_compiler(mutant):
     return mutant.result in ("unreached", "none") and (mutant.may_be_constant or mutant.listed is not None)
 
 
-def try_all(by_lists, made, late, build, patient):
+def try_all(by_lists, made, late, build, patient, sample):
     engine = Engine(build, jobs, patient, say)
     chapters = [name for name in [*build.chapters(), "exact"] if name in build.commands]
     tried = {mutant.chapter for mutant in [*by_lists, *made]}
@@ -262,6 +262,7 @@ def main():
     parser.add_argument("--chapters", default="")
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--patient", action="store_true")
+    parser.add_argument("--sample", type=int, default=sample)
     parser.add_argument("--jobs", type=int, default=2)
     options = parser.parse_args()
     global jobs
@@ -276,7 +277,7 @@ def main():
         if wanted == build.chapters() or "common" in options.chapters.split(","):
             wanted.insert(0, "common")
         made, late = ([], {}) if options.lists else generated(wanted, build, equal)
-        try_all(by_lists, made, late, build, options.patient)
+        try_all(by_lists, made, late, build, options.patient, options.sample)
     except (ListError, EngineError, OSError) as error:
         sys.exit(f"mutations: {error}")
     wrong = tell_of_lists(by_lists)
