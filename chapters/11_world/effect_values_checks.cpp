@@ -153,6 +153,9 @@ TEST_CASE_TEMPLATE("A body is whole only if each of its numbers is", Real, EVERY
     top.orientation.real = bad;
     CHECK_FALSE(is_whole(top));
   }
+  Top<Real> half_turn;
+  half_turn.orientation = {.real = 0, .imaginary = {1, 0, 0}};
+  CHECK(is_whole(half_turn));
 }
 
 TEST_CASE_TEMPLATE("The turn that was too far is told as |ω| h", Real, EVERY_PRECISION) {

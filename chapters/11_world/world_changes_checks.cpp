@@ -164,3 +164,12 @@ TEST_CASE_TEMPLATE("Two springs and two weights store the sum of their energies"
   // m g z of two: 2 + 16; k s²/2 of stretches 2 and 3: 4 + 9. Small whole numbers round nothing.
   CHECK(Ledger<Real>::stored(world) == 31);
 }
+
+TEST_CASE_TEMPLATE("A world of no time stands still, and one that runs backwards is refused", Real,
+                   EVERY_PRECISION) {
+  World<Real> still(StepLength{0, 1});
+  const BodyHandle ball = still.add("ball", make_particle<Real>(1, {1, 0, 0}, {2, 0, 0}));
+  still.step();
+  CHECK(still.body(ball).centre.position.x() == 1);
+  CHECK(sentence_of([] { World<Real>(StepLength{-1, 1}); }) != "nothing thrown");
+}
