@@ -173,3 +173,63 @@ TEST_CASE_TEMPLATE("A world of no time stands still, and one that runs backwards
   CHECK(still.body(ball).centre.position.x() == 1);
   CHECK(sentence_of([] { World<Real>(StepLength{-1, 1}); }) != "nothing thrown");
 }
+
+TEST_CASE("Plans and books are tables whose columns are in line") {
+  World<double> world(steps_per_second(2));
+  world.add("stone", make_particle<double>(2, {1, 0, 8}));
+  world.add("wall", make_static_particle<double>({0, 0, 0}));
+  world.add(Gravity<double>{.gravity = {0, 0, -4}});
+  CHECK(
+      table_of(world.plan()) ==
+      R"(effect               phase    bodies  reads                writes                         why
+clear the forces     force    1 of 2                       force                          not 1: no force acts on them
+gravity              force    1 of 2  mass                 force                          not 1: nothing can move them
+kick                 kick     1 of 2  force                velocity                       not 1: nothing can move them
+drift                drift    1 of 2  velocity             position                       not 1: nothing can move them
+clear the torques    no pass  0 of 2                       torque                         not 2: points do not turn
+kick of the spin     no pass  0 of 2  torque, orientation  angular momentum               not 2: points do not turn
+steady turning       no pass  0 of 2  angular momentum     orientation                    not 2: points do not turn
+tumbling: splitting  no pass  0 of 2  angular momentum     orientation, angular momentum  not 2: points do not turn
+)");
+  Ledger<double> ledger(world);
+  ledger.step(world);
+  // Half a second of 8 N: -4 N s at a mean speed of -1 m/s, and 1 m beside the origin.
+  CHECK(table_of(ledger, world) ==
+        R"(              energy, J  momentum x, y, z, kg m/s      angular momentum x, y, z, kg m^2/s
+at the start          0          0         0         0          0         0         0
++ gravity             4          0         0        -4          0         4         0
++ drift               0          0         0         0          0         0         0
+now                   4          0         0        -4          0         4         0
+unexplained           0          0         0         0          0         0         0
+)");
+}
+
+TEST_CASE_TEMPLATE("The reference run stops where the run by plan does, and says the same", Real,
+                   EVERY_PRECISION) {
+  const auto complaint = [](bool by_plan) {
+    World<Real> world;
+    const BodyHandle a = world.add("a", box_body<Real>({0, 0, 0}));
+    const BodyHandle b = world.add("b", box_body<Real>({3, 0, 0}));
+    world.add(Gravity<Real>{.gravity = {0, 0, -1}});
+    world.add(BrokenJoint<Real>{true}, {a, b});
+    return sentence_of([&] { by_plan ? world.step() : world.step_by_reference(); });
+  };
+  CHECK(complaint(true).find("'a' at 0 s (step 0): broken joint gives ") == 0);
+  CHECK(complaint(false) == complaint(true));
+}
+
+TEST_CASE_TEMPLATE("What no effect sums any more is cleared, and a moving body goes on straight",
+                   Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(2));
+  const BodyHandle box = world.add("box", box_body<Real>({0, 0, 0}));
+  const EffectHandle pull =
+      world.add(Thruster<Real>{.force_body = {4, 0, 0}, .point = {0, 1, 0}}, {box});
+  world.step();
+  CHECK(world.body(box).centre.force.norm() > 3);  // 4 N, turned
+  world.remove(pull);
+  const Vec3<Real> velocity = world.body(box).centre.velocity;
+  world.step();
+  CHECK(same_bits(world.body(box).centre.force, Vec3<Real>(0, 0, 0)));
+  CHECK(same_bits(world.body(box).top.torque, Vec3<Real>(0, 0, 0)));
+  CHECK(same_bits(world.body(box).centre.velocity, velocity));
+}

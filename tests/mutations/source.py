@@ -53,7 +53,7 @@ def words_of(text):
 def is_angle(word, before):
     if word.text != "<" or before is None:
         return False
-    return before.text in ("template", "]") or (not word.after_blank and before.kind == "name" and before.text != "operator")
+    return before.text in ("template", "]") or (not word.after_blank and before.text != "operator")
 
 
 def grouped(words):
