@@ -42,7 +42,7 @@ if(CMAKE_CXX_COMPILER_LAUNCHER)
     $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)
 endif()
 # g++ collects its own garbage while it compiles, a tenth of the time of our files. Most of them need less than half a
-# gigabyte and are done before it begins. Of the others, those that compile several kinds of World still pass one.
+# gigabyte and are done before it begins. The largest, which compile several kinds of World, stay just below one.
 target_compile_options(tumble_flags INTERFACE
   $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=40 --param=ggc-min-heapsize=450000>)
 if(TUMBLE_SANITIZE)
@@ -88,6 +88,13 @@ function(tumble_chapter_target suffix chapter)
   endif()
 endfunction()
 
+# tumble_add_result(CHAPTER TARGET): what the chapter's pages wait for.
+function(tumble_add_result chapter target)
+  tumble_chapter_target(results ${chapter})
+  add_dependencies(results_${chapter} ${target})
+  add_dependencies(results ${target})
+endfunction()
+
 # tumble_add_checks(CHAPTER FILE...): one program with the chapter's checks, one CTest, one checks.xml. For whoever works
 # on one header, NAME_checks.cpp alone makes a program too, CHAPTER.NAME, built only when asked for.
 function(tumble_add_checks chapter)
@@ -116,9 +123,21 @@ function(tumble_add_checks chapter)
     COMMAND $<TARGET_FILE:${program}> --reporters=xml --out=${result} || ${CMAKE_COMMAND} -E true
     DEPENDS ${program} COMMENT "Checking ${chapter}" VERBATIM)
   add_custom_target(checks_result_${chapter} DEPENDS ${result})
-  add_dependencies(results checks_result_${chapter})
+  tumble_add_result(${chapter} checks_result_${chapter})
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${result})
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RUNS ${result})
+endfunction()
+
+# tumble_compile_once(NAME LIBRARY... FILES FILE...): two libraries, NAME_for_checks and NAME_for_programs, of what many
+# files would otherwise compile each for itself, on top of the given libraries.
+function(tumble_compile_once name)
+  cmake_parse_arguments(PARSE_ARGV 1 once "" "" "FILES")
+  foreach(use IN ITEMS check program)
+    add_library(${name}_for_${use}s STATIC EXCLUDE_FROM_ALL ${once_FILES})
+    list(TRANSFORM once_UNPARSED_ARGUMENTS REPLACE "_for_$" "_for_${use}s" OUTPUT_VARIABLE libraries)
+    target_link_libraries(${name}_for_${use}s PUBLIC ${libraries} PRIVATE tumble_${use}_flags)
+    target_precompile_headers(${name}_for_${use}s REUSE_FROM tumble_${use}_headers)
+  endforeach()
 endfunction()
 
 # tumble_add_program(CHAPTER NAME [LONG] [MEASURES]): compiles NAME.cpp; it is run with the results folder as its one
@@ -151,7 +170,7 @@ function(tumble_add_program chapter name)
       ${CMAKE_COMMAND} -E copy ${folder}/${name}.errors ${folder}/${name}.failed
     DEPENDS ${name} ${quiet} COMMENT "Running ${name}" VERBATIM)
   add_custom_target(run_${name} DEPENDS ${folder}/${name}.txt)
-  add_dependencies(results run_${name})
+  tumble_add_result(${chapter} run_${name})
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${folder}/${name}.txt)
   if("MEASURES" IN_LIST ARGN)
     set_property(GLOBAL APPEND PROPERTY TUMBLE_MEASUREMENTS ${folder}/${name}.txt)
@@ -189,7 +208,7 @@ function(tumble_add_figure chapter name program)
     WORKING_DIRECTORY ${folder}
     DEPENDS ${folder}/${program}.txt ${style} ${name}.gp COMMENT "Drawing ${name}" VERBATIM)
   add_custom_target(figure_${chapter}_${name} DEPENDS ${folder}/${name}.svg)
-  add_dependencies(results figure_${chapter}_${name})
+  tumble_add_result(${chapter} figure_${chapter}_${name})
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${folder}/${name}.svg)
 endfunction()
 
@@ -210,7 +229,7 @@ function(tumble_add_cost chapter name)
       --benchmark_report_aggregates_only=true --benchmark_out=${folder}/${name}.json > ${folder}/${name}.log 2>&1
     DEPENDS ${name} COMMENT "Measuring ${name}" VERBATIM)
   add_custom_target(measure_${name} DEPENDS ${folder}/${name}.json)
-  add_dependencies(results measure_${name})
+  tumble_add_result(${chapter} measure_${name})
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${folder}/${name}.json)
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RUNS ${folder}/${name}.json)
 endfunction()

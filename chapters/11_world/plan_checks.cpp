@@ -81,13 +81,13 @@ TEST_CASE_TEMPLATE("Whatever a predicate skips would have changed nothing", Real
     for (const Entry<Real>& entry :
          in_order<Real, OneByOne<Real>>(world.effects(), world.tumbling())) {
       const AnyEffect<Real>& effect = *entry.effect;
-      if (effect.joins_two()) continue;
+      if (effect.traits().joins_two) continue;
       for (const BodyIndex body : targets_of(entry, world.slots(), world.body_count())) {
         const std::string_view why = effect.why_skipped(facts[body]);
         const bool other_rule =
-            effect.phase() == Phase::drift && effect.visits_tops() && facts[body].turns;
-        if (why.empty() || other_rule || (effect.visits_tops() && facts[body].is_point) ||
-            (effect.needs_top() && facts[body].is_point))
+            effect.phase() == Phase::drift && effect.traits().visits_tops && facts[body].turns;
+        if (why.empty() || other_rule || (effect.traits().visits_tops && facts[body].is_point) ||
+            (effect.traits().needs_top && facts[body].is_point))
           continue;
         CAPTURE(effect.name());
         CAPTURE(why);
@@ -96,7 +96,7 @@ TEST_CASE_TEMPLATE("Whatever a predicate skips would have changed nothing", Real
         clear_force(bodies.centres[body]);
         const Group centre{false, {body}}, top{false, {bodies.top_of[body]}};
         if (!facts[body].is_point) clear_torque(bodies.tops[top.members[0]]);
-        effect.act(bodies, effect.visits_tops() ? top : centre, moment);
+        effect.act(bodies, effect.traits().visits_tops ? top : centre, moment);
         kick(bodies.centres[body], moment.time_step);
         if (!facts[body].is_point) kick(bodies.tops[top.members[0]], moment.time_step);
         const BodyState<Real> before = state_of(world.bodies(), body);

@@ -3,6 +3,7 @@
 #include <course/random_world.hpp>
 #include <course/shipped_scenes.hpp>
 #include <course/tumbling_problems.hpp>
+#include <tumble/scene/portable_random.hpp>
 #include <tumble/scene/read_scene.hpp>
 
 using namespace tumble;

@@ -2,6 +2,7 @@
 #include <course/record.hpp>
 #include <course/shipped_scenes.hpp>
 #include <cstdio>
+#include <tumble/scene/keys.hpp>
 #include <tumble/scene/read_scene.hpp>
 
 namespace {

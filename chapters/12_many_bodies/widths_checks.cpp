@@ -3,6 +3,12 @@
 using namespace tumble;
 using namespace tumble::course;
 
+// Each kind of world is compiled in a file of its own, see course/widths.
+extern template void course::compare_with_one_by_one<float, 2>(std::uint64_t, int, int);
+extern template void course::compare_with_one_by_one<float, 8>(std::uint64_t, int, int);
+extern template void course::compare_with_one_by_one<double, 2>(std::uint64_t, int, int);
+extern template void course::compare_with_one_by_one<double, 4>(std::uint64_t, int, int);
+
 TEST_CASE_TEMPLATE("The width of the packs and the number of threads change no bit", Real,
                    EVERY_PRECISION) {
   compare_with_one_by_one<Real, 2>(1001, 40, 2);

@@ -1,53 +1,10 @@
 #include <course/checks.hpp>
-#include <course/random_world.hpp>
+#include <course/random_boxes.hpp>
 #include <course/scene_rules.hpp>
-#include <tumble/in_packs.hpp>
 #include <tumble/ladder.hpp>
 
 using namespace tumble;
 using namespace tumble::course;
-
-namespace {
-
-/// Those before it are chapter 8's.
-constexpr std::size_t first_rung = FirstTurningRules::names.size();
-
-/// Boxes of many shapes that spin each about an axis of its own, some of them symmetric.
-template <class AnyWorld>
-void add_boxes(AnyWorld& world, int count) {
-  using Real = std::decay_t<decltype(world.time_step())>;
-  Dice dice(13);
-  for (int n = 0; n < count; ++n) {
-    Vec3<Real> edges = Vec3<Real>(2, 2, 2) + dice.vector<Real>();
-    if (n % 5 == 0) edges.y() = edges.x();
-    const std::string name = "box " + std::to_string(n);
-    world.add(name, make_rigid_body<Real>(name, mass_properties(Box<Real>{edges}, 2), {},
-                                          Vec3<Real>::Zero(), 5 * dice.vector<Real>())
-                        .body);
-  }
-}
-
-}  // namespace
-
-//! [rungs_in_packs]
-TEST_CASE_TEMPLATE("By every rung that a scene can name, packs turn as one by one, to the bit",
-                   Real, EVERY_PRECISION) {
-  for (std::size_t rung = first_rung; rung < SceneRules::names.size(); ++rung) {
-    CAPTURE(SceneRules::names[rung]);
-    World<Real> plain(steps_per_second(10));
-    ManyBodies<Real> packed(steps_per_second(10));
-    SceneRules::choose(plain, rung);
-    SceneRules::choose(packed, rung);
-    add_boxes(plain, 37);
-    add_boxes(packed, 37);
-    for (int step = 0; step < 20; ++step) {
-      plain.step();
-      packed.step();
-    }
-    CHECK(same_motion(plain.bodies(), packed.bodies()));
-  }
-}
-//! [rungs_in_packs]
 
 //! [rungs_of_worlds]
 TEST_CASE_TEMPLATE("A world turns by the rung of the ladder that its scene names", Real,

@@ -164,7 +164,7 @@ course cost --spin -1,2,3 --json --no-install
 verify "cost gives its options to the adviser" says "/ '--spin' '-1,2,3' '--json'"
 verify "and ends as it does" ends_with 130
 verify "cost compiles the adviser alone" called "--target cost"
-verify "cost needs Boost" says "libboost-dev"
+verify "cost needs cxxopts" says "libcxxopts-dev"
 
 fresh debian 12
 course bench

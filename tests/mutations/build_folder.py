@@ -17,7 +17,8 @@ class Build:
         if not path.exists():
             raise ListError(f"{path} does not exist; configure the build with CMAKE_EXPORT_COMPILE_COMMANDS")
         for entry in json.loads(path.read_text()):
-            words = shlex.split(entry["command"])
+            # What the course compiles once for many programs is compiled here with the mutation in it.
+            words = [word for word in shlex.split(entry["command"]) if not word.startswith("-DTUMBLE_COMPILED_")]
             file, target = Path(entry["file"]), words.index("-o") + 1
             if file.name == "check_main.cpp":
                 self.main, self.main_words = Path(entry["directory"], words[target]), words[:target - 1]

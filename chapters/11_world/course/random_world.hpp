@@ -200,3 +200,21 @@ bool same_motion(const Bodies<Real>& a, const Bodies<Real>& b) {
 }
 
 }  // namespace tumble::course
+
+#ifdef TUMBLE_COMPILED_RANDOM_WORLDS
+// Every kind of body and effect: they are compiled once for all checks, see course/random_worlds.
+namespace tumble {
+extern template World<float> course::random_world(course::Dice&, std::size_t);
+extern template World<double> course::random_world(course::Dice&, std::size_t);
+extern template void course::meddle(World<float>&, course::Dice&, int);
+extern template void course::meddle(World<double>&, course::Dice&, int);
+extern template BodyHandle course::add_random_body(World<float>&, course::Dice&,
+                                                   const std::string&);
+extern template BodyHandle course::add_random_body(World<double>&, course::Dice&,
+                                                   const std::string&);
+extern template void course::add_random_effect(World<float>&, course::Dice&,
+                                               const std::vector<BodyHandle>&);
+extern template void course::add_random_effect(World<double>&, course::Dice&,
+                                               const std::vector<BodyHandle>&);
+}  // namespace tumble
+#endif

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <exception>
+#include <tumble/scene/number_range.hpp>
 
 #include "bill.hpp"
 #include "books.hpp"

@@ -2,6 +2,7 @@
 /// Where every body was at each recorded moment, as CSV or as JSON Lines.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <tumble/scene/scene.hpp>
 
 #include "output_file.hpp"

@@ -110,7 +110,7 @@ const AnyEffect<Real>* culprit_for(BodyIndex body, const std::vector<Pass<Real>>
   for (const Pass<Real>& pass : passes) {
     const AnyEffect<Real>& effect = *pass.effect;
     const std::vector<BodyIndex>& members = pass.group.members;
-    if (effect.joins_two()) {
+    if (effect.traits().joins_two) {
       for (std::size_t i = 0; i < members.size(); i += 2) {
         if (members[i] != body && members[i + 1] != body) continue;
         const PairPush<Real> pair =
@@ -120,7 +120,7 @@ const AnyEffect<Real>* culprit_for(BodyIndex body, const std::vector<Pass<Real>>
         if (!is_finite(push.force) || !is_finite(push.torque)) return &effect;
       }
     } else {
-      const BodyIndex member = effect.visits_tops() ? bodies.top_of[body] : body;
+      const BodyIndex member = effect.traits().visits_tops ? bodies.top_of[body] : body;
       const bool is_one = pass.group.everyone
                               ? member != no_index
                               : std::find(members.begin(), members.end(), member) != members.end();

@@ -157,9 +157,9 @@ class Ledger {
     const Bodies<Real>& bodies = world.bodies();
     double sum = 0;
     for (const Pass<Real>& pass : world.passes()) {
-      if (!pass.effect->stores_energy()) continue;
+      if (!pass.effect->traits().stores_energy) continue;
       const std::vector<BodyIndex>& members = pass.group.members;
-      if (pass.effect->joins_two())
+      if (pass.effect->traits().joins_two)
         for (std::size_t i = 0; i < members.size(); i += 2)
           sum += static_cast<double>(pass.effect->potential_energy(
               state_of(bodies, members[i]), state_of(bodies, members[i + 1])));
@@ -185,7 +185,8 @@ class Ledger {
   }
 
   static bool pushes(const AnyEffect<Real>& effect) {
-    return effect.gives_force() || effect.gives_acceleration() || effect.gives_torque();
+    return effect.traits().gives_force || effect.traits().gives_acceleration ||
+           effect.traits().gives_torque;
   }
 
   static void book_pushes(const Pass<Real>& pass, const Bodies<Real>& before,
@@ -198,7 +199,7 @@ class Ledger {
       line += work_of(push, state_of(before, body), state_of(kicked, body), time_step);
     };
     const std::vector<BodyIndex>& members = pass.group.members;
-    if (effect.joins_two()) {
+    if (effect.traits().joins_two) {
       for (std::size_t i = 0; i < members.size(); i += 2) {
         const PairPush<Real> push =
             effect.push_on(state_of(before, members[i]), state_of(before, members[i + 1]), time);
@@ -206,7 +207,7 @@ class Ledger {
         book(members[i + 1], {-push.force_on_first, push.torque_on_second});
       }
     } else {
-      const bool tops = effect.visits_tops();
+      const bool tops = effect.traits().visits_tops;
       for_each_index(pass.group, tops ? before.tops.size() : before.centres.size(),
                      [&](BodyIndex member) {
                        const BodyIndex body = tops ? before.body_of[member] : member;

@@ -43,25 +43,34 @@ struct SpringTerms {
   Real arm_second = 0;  ///< and the second
 };
 
+/// What a world knows of an effect without asking it about a body.
+template <class Real>
+struct EffectTraits {
+  std::string name;
+  Phase phase = Phase::force;
+  std::string_view reads, writes;
+  bool joins_two = false;           ///< it visits pairs of bodies
+  bool visits_tops = false;         ///< its group names tops
+  bool gives_force = false;         ///< it adds to Particle::force
+  bool gives_acceleration = false;  ///< it changes velocities in the kick
+  bool gives_torque = false;        ///< it adds to Top::torque
+  bool gives_motion = false;        ///< it can set a resting centre in motion
+  bool gives_spin = false;          ///< it can set a resting top turning
+  bool needs_top = false;           ///< the (first) body must not be a point
+  bool needs_second_top = false;
+  bool stores_energy = false;
+  SpringTerms<Real> spring_terms;  ///< without stiffness, if it is no spring
+};
+
 /// An effect of any type, so that a world can keep all of them in one list. The call is virtual
 /// once for each pass, never for each body.
 template <class Real>
 class AnyEffect {
  public:
   virtual ~AnyEffect() = default;
-  virtual std::string name() const = 0;
-  virtual Phase phase() const = 0;
-  virtual std::string_view reads() const = 0;
-  virtual std::string_view writes() const = 0;
-  virtual bool joins_two() const = 0;           ///< it visits pairs of bodies
-  virtual bool visits_tops() const = 0;         ///< its group names tops
-  virtual bool gives_force() const = 0;         ///< it adds to Particle::force
-  virtual bool gives_acceleration() const = 0;  ///< it changes velocities in the kick
-  virtual bool gives_torque() const = 0;        ///< it adds to Top::torque
-  virtual bool gives_motion() const = 0;        ///< it can set a resting centre in motion
-  virtual bool gives_spin() const = 0;          ///< it can set a resting top turning
-  virtual bool needs_top() const = 0;           ///< the (first) body must not be a point
-  virtual bool needs_second_top() const = 0;
+  const EffectTraits<Real>& traits() const { return traits_; }
+  const std::string& name() const { return traits_.name; }
+  Phase phase() const { return traits_.phase; }
   /// Empty if the body needs the effect, else why it does not.
   virtual std::string_view why_skipped(const Facts& facts) const = 0;
   /// The same for a pair.
@@ -78,9 +87,12 @@ class AnyEffect {
   virtual Real potential_energy(const BodyState<Real>& body) const = 0;
   virtual Real potential_energy(const BodyState<Real>& first,
                                 const BodyState<Real>& second) const = 0;
-  virtual bool stores_energy() const = 0;
-  /// For a spring: what limits the time step, see spring_limits.hpp. Without stiffness otherwise.
-  virtual SpringTerms<Real> spring_terms() const = 0;
+
+ protected:
+  explicit AnyEffect(EffectTraits<Real> traits) : traits_(std::move(traits)) {}
+
+ private:
+  EffectTraits<Real> traits_;
 };
 
 /// Adds what an effect gives to what already acts on the body.
@@ -133,68 +145,8 @@ class EffectOf : public AnyEffect<Real> {
                 "an effect has exactly one kernel, in one of the forms in effect.hpp");
 
  public:
-  explicit EffectOf(const Effect& effect) : effect_(effect) {}
+  explicit EffectOf(const Effect& effect) : AnyEffect<Real>(traits_of(effect)), effect_(effect) {}
   const Effect& effect() const { return effect_; }
-
-  std::string name() const override { return std::string(effect_.name); }
-  Phase phase() const override {
-    if constexpr (on_centre || acts_on_top)
-      return Effect::phase;
-    else
-      return accelerates ? Phase::kick : Phase::force;
-  }
-  std::string_view reads() const override {
-    if constexpr (requires { Effect::reads; })
-      return Effect::reads;
-    else
-      return torque_on_top ? "orientation, spin"
-             : on_top      ? "angular momentum"
-             : on_centre   ? "velocity"
-             : force_on_body || push_on_body || push_between
-                 ? "position, velocity, orientation, spin"
-                 : "position, velocity";
-  }
-  std::string_view writes() const override {
-    if constexpr (requires { Effect::writes; })
-      return Effect::writes;
-    else
-      return torque_on_top    ? "torque"
-             : gives_torque() ? "force, torque"
-             : gives_force()  ? "force"
-             : on_top         ? "angular momentum"
-                              : "velocity";
-  }
-  bool joins_two() const override { return push_between; }
-  bool visits_tops() const override { return on_top; }
-  bool gives_force() const override {
-    return force_on_centre || force_on_body || push_on_body || push_between;
-  }
-  bool gives_acceleration() const override { return accelerates; }
-  bool gives_torque() const override {
-    if constexpr (requires { effect_.gives_torque(); })
-      return effect_.gives_torque();
-    else
-      return torque_on_top || push_on_body || push_between;
-  }
-  bool gives_motion() const override {
-    return gives_force() || accelerates || phase() == Phase::impulse;
-  }
-
-  bool gives_spin() const override {
-    return gives_torque() || (acts_on_top && phase() == Phase::impulse);
-  }
-  bool needs_top() const override {
-    if constexpr (requires { effect_.needs_top(); })
-      return effect_.needs_top();
-    else
-      return on_top;
-  }
-  bool needs_second_top() const override {
-    if constexpr (requires { effect_.needs_second_top(); })
-      return effect_.needs_second_top();
-    else
-      return false;
-  }
 
   std::string_view why_skipped(const Facts& facts) const override {
     return tumble::why_skipped<Real>(effect_, facts);
@@ -267,23 +219,51 @@ class EffectOf : public AnyEffect<Real> {
     else
       return 0;
   }
-  bool stores_energy() const override {
-    return requires(const BodyState<Real>& body) {
-      effect_.potential_energy(body);
-    }
-    || requires(const BodyState<Real>& body) {
-      effect_.potential_energy(body, body);
-    };
-  }
-
-  SpringTerms<Real> spring_terms() const override {
-    if constexpr (requires { effect_.spring_terms(); })
-      return effect_.spring_terms();
-    else
-      return {};
-  }
 
  private:
+  static constexpr bool stores_energy =
+      requires(const Effect& effect, const BodyState<Real>& body) {
+    effect.potential_energy(body);
+  }
+  || requires(const Effect& effect, const BodyState<Real>& body) {
+    effect.potential_energy(body, body);
+  };
+
+  static EffectTraits<Real> traits_of(const Effect& effect) {
+    EffectTraits<Real> traits;
+    traits.name = effect.name;
+    traits.phase = accelerates ? Phase::kick : Phase::force;
+    if constexpr (on_centre || acts_on_top) traits.phase = Effect::phase;
+    traits.joins_two = push_between;
+    traits.visits_tops = on_top;
+    traits.gives_force = force_on_centre || force_on_body || push_on_body || push_between;
+    traits.gives_acceleration = accelerates;
+    traits.gives_torque = torque_on_top || push_on_body || push_between;
+    if constexpr (requires { effect.gives_torque(); }) traits.gives_torque = effect.gives_torque();
+    traits.gives_motion = traits.gives_force || accelerates || traits.phase == Phase::impulse;
+    traits.gives_spin = traits.gives_torque || (acts_on_top && traits.phase == Phase::impulse);
+    traits.needs_top = on_top;
+    if constexpr (requires { effect.needs_top(); }) traits.needs_top = effect.needs_top();
+    if constexpr (requires { effect.needs_second_top(); })
+      traits.needs_second_top = effect.needs_second_top();
+    traits.stores_energy = stores_energy;
+    if constexpr (requires { effect.spring_terms(); }) traits.spring_terms = effect.spring_terms();
+    traits.reads = torque_on_top ? "orientation, spin"
+                   : on_top      ? "angular momentum"
+                   : on_centre   ? "velocity"
+                   : force_on_body || push_on_body || push_between
+                       ? "position, velocity, orientation, spin"
+                       : "position, velocity";
+    if constexpr (requires { Effect::reads; }) traits.reads = Effect::reads;
+    traits.writes = torque_on_top         ? "torque"
+                    : traits.gives_torque ? "force, torque"
+                    : traits.gives_force  ? "force"
+                    : on_top              ? "angular momentum"
+                                          : "velocity";
+    if constexpr (requires { Effect::writes; }) traits.writes = Effect::writes;
+    return traits;
+  }
+
   Effect effect_;
 };
 

@@ -54,10 +54,10 @@ Facts facts_alone(const BodyState<Real>& body, bool is_point, const History& his
 template <class Real>
 bool note(Facts& facts, const AnyEffect<Real>& effect) {
   const Facts before = facts;
-  facts.is_pushed |= effect.gives_force();
-  facts.is_torqued |= effect.gives_torque() && !facts.is_point;
-  facts.moves |= effect.gives_motion() && !facts.is_static;
-  facts.turns |= effect.gives_spin() && facts.can_turn;
+  facts.is_pushed |= effect.traits().gives_force;
+  facts.is_torqued |= effect.traits().gives_torque && !facts.is_point;
+  facts.moves |= effect.traits().gives_motion && !facts.is_static;
+  facts.turns |= effect.traits().gives_spin && facts.can_turn;
   return facts.is_pushed != before.is_pushed || facts.is_torqued != before.is_torqued ||
          facts.moves != before.moves || facts.turns != before.turns;
 }
@@ -77,7 +77,7 @@ std::vector<Facts> facts_of_all(const Bodies<Real>& bodies, const std::vector<Hi
     news = false;
     for (const Entry<Real>& entry : entries) {
       const std::vector<BodyIndex> targets = targets_of(entry, slots, count);
-      const std::size_t stride = entry.effect->joins_two() ? 2 : 1;
+      const std::size_t stride = entry.effect->traits().joins_two ? 2 : 1;
       for (std::size_t i = 0; i < targets.size(); i += stride) {
         Facts &first = facts[targets[i]], &last = facts[targets[i + stride - 1]];
         const bool skipped = stride == 2 ? !entry.effect->why_skipped(first, last).empty()
@@ -107,7 +107,7 @@ Pass<Real> planned_pass(const Entry<Real>& entry, const Bodies<Real>& bodies, co
                         const std::vector<Facts>& facts, PlanRow& row) {
   const AnyEffect<Real>& effect = *entry.effect;
   const std::vector<BodyIndex> targets = targets_of(entry, slots, bodies.centres.size());
-  const std::size_t stride = effect.joins_two() ? 2 : 1;
+  const std::size_t stride = effect.traits().joins_two ? 2 : 1;
   Pass<Real> pass{entry.effect, {}};
   Reasons reasons;
   for (std::size_t i = 0; i < targets.size(); i += stride) {
@@ -120,15 +120,16 @@ Pass<Real> planned_pass(const Entry<Real>& entry, const Bodies<Real>& bodies, co
     }
     ++row.visited;
     for (std::size_t k = i; k < i + stride; ++k)
-      pass.group.members.push_back(effect.visits_tops() ? bodies.top_of[targets[k]] : targets[k]);
+      pass.group.members.push_back(effect.traits().visits_tops ? bodies.top_of[targets[k]]
+                                                               : targets[k]);
   }
-  const std::size_t all = effect.visits_tops() ? bodies.tops.size() : bodies.centres.size();
+  const std::size_t all = effect.traits().visits_tops ? bodies.tops.size() : bodies.centres.size();
   if (entry.everyone && pass.group.members.size() == all) pass.group = {true, {}};
   row.effect = effect.name();
   row.phase = effect.phase();
   row.of = targets.size() / stride;
-  row.reads = effect.reads();
-  row.writes = effect.writes();
+  row.reads = effect.traits().reads;
+  row.writes = effect.traits().writes;
   row.reason = reasons.sentence(stride == 2 ? "pair" : "body");
   return pass;
 }

@@ -44,10 +44,10 @@ SpringLimit<Real> spring_limit(const Bodies<Real>& bodies, const std::vector<Ent
   std::vector<End> ends;
   std::vector<std::size_t> ends_of_spring;  // one or two
   for (std::size_t i = 0; i < entries.size(); ++i) {
-    const SpringTerms<Real> terms = entries[i].effect->spring_terms();
+    const SpringTerms<Real> terms = entries[i].effect->traits().spring_terms;
     if (terms.stiffness == 0 && terms.damping == 0) continue;
     const std::vector<BodyIndex> targets = targets_of(entries[i], slots, count);
-    const std::size_t stride = entries[i].effect->joins_two() ? 2 : 1;
+    const std::size_t stride = entries[i].effect->traits().joins_two ? 2 : 1;
     for (std::size_t k = 0; k < targets.size(); ++k) {
       const Real arm = k % stride == 0 ? terms.arm_first : terms.arm_second;
       const BodyIndex body = targets[k];
@@ -60,7 +60,7 @@ SpringLimit<Real> spring_limit(const Bodies<Real>& bodies, const std::vector<Ent
   SpringLimit<Real> limit;
   std::size_t end = 0;
   for (const std::size_t stride : ends_of_spring) {
-    const SpringTerms<Real> terms = entries[ends[end].entry].effect->spring_terms();
+    const SpringTerms<Real> terms = entries[ends[end].entry].effect->traits().spring_terms;
     Real stiffness = 0, damping = 0;
     for (std::size_t k = 0; k < stride; ++k) {
       const End& here = ends[end + k];

@@ -101,14 +101,18 @@ struct TurningRules {
 
   /// Makes the world turn by rule number `index` of the list, less than its length.
   template <class AnyWorld>
-  static void choose(AnyWorld& world, std::size_t index) {
-    std::size_t n = 0;
-    const auto offer = [&](const auto& rule) {
-      if (n++ == index) world.turn_by(rule);
-    };
-    (offer(Rules{}), ...);
-  }
+  static void choose(AnyWorld& world, std::size_t index);
 };
+
+template <class... Rules>
+template <class AnyWorld>
+void TurningRules<Rules...>::choose(AnyWorld& world, std::size_t index) {
+  std::size_t n = 0;
+  const auto offer = [&](const auto& rule) {
+    if (n++ == index) world.turn_by(rule);
+  };
+  (offer(Rules{}), ...);
+}
 //! [turning_rules]
 
 /// Those of chapter 8.

@@ -50,7 +50,7 @@ class World {
     std::erase_if(effects_, [&](Entry<Real>& entry) {
       const auto found = std::find(entry.targets.begin(), entry.targets.end(), body);
       if (found == entry.targets.end()) return false;
-      if (entry.effect->joins_two()) {
+      if (entry.effect->traits().joins_two) {
         std::vector<BodyHandle> kept;
         for (std::size_t i = 0; i < entry.targets.size(); i += 2)
           if (entry.targets[i] != body && entry.targets[i + 1] != body)
@@ -331,7 +331,7 @@ class World {
     if constexpr (requires { effect.prepare(time_step_); }) effect.prepare(time_step_);
     auto erased = Keeping::erased(effect);
     const std::string name = erased->name();
-    const std::size_t stride = erased->joins_two() ? 2 : 1;
+    const std::size_t stride = erased->traits().joins_two ? 2 : 1;
     std::unordered_set<BodyIndex> meant_for;
     if (!everyone && (bodies.empty() || bodies.size() % stride != 0))
       throw std::invalid_argument("'" + name + "' was given " + std::to_string(bodies.size()) +
@@ -339,7 +339,8 @@ class World {
                                   (stride == 2 ? "pairs of them" : "at least one"));
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       const BodyIndex index = slots_.index_of(bodies[i]);
-      const bool needs = i % stride == 0 ? erased->needs_top() : erased->needs_second_top();
+      const bool needs =
+          i % stride == 0 ? erased->traits().needs_top : erased->traits().needs_second_top;
       if (needs && kept_.is_point(index))
         throw std::invalid_argument("'" + name + "' needs an orientation, and '" + names_[index] +
                                     "' is a point");
@@ -398,14 +399,15 @@ class World {
                         Bodies<Real>& bodies, const Moment<Real>& moment) {
     const AnyEffect<Real>& effect = *entry.effect;
     const std::vector<BodyIndex> targets = targets_of(entry, slots_, bodies.centres.size());
-    if (effect.joins_two()) {
+    if (effect.traits().joins_two) {
       for (std::size_t i = 0; i < targets.size(); i += 2)
         if (effect.why_skipped(facts[targets[i]], facts[targets[i + 1]]).empty())
           effect.act(bodies, {false, {targets[i], targets[i + 1]}}, moment);
     } else {
       for (const BodyIndex body : targets)
         if (effect.why_skipped(facts[body]).empty())
-          effect.act(bodies, {false, {effect.visits_tops() ? bodies.top_of[body] : body}}, moment);
+          effect.act(bodies, {false, {effect.traits().visits_tops ? bodies.top_of[body] : body}},
+                     moment);
     }
   }
 

@@ -49,3 +49,20 @@ void compare_with_one_by_one(std::uint64_t first_seed, int count, int threads) {
 }
 
 }  // namespace tumble::course
+
+#ifdef TUMBLE_COMPILED_RANDOM_WORLDS
+namespace tumble {
+extern template ManyBodies<float> course::random_world(course::Dice&, std::size_t);
+extern template ManyBodies<double> course::random_world(course::Dice&, std::size_t);
+extern template void course::meddle(ManyBodies<float>&, course::Dice&, int);
+extern template void course::meddle(ManyBodies<double>&, course::Dice&, int);
+extern template BodyHandle course::add_random_body(ManyBodies<float>&, course::Dice&,
+                                                   const std::string&);
+extern template BodyHandle course::add_random_body(ManyBodies<double>&, course::Dice&,
+                                                   const std::string&);
+extern template void course::add_random_effect(ManyBodies<float>&, course::Dice&,
+                                               const std::vector<BodyHandle>&);
+extern template void course::add_random_effect(ManyBodies<double>&, course::Dice&,
+                                               const std::vector<BodyHandle>&);
+}  // namespace tumble
+#endif

@@ -44,9 +44,9 @@ Schedule<Real, width> schedule_of(const Planned<Real>& planned, std::size_t body
   for (std::size_t i = 0; i < planned.passes.size(); ++i) {
     const Pass<Real>& pass = planned.passes[i];
     const auto* effect = dynamic_cast<const PackedEffect<Real, width>*>(pass.effect.get());
-    const bool tops = pass.effect->visits_tops();
+    const bool tops = pass.effect->traits().visits_tops;
     PackedPass<Real, width> packed{i, effect, {}};
-    if (!pass.effect->joins_two())
+    if (!pass.effect->traits().joins_two)
       packed.group = pack_group<Real, width>(pass.group.everyone, pass.group.members,
                                              tops ? top_count : body_count);
     if (effect->sees_both()) {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <tumble/ladder.hpp>
+#include <tumble/scene/number_range.hpp>
 #include <tumble/scene/read_scene.hpp>
 
 namespace tumble::cost {

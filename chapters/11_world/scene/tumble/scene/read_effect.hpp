@@ -2,6 +2,7 @@
 /// Effects of a scene file.
 #pragma once
 
+#include <limits>
 #include <set>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>

@@ -4,62 +4,32 @@
 
 #include <filesystem>
 #include <fstream>
-#include <tumble/scene/read_body.hpp>
-#include <tumble/scene/read_effect.hpp>
+#include <iterator>
+#include <span>
+#include <string>
+#include <tumble/scene/scene.hpp>
 
 namespace tumble {
 
-inline StepLength read_step(const Object& object) {
-  const Value length = object.one_of("per_second", "nanoseconds");
-  return object.has("per_second") ? steps_per_second(length.whole(1, 1'000'000))
-                                  : step_of_nanoseconds(length.whole(1000, 3'600'000'000'000));
-}
+/// What read_scene() does before the turning method is chosen; `turning_methods` are the names that
+/// the file may use. Defined in read_scene_text.hpp.
+template <class Real, class Keeping>
+Scene<Real, Keeping> read_scene_text(std::string_view text, const std::string& file,
+                                     const SceneChanges& changes,
+                                     std::span<const std::string> turning_methods);
 
 /// The whole scene that `text` describes: JSON as scene.schema.json says. `file` is what errors
 /// call it. `Rules` are the turning methods that it can name, see TurningRules: more of them are in
 /// chapter 13's turning_rungs.hpp.
 /// @throws SceneError with the file, the pointer and what is wrong there. Nothing is left behind.
-//! [read_scene]
 template <class Real, class Keeping = OneByOne<Real>, class Rules = FirstTurningRules>
 Scene<Real, Keeping> read_scene(std::string_view text, const std::string& file,
                                 const SceneChanges& changes = {}) {
-  const nlohmann::json json = parse_json(text, file);
-  const Reading reading{file, range_of<Real>()};
-  const Object object = object_called(Value(reading, "", json), "scene");
-  Scene<Real, Keeping> scene{.title = object.text("title", file),
-                             .description = object.text("description", "")};
-  scene.duration = object["duration"].positive();
-  if (scene.duration > longest_duration)
-    object["duration"].reject("at most " + text_of(longest_duration) + " s are simulated");
-
-  StepLength step;
-  if (object.has("step")) step = read_step(object_called(object["step"], "step"));
-  scene.world = World<Real, Keeping>(changes.step.value_or(step));
-  if (object.has("turning_method"))
-    Rules::choose(scene.world,
-                  object["turning_method"].one_of("method", turning_method_words<Rules>()));
-  if (changes.turning_method) Rules::choose(scene.world, *changes.turning_method);
-
-  const Value bodies = object["bodies"];
-  bodies.list("bodies");
-  std::set<std::string> names;
-  bool is_random = false;
-  for (std::size_t i = 0; i < bodies.size(); ++i) {
-    const Object body = object_called(bodies.at(i), "body");
-    if (!names.insert(body["name"].text()).second)
-      body["name"].reject("another body is called so, and names must differ");
-    read_body(body, scene, changes);
-    is_random = is_random || body.has("many");
-  }
-  if (changes.seed != 0 && !is_random)
-    bodies.fail("hold nothing random that a seed could change: none of them has the key many");
-  if (!object.has("effects")) return scene;
-  const Value effects = object["effects"];
-  if (!effects.is_array()) effects.reject("it must be a list of effects");
-  for (std::size_t i = 0; i < effects.size(); ++i) read_effect(effects.at(i), scene);
+  Scene<Real, Keeping> scene =
+      read_scene_text<Real, Keeping>(text, file, changes, turning_method_words<Rules>());
+  if (scene.turning_method) Rules::choose(scene.world, *scene.turning_method);
   return scene;
 }
-//! [read_scene]
 
 /// The scene in a file.
 /// @throws SceneError as read_scene() does, and if the file can't be read.
@@ -73,4 +43,19 @@ Scene<Real, Keeping> read_scene_file(const std::filesystem::path& path,
   return read_scene<Real, Keeping, Rules>(text, path.filename().string(), changes);
 }
 
+#ifdef TUMBLE_COMPILED_SCENES
+// The course compiles the reader once for each precision and way of keeping, instead of in every
+// program.
+extern template Scene<float> read_scene_text(std::string_view, const std::string&,
+                                             const SceneChanges&, std::span<const std::string>);
+extern template Scene<double> read_scene_text(std::string_view, const std::string&,
+                                              const SceneChanges&, std::span<const std::string>);
+extern template void FirstTurningRules::choose(World<float>&, std::size_t);
+extern template void FirstTurningRules::choose(World<double>&, std::size_t);
+#endif
+
 }  // namespace tumble
+
+#ifndef TUMBLE_COMPILED_SCENES
+#include <tumble/scene/read_scene_text.hpp>
+#endif

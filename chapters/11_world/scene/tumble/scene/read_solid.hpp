@@ -2,24 +2,10 @@
 /// Solids of a scene file: what they weigh, and what of them is drawn.
 #pragma once
 
-#include <tumble/make_rigid_body.hpp>
-#include <tumble/mesh_mass_properties.hpp>
 #include <tumble/scene/object.hpp>
-#include <tumble/spheres.hpp>
-#include <variant>
+#include <tumble/scene/solid.hpp>
 
 namespace tumble {
-
-/// A solid of chapter 3 with uniform density.
-using Solid = std::variant<Sphere<double>, HollowSphere<double>, SphericalShell<double>,
-                           Box<double>, Ellipsoid<double>, Cylinder<double>, Cone<double>,
-                           Capsule<double>, ThinRod<double>, ThinPlate<double>, Mesh<double>>;
-
-/// A solid and where it is in the model's axes, which is how it is drawn.
-struct ModelPart {
-  Solid solid;
-  Posed in_model;
-};
 
 /// A model with what it means to the motion. Solids are worked out in double, whatever the
 /// precision of the world: they are rounded to it once, at the end.

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <optional>
-#include <random>
-#include <tumble/scene/read_solid.hpp>
+#include <tumble/scene/scene_error.hpp>
+#include <tumble/scene/solid.hpp>
 #include <tumble/world.hpp>
 
 namespace tumble {
@@ -32,8 +32,9 @@ struct DrawnEnd {
 //! [scene]
 template <class Real, class Keeping = OneByOne<Real>>
 struct Scene {
-  std::string title, description;  ///< without a title: what errors call the file
-  double duration = 0;             ///< s
+  std::string title, description;                  ///< without a title: what errors call the file
+  double duration = 0;                             ///< s
+  std::optional<std::size_t> turning_method = {};  ///< its number in the list that it was read with
   World<Real, Keeping> world = World<Real, Keeping>();
   std::vector<BodyModel> models = {};  ///< in the order of the file
   std::vector<std::array<DrawnEnd, 2>> springs = {};

@@ -99,25 +99,7 @@ class Contest {
   }
 
   template <class Real>
-  void in_precision() {
-    for (const std::size_t count : extent_.counts) {
-      if (std::is_same_v<Real, double> && count > extent_.most_in_double) break;
-      plain<Real, Scene::everything, Rule::splitting>(splitting_loop, count);
-      plain<Real, Scene::everything, Rule::splitting>(splitting_loop, count, 2);
-      plain<Real, Scene::everything, Rule::cayley>(cayley_loop, count);
-      plain<Real, Scene::everything, Rule::cayley>(cayley_loop, count, 2);
-      plain<Real, Scene::everything, Rule::explicit_euler>(explicit_loop, count);
-      plain<Real, Scene::points_under_gravity, Rule::splitting>(splitting_loop, count);
-      for (int threads = 1; threads <= OurWorld<Real>::most_threads; ++threads)
-        for (const Scene scene : {Scene::everything, Scene::points_under_gravity})
-          ours<Real>(scene, count, threads);
-    }
-    const std::size_t count = extent_.count_of_effects;
-    each_effect<Real, Scene::points_coasting>(count);
-    each_effect<Real, Scene::tumbling>(count);
-    each_effect<Real, Scene::tumbling_with_torque>(count);
-    each_effect<Real, Scene::tumbling_with_damping>(count);
-  }
+  void in_precision();
 
   template <class Real, Scene scene>
   void each_effect(std::size_t count) {
@@ -173,5 +155,30 @@ class Contest {
   Measurements& measurements_;
   Extent extent_;
 };
+
+template <class Real>
+void Contest::in_precision() {
+  for (const std::size_t count : extent_.counts) {
+    if (std::is_same_v<Real, double> && count > extent_.most_in_double) break;
+    plain<Real, Scene::everything, Rule::splitting>(splitting_loop, count);
+    plain<Real, Scene::everything, Rule::splitting>(splitting_loop, count, 2);
+    plain<Real, Scene::everything, Rule::cayley>(cayley_loop, count);
+    plain<Real, Scene::everything, Rule::cayley>(cayley_loop, count, 2);
+    plain<Real, Scene::everything, Rule::explicit_euler>(explicit_loop, count);
+    plain<Real, Scene::points_under_gravity, Rule::splitting>(splitting_loop, count);
+    for (int threads = 1; threads <= OurWorld<Real>::most_threads; ++threads)
+      for (const Scene scene : {Scene::everything, Scene::points_under_gravity})
+        ours<Real>(scene, count, threads);
+  }
+  const std::size_t count = extent_.count_of_effects;
+  each_effect<Real, Scene::points_coasting>(count);
+  each_effect<Real, Scene::tumbling>(count);
+  each_effect<Real, Scene::tumbling_with_torque>(count);
+  each_effect<Real, Scene::tumbling_with_damping>(count);
+}
+
+// Each in a file of its own: they are most of what there is to compile.
+extern template void Contest::in_precision<float>();
+extern template void Contest::in_precision<double>();
 
 }  // namespace tumble::course::bench

@@ -1,0 +1,3 @@
+#include <course/bench/contenders.hpp>
+
+template void tumble::course::bench::Contest::in_precision<double>();
