@@ -5,6 +5,7 @@
                                               this file
     mutations.py BUILD_FOLDER --write         the same, and writes what came of it into caught.tsv, which the book shows
     mutations.py BUILD_FOLDER --chapters 03_inertia,04_quaternions    those of these chapters alone
+    mutations.py BUILD_FOLDER --generated 01_force    all lists, and the generated mutants of these chapters
     mutations.py BUILD_FOLDER --patient       leaves nothing out: neither float, nor the slowest of the checks that reach a
                                               mutant, nor what must be compiled alone; it takes much longer
     mutations.py BUILD_FOLDER LIST...         the mutations of these lists, as mutation_list.py describes them
@@ -169,6 +170,7 @@ def try_all(by_lists, made, late, build, patient, sample):
     engine = Engine(build, jobs, patient, say)
     chapters = [name for name in [*build.chapters(), "exact"] if name in build.commands]
     tried = {mutant.chapter for mutant in [*by_lists, *made]}
+    unseen = []
     for chapter in chapters:
         mine = [m for m in by_lists if m.chapter == chapter]
         if chapter != "exact" and chapter in tried:
@@ -177,7 +179,14 @@ def try_all(by_lists, made, late, build, patient, sample):
                 not is_for_the_compiler(m) and (m.chapter == "common" or m.chapter < chapter))]
         if not any(m.edits for m in mine):
             continue
-        ends = engine.chapter(chapter, mine, late)
+        try:
+            ends = engine.chapter(chapter, mine, late)
+        except EngineError as error:
+            say(f"{error}\n{chapter}: its list is tried one by one, and nothing else")
+            unseen.append(f"{chapter}: its generated mutants were not tried")
+            for mutant in made:
+                mutant.result = mutant.result or ("not tried" if mutant.chapter == chapter else "")
+            continue
         for mutant in mine:
             end, check = ends.get(mutant.number, ("", ""))
             if end and not (end == "unreached" and mutant.result) and not (end == "none" and mutant.result == "survived"):
@@ -192,6 +201,7 @@ def try_all(by_lists, made, late, build, patient, sample):
     begun = time.time()
     settle_alone(left, build)
     say(f"{len(left)} mutants compiled alone in {time.time() - begun:.0f} s; {len(spared)} more were not tried")
+    return unseen if made else []
 
 
 def tell_of_lists(mutants):
@@ -260,6 +270,7 @@ def main():
     parser.add_argument("build")
     parser.add_argument("lists", nargs="*")
     parser.add_argument("--chapters", default="")
+    parser.add_argument("--generated", default="")
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--patient", action="store_true")
     parser.add_argument("--sample", type=int, default=sample)
@@ -274,13 +285,15 @@ def main():
             not options.chapters or path.stem in options.chapters.split(","))]
         by_lists = from_lists(paths, build)
         equal = read_equal(here / "equal")
-        if wanted == build.chapters() or "common" in options.chapters.split(","):
+        if options.generated:
+            wanted = [name for name in wanted if name in options.generated.split(",")]
+        elif wanted == build.chapters() or "common" in options.chapters.split(","):
             wanted.insert(0, "common")
         made, late = ([], {}) if options.lists else generated(wanted, build, equal)
-        try_all(by_lists, made, late, build, options.patient, options.sample)
+        unseen = try_all(by_lists, made, late, build, options.patient, options.sample)
     except (ListError, EngineError, OSError) as error:
         sys.exit(f"mutations: {error}")
-    wrong = tell_of_lists(by_lists)
+    wrong = unseen + tell_of_lists(by_lists)
     complaints, rows = tell_of_generated(made, equal, build.folder / "mutants" / "all.tsv")
     wrong += complaints
     if options.write:
