@@ -76,9 +76,9 @@ TEST_CASE_TEMPLATE("Lengths, masses and densities that are infinite or NaN are r
 
 TEST_CASE_TEMPLATE("A shell has the volume of its ball without that of the hollow", Real,
                    EVERY_PRECISION) {
-  // Of the ball's volume an eighth is taken away; each side rounds a dozen times.
-  const Real shell = volume(SphericalShell<Real>{1, 2});
-  const Real difference = volume(Sphere<Real>{2}) - volume(Sphere<Real>{1});
+  // Of the ball's volume a 27th is taken away; each side rounds a dozen times.
+  const Real shell = volume(SphericalShell<Real>{1, 3});
+  const Real difference = volume(Sphere<Real>{3}) - volume(Sphere<Real>{1});
   CHECK(std::abs(shell - difference) <= 24 * unit_roundoff<Real> * shell);
 }
 
