@@ -13,6 +13,7 @@ std::vector<Real> lengths_below_half_a_turn() {
   std::vector<Real> lengths = {Real(3.14), 3, 2, 1, Real(0.1)};
   for (Real length = Real(0.01); length > std::numeric_limits<Real>::min(); length /= 1000)
     lengths.push_back(length);
+  lengths.push_back(std::numeric_limits<Real>::min());
   return lengths;
 }
 
