@@ -13,6 +13,7 @@ option(TUMBLE_NATIVE "Use every instruction this machine has" OFF)
 set(TUMBLE_BOOK_FOLDER ${PROJECT_BINARY_DIR}/html CACHE PATH "Where the book is written")
 
 option(TUMBLE_FULL "Let the programs that measure take their full sets: an hour instead of a minute" OFF)
+set(TUMBLE_MEASURED "" CACHE PATH "What tools/measure.py has made of the long programs' results; without it they are run here")
 
 find_package(doctest REQUIRED)
 find_package(benchmark QUIET)
@@ -88,6 +89,13 @@ function(tumble_chapter_target suffix chapter)
   endif()
 endfunction()
 
+# tumble_add_result(CHAPTER TARGET): what the chapter's pages wait for.
+function(tumble_add_result chapter target)
+  tumble_chapter_target(results ${chapter})
+  add_dependencies(results_${chapter} ${target})
+  add_dependencies(results ${target})
+endfunction()
+
 # tumble_add_checks(CHAPTER FILE...): one program with the chapter's checks, one CTest, one checks.xml. For whoever works
 # on one header, NAME_checks.cpp alone makes a program too, CHAPTER.NAME, built only when asked for.
 function(tumble_add_checks chapter)
@@ -116,7 +124,7 @@ function(tumble_add_checks chapter)
     COMMAND $<TARGET_FILE:${program}> --reporters=xml --out=${result} || ${CMAKE_COMMAND} -E true
     DEPENDS ${program} COMMENT "Checking ${chapter}" VERBATIM)
   add_custom_target(checks_result_${chapter} DEPENDS ${result})
-  add_dependencies(results checks_result_${chapter})
+  tumble_add_result(${chapter} checks_result_${chapter})
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${result})
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RUNS ${result})
 endfunction()
@@ -133,13 +141,17 @@ function(tumble_compile_once name)
   endforeach()
 endfunction()
 
-# tumble_add_program(CHAPTER NAME [LONG] [MEASURES]): compiles NAME.cpp; it is run with the results folder as its one
-# argument. A LONG one finds TUMBLE_FULL in its environment when it shall take its time. One that MEASURES time is run
-# alone, after everything else.
+# tumble_add_program(CHAPTER NAME [LONG] [IN_ITEMS] [MEASURES]): compiles NAME.cpp; it is run with the results folder as
+# its one argument. A LONG one finds TUMBLE_FULL in its environment when it shall take its time; one IN_ITEMS uses
+# <course/items.hpp>. One that MEASURES time is run alone, after everything else.
 function(tumble_add_program chapter name)
   set(run_in_full "")
-  if("LONG" IN_LIST ARGN AND TUMBLE_FULL)
-    set(run_in_full ${CMAKE_COMMAND} -E env TUMBLE_FULL=1)
+  set(measured "")
+  if("LONG" IN_LIST ARGN)
+    tumble_long_program(${chapter} ${name} measured ${ARGN})
+    if(TUMBLE_FULL)
+      set(run_in_full ${CMAKE_COMMAND} -E env TUMBLE_FULL=1)
+    endif()
   endif()
   set(quiet "")
   if("MEASURES" IN_LIST ARGN)
@@ -155,21 +167,64 @@ function(tumble_add_program chapter name)
   set_tests_properties(programs.${name} PROPERTIES LABELS programs)
 
   set(folder ${TUMBLE_RESULTS}/${chapter})
-  # What a program expected in vain must reach the page too; the book prints it in red.
-  add_custom_command(OUTPUT ${folder}/${name}.txt
-    COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
-    COMMAND ${CMAKE_COMMAND} -E rm -f ${folder}/${name}.failed
-    COMMAND ${run_in_full} $<TARGET_FILE:${name}> ${folder} > ${folder}/${name}.txt 2> ${folder}/${name}.errors ||
-      ${CMAKE_COMMAND} -E copy ${folder}/${name}.errors ${folder}/${name}.failed
-    DEPENDS ${name} ${quiet} COMMENT "Running ${name}" VERBATIM)
+  if(NOT measured)
+    # What a program expected in vain must reach the page too; the book prints it in red.
+    add_custom_command(OUTPUT ${folder}/${name}.txt
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
+      COMMAND ${CMAKE_COMMAND} -E rm -f ${folder}/${name}.failed
+      COMMAND ${run_in_full} $<TARGET_FILE:${name}> ${folder} > ${folder}/${name}.txt 2> ${folder}/${name}.errors ||
+        ${CMAKE_COMMAND} -E copy ${folder}/${name}.errors ${folder}/${name}.failed
+      DEPENDS ${name} ${quiet} COMMENT "Running ${name}" VERBATIM)
+  endif()
   add_custom_target(run_${name} DEPENDS ${folder}/${name}.txt)
-  add_dependencies(results run_${name})
+  tumble_add_result(${chapter} run_${name})
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${folder}/${name}.txt)
   if("MEASURES" IN_LIST ARGN)
     set_property(GLOBAL APPEND PROPERTY TUMBLE_MEASUREMENTS ${folder}/${name}.txt)
   else()
     set_property(GLOBAL APPEND PROPERTY TUMBLE_RUNS ${folder}/${name}.txt)
   endif()
+endfunction()
+
+# tumble_long_program(CHAPTER NAME VARIABLE [IN_ITEMS] [MEASURES] [ARGUMENTS WORD...]): lists a program for tools/measure.py,
+# which runs it with the folder for its results and those words. Where that has been done already, its results are taken
+# instead of running it, and the variable is set.
+function(tumble_long_program chapter name variable)
+  cmake_parse_arguments(its "LONG;IN_ITEMS;MEASURES" "" "ARGUMENTS" ${ARGN})
+  list(TRANSFORM its_ARGUMENTS REPLACE "(.+)" "\"\\1\"")
+  list(JOIN its_ARGUMENTS ", " words)
+  foreach(flag IN ITEMS IN_ITEMS MEASURES)
+    if(its_${flag})
+      set(${flag} true)
+    else()
+      set(${flag} false)
+    endif()
+  endforeach()
+  set_property(GLOBAL APPEND PROPERTY TUMBLE_LONG_PROGRAMS "{\"name\": \"${name}\", \"chapter\": \"${chapter}\", \
+\"program\": \"$<TARGET_FILE:${name}>\", \"arguments\": [${words}], \"items\": ${IN_ITEMS}, \"measures\": ${MEASURES}}")
+  set_property(GLOBAL APPEND PROPERTY TUMBLE_LONG_TARGETS ${name})
+  if(TUMBLE_MEASURED)
+    set(folder ${TUMBLE_RESULTS}/${chapter})
+    add_custom_command(OUTPUT ${folder}/${name}.txt
+      COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
+      COMMAND ${CMAKE_COMMAND} -E rm -f ${folder}/${name}.failed
+      COMMAND ${CMAKE_COMMAND} -E copy_directory ${TUMBLE_MEASURED}/${name} ${folder}
+      COMMAND ${CMAKE_COMMAND} -E touch ${folder}/${name}.txt
+      DEPENDS ${TUMBLE_MEASURED}/${name}/${name}.txt COMMENT "Taking what ${name} has measured" VERBATIM)
+    set(${variable} TRUE PARENT_SCOPE)
+  endif()
+endfunction()
+
+# tumble_list_long_programs(): called when all chapters are known, it writes long_programs.json. The target long_programs
+# compiles them.
+function(tumble_list_long_programs)
+  get_property(programs GLOBAL PROPERTY TUMBLE_LONG_PROGRAMS)
+  get_property(targets GLOBAL PROPERTY TUMBLE_LONG_TARGETS)
+  list(JOIN programs ",\n  " programs)
+  file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/long_programs.json CONTENT "{\"compiler\": \"${CMAKE_CXX_COMPILER_ID} \
+${CMAKE_CXX_COMPILER_VERSION}\", \"programs\": [\n  ${programs}]}\n")
+  add_custom_target(long_programs)
+  add_dependencies(long_programs ${targets})
 endfunction()
 
 # tumble_measure_alone(): called when all chapters are known, it makes what MEASURES time wait for every other run, and
@@ -201,7 +256,7 @@ function(tumble_add_figure chapter name program)
     WORKING_DIRECTORY ${folder}
     DEPENDS ${folder}/${program}.txt ${style} ${name}.gp COMMENT "Drawing ${name}" VERBATIM)
   add_custom_target(figure_${chapter}_${name} DEPENDS ${folder}/${name}.svg)
-  add_dependencies(results figure_${chapter}_${name})
+  tumble_add_result(${chapter} figure_${chapter}_${name})
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${folder}/${name}.svg)
 endfunction()
 
@@ -222,7 +277,7 @@ function(tumble_add_cost chapter name)
       --benchmark_report_aggregates_only=true --benchmark_out=${folder}/${name}.json > ${folder}/${name}.log 2>&1
     DEPENDS ${name} COMMENT "Measuring ${name}" VERBATIM)
   add_custom_target(measure_${name} DEPENDS ${folder}/${name}.json)
-  add_dependencies(results measure_${name})
+  tumble_add_result(${chapter} measure_${name})
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${folder}/${name}.json)
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RUNS ${folder}/${name}.json)
 endfunction()

@@ -4,7 +4,7 @@
 # What each command needs: Debian's package, and after a colon the program that stands in for it where there is one.
 base_packages="g++:g++ make:make cmake:cmake libeigen3-dev doctest-dev"
 scene_packages="nlohmann-json3-dev libcxxopts-dev" # scene files and simulate, in chapter 11
-truth_packages="libboost-dev" # exact solutions, and Odeint to compare with, in chapter 13
+truth_packages="libboost-dev" # to hold the exact solutions against, and to compare with, in chapter 13
 speed_packages="ninja-build:ninja ccache:ccache" # used when present, never required
 book_packages="doxygen:doxygen doxygen-awesome-css libjs-katex libjs-lunr nodejs:node gnuplot-nox:gnuplot graphviz:dot
   python3:python3 libbenchmark-dev"

@@ -20,11 +20,9 @@ import argparse
 import json
 import math
 import os
-import stat
 import subprocess
 import sys
 import tempfile
-import threading
 from concurrent.futures import ThreadPoolExecutor, wait
 from pathlib import Path
 
@@ -32,8 +30,9 @@ ROOT = Path(__file__).resolve().parent.parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "exercises" / "tools"))
 from complaint import Complaint  # noqa: E402
-from outputs import Outputs  # noqa: E402
+from outputs import Outputs, occupy_standard_descriptors, require_a_place_of_its_own  # noqa: E402
 from shards import WHOLE, Part, Stopped, merge, run, shard_of, stoppable  # noqa: E402
+from running import Running  # noqa: E402
 from sweep_file import combinations_of, find_scene, job_of, read_sweep  # noqa: E402
 
 COLUMNS = ["scene", "method", "precision", "time step (s)", "seed", "bodies", "steps", "time (s)", "energy at the start (J)",
@@ -45,22 +44,12 @@ class Simulator:
     """Runs the program, and ends what runs."""
 
     def __init__(self, program):
-        self.program, self.running, self.lock, self.is_stopped = program, set(), threading.Lock(), False
+        self.program, self.running = program, Running("sweep")
 
     def run(self, *options):
         """Its exit code and what it complained of."""
-        words = [str(self.program), *map(str, options)]
-        with self.lock:
-            if self.is_stopped:
-                raise RuntimeError("the sweep was stopped")
-            process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-            self.running.add(process)
-        try:
-            _, errors = process.communicate()
-        finally:
-            with self.lock:
-                self.running.discard(process)
-        return process.returncode, errors.strip().removeprefix("simulate: ")
+        done = self.running.run([self.program, *options], stdout=subprocess.DEVNULL)
+        return done.returncode, done.stderr.strip().removeprefix("simulate: ")
 
     def run_alone(self, *options):
         """The same for the main thread, which gets the signals: they may come at any moment, so another one runs the program."""
@@ -70,16 +59,9 @@ class Simulator:
                 while not wait([future], timeout=1).done:  # a signal just before it waits is noticed only afterwards
                     pass
             except BaseException:
-                self.stop()
+                self.running.stop()
                 raise
             return future.result()
-
-    def stop(self):
-        with self.lock:
-            self.is_stopped = True
-            ending = list(self.running)
-        for process in ending:
-            process.kill()
 
 
 def require_runnable(simulator, combinations):
@@ -99,7 +81,7 @@ def require_runnable(simulator, combinations):
 # --- What is answered ---------------------------------------------------------------------------------------------------------------
 
 
-def row_of(simulator, combination):
+def row_of(simulator, combination, require_unchanged):
     """A row of the table: texts, numbers, and None where there is nothing."""
     with tempfile.TemporaryDirectory(prefix="tumble-sweep-") as scratch:
         file = Path(scratch, "books.json")
@@ -109,6 +91,7 @@ def row_of(simulator, combination):
         if code not in (0, 1):
             raise RuntimeError(errors or f"simulate ended with {code}")
         books = json.loads(file.read_text())
+    require_unchanged()
     given, precision = combination["given"], combination["given"]["precisions"] or "double"
     start, now, turning = books["at_the_start"], books["now"], turning_of(books)
     numbers = [books["bodies"], books["steps"], books["time"], total(start["energy"], books["stored_at_the_start"]),
@@ -147,26 +130,13 @@ def table_of(rows, digits):
     return "".join("\t".join(cell(value, digits) for value in row) + "\n" for row in (COLUMNS, *rows))
 
 
-def require_a_place_of_its_own(output, inputs):
-    """Neither what is read nor where the standard output goes is overwritten, by whatever name."""
-    try:
-        known = output.stat() if output.exists() else None
-    except OSError as error:
-        raise Complaint(f"--output: {output} can't be written: {error.strerror}") from None
-    for what, file in inputs:
-        if os.path.realpath(file) == os.path.realpath(output) or (known and file.exists() and os.path.samestat(known, file.stat())):
-            raise Complaint(f"--output is {output}; that is {what}, and it would be overwritten")
-    if known and stat.S_ISREG(known.st_mode) and any(os.path.samestat(known, os.fstat(number)) for number in (1, 2)):
-        raise Complaint(f"--output is {output}; what is printed goes there already, and would be lost")
-
-
 def opened_output(outputs, path, inputs):
     """A function that takes the table."""
     if path is None:
         if sys.stdout is None:
             raise Complaint("the standard output is closed; --output names a file for the table")
         return print_text
-    require_a_place_of_its_own(path, inputs)
+    require_a_place_of_its_own("--output", path, inputs)
     write = outputs.open("--output", path)
     return lambda text: write(encoded(text))
 
@@ -209,11 +179,15 @@ def simulate_share(arguments):
     name = arguments.part or Path(f"{file.stem}.part" if shard == WHOLE else f"{file.stem}.{shard.number}-of-{shard.of}.part")
     scenes = [(f"the scene {word}", find_scene(word, file.parent)) for word in sweep["scenes"]]
     simulator = Simulator(arguments.simulate)
+
+    def require_unchanged():
+        if job_of(sweep, file.parent, combinations) != job:
+            raise Complaint("a scene has changed since the sweep began; what was simulated of it before is kept, and no more")
     with Outputs() as outputs:
         write = opened_output(outputs, arguments.output, [("the sweep itself", file), ("where its results are kept", name), *scenes])
         require_runnable(simulator, combinations)
         with Part(name, job, shard, arguments.resume) as part:
-            failed = run(part, lambda task: row_of(simulator, combinations[task]), jobs, simulator.stop, tell)
+            failed = run(part, lambda task: row_of(simulator, combinations[task], require_unchanged), jobs, simulator.running.stop, tell)
             rows = [part.done[task] for task in part.tasks if task in part.done]
         for task, why in failed.items():
             print(f"course: {task} failed twice: {why}", file=sys.stderr)
@@ -242,17 +216,6 @@ def merge_parts(arguments):
                 raise Complaint(f"what the parts hold for {task} is no row of a sweep's table")
         write(table_of(results.values(), arguments.digits))
     return 0
-
-
-def occupy_standard_descriptors():
-    """What is closed would be given to the first file that is opened, and what is printed would land in it."""
-    for number in range(3):
-        try:
-            os.fstat(number)
-        except OSError:
-            os.open(os.devnull, os.O_RDWR)
-    if sys.stderr is None:
-        sys.stderr = open(2, "w", encoding="utf-8", errors="backslashreplace", closefd=False)
 
 
 def main():

@@ -1,4 +1,5 @@
-// Builds the book: node book.mjs SETTINGS.json
+// Builds the book: node book.mjs SETTINGS.json [--so-far CHAPTERS]
+// With --so-far only these chapters, a list with commas, have their results; in the others' place stands that they are being made.
 import {
   copyFileSync,
   cpSync,
@@ -25,13 +26,26 @@ import {counted} from './text.mjs';
 
 const settings = JSON.parse(readFileSync(process.argv[2], 'utf8'));
 settings.colophon = JSON.parse(readFileSync(settings.colophon, 'utf8'));
+const made = process.argv[3] === '--so-far' ? new Set(process.argv[4].split(',')) : undefined;
+
+/** What stands in a page's place until its results are there. The page asks for itself again from time to time. */
+function stand_in(page) {
+  return [
+    `# ${page.title} {#${page.id}}`,
+    '',
+    'This page is being made: its code is being compiled, run and measured on your machine, as all that the book shows ' +
+      'was. It appears here by itself as soon as that is done; meanwhile, begin with the first chapters. If `./course book` ' +
+      'was stopped, call it again: it goes on where it was.',
+    '',
+  ].join('\n');
+}
 
 function expand_pages(pages, directives) {
   const folder = join(settings.work, 'expanded');
   rmSync(folder, {recursive: true, force: true});
   const complaints = [];
   for (const page of pages.all) {
-    page.expanded = directives.expand(page, complaints);
+    page.expanded = page.is_being_made ? stand_in(page) : directives.expand(page, complaints);
     write_expanded(folder, page.path, page.expanded);
   }
   if (complaints.length) throw new BookError(complaints.join('\n'));
@@ -82,7 +96,7 @@ function write_pages(folder, pages, written, directives) {
   for (const file of reachable(written, [...by_file.keys()], name => finish(name).html)) {
     const page = by_file.get(file) ?? reference_page(file, written[file].title);
     const {html, headings} = finish(file);
-    const more = page.chapter && !page.further ? directives.makers.unquoted_failures(page.chapter) : '';
+    const more = page.chapter && !page.further && !page.is_being_made ? directives.makers.unquoted_failures(page.chapter) : '';
     const whole = more
       ? `${html}<h2 id="failed_checks">What failed and no page quotes</h2>${more}`
       : html;
@@ -135,21 +149,25 @@ function publish(fresh, folder) {
       throw new BookError(
         `the book's folder ${folder} holds something else; empty it or set TUMBLE_BOOK_FOLDER to another`,
       );
-    rmSync(folder, {recursive: true});
+    // A page that asks for itself again must find one: the gap is as short as can be.
+    rmSync(`${folder}.old`, {recursive: true, force: true});
+    renameSync(folder, `${folder}.old`);
   }
   renameSync(fresh, folder);
+  rmSync(`${folder}.old`, {recursive: true, force: true});
 }
 
 function build() {
   mkdirSync(settings.work, {recursive: true});
   const pages = read_pages(settings.source, settings.floors);
+  for (const page of pages.chapters) page.is_being_made = made !== undefined && !made.has(page.chapter);
   const results = new Results(settings.results);
   const exercises = read_exercises(settings);
   for (const page of pages.chapters)
     if (!page.further) page.lines.push(...lines_of_section(page, exercises, pages));
   const directives = new Directives(settings, results, pages, exercises);
   expand_pages(pages, directives);
-  const written = run_doxygen(settings, pages.all);
+  const written = run_doxygen(settings, pages.all, {with_gaps: made !== undefined});
 
   const fresh = `${settings.folder}.new`;
   rmSync(fresh, {recursive: true, force: true});
@@ -158,7 +176,7 @@ function build() {
   copy_theme(fresh);
   publish(fresh, settings.folder);
 
-  tell_red([...new Set(pages.chapters.map(page => page.chapter))], results);
+  if (!made) tell_red([...new Set(pages.chapters.map(page => page.chapter))], results);
 }
 
 /** What does not hold stops no book: the pages show it, and whoever asked for the book is told from this file. */

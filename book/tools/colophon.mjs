@@ -38,6 +38,7 @@ const values = {
   program_flags: tidy(settings.program_flags),
   commit: commit(),
   machine: `${cpus()[0]?.model.trim() ?? 'an unknown processor'}, ${cpus().length} cores`,
+  measurements: settings.measurements,
   operating_system: operating_system(),
   cmake: settings.cmake,
   doxygen: told_by(settings.doxygen, '--version'),

@@ -25,8 +25,11 @@ function with_places(said, file, page) {
     .replaceAll(file, page.path);
 }
 
-/** {file: {title, contents}}; a warning of Doxygen stops the book. */
-export function run_doxygen({doxygen, doxyfile, source, work}, pages) {
+/**
+ * {file: {title, contents}}; a warning of Doxygen stops the book. One that has gaps lacks what its pages refer to, and so it
+ * is not stopped.
+ */
+export function run_doxygen({doxygen, doxyfile, source, work}, pages, {with_gaps} = {}) {
   const output = join(work, 'doxygen');
   rmSync(output, {recursive: true, force: true});
   writeFileSync(join(work, 'header.html'), `${marker}$title-->\n`);
@@ -37,7 +40,7 @@ export function run_doxygen({doxygen, doxyfile, source, work}, pages) {
     pages.reduce((said, page) => with_places(said, join(work, 'expanded', expanded_name(page.path)), page), text)
       .replaceAll(`${source}/`, '');
   const warnings = authors(readFileSync(join(work, 'warnings.log'), 'utf8') + (run.stderr ?? '')).trim();
-  if (run.status !== 0 || warnings)
+  if (run.status !== 0 || (warnings && !with_gaps))
     throw new BookError(`Doxygen is not content:\n${warnings || `exit status ${run.status}`}`);
 
   const html = join(output, 'html');

@@ -4,7 +4,8 @@ import {escape, plain} from './text.mjs';
 function navigation(pages, current) {
   const item = page => {
     const here = page === current || page.file === current.under;
-    return `<li${page.further ? ' class="further"' : ''}><a href="${page.file}"${here ? ' aria-current="page"' : ''}>${escape(page.name)}</a></li>`;
+    const later = page.is_being_made ? ' <small>being made</small>' : '';
+    return `<li${page.further ? ' class="further"' : ''}><a href="${page.file}"${here ? ' aria-current="page"' : ''}>${escape(page.name)}${later}</a></li>`;
   };
   const group = (title, list) => `<h2>${title}</h2><ul>${list.map(item).join('')}</ul>`;
   return (
@@ -45,6 +46,9 @@ function way_here(page, reference) {
     : '';
 }
 
+/** How often a page that is still being made asks for itself again. */
+const seconds_until_next_look = 10;
+
 /** The whole page. `page` is one of `pages` or {name, title, file, under} for a page of the reference. */
 export function layout(page, {html, headings}, pages, book) {
   const reference = pages.all.find(each => each.id === 'reference');
@@ -55,7 +59,7 @@ export function layout(page, {html, headings}, pages, book) {
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<title>${escape(title)}</title>
+${page.is_being_made ? `<meta http-equiv="refresh" content="${seconds_until_next_look}">\n` : ''}<title>${escape(title)}</title>
 <link rel="icon" href="icon.svg">
 <link rel="stylesheet" href="doxygen.css">
 <link rel="stylesheet" href="doxygen-awesome.css">

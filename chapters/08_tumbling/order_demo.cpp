@@ -10,7 +10,7 @@ int main(int argument_count, char** arguments) {
       notebook.table("order", {"time step (s)", "steady", "explicit", "restored", "implicit",
                                "carrying", "by axes", "with a sphere"});
   const Topd start = course::top_of<double>(course::tumbling_problems[0]);
-  const auto exact = course::FreeTop(course::exactly(start)).orientation(10);
+  const auto exact = exact::FreeTop<long double>(course::exactly(start)).at(10).orientation;
   std::printf("%-28s %9s %9s %9s  order\n", "angle error (rad), steps/s:", "60", "480", "3840");
   std::vector<std::array<double, 7>> errors;
   for (const int steps_per_second : {15, 30, 60, 120, 240, 480, 960, 1920, 3840}) {

@@ -301,7 +301,7 @@ TEST_CASE(
     "Halving the time step halves the error of the first-order rules and quarters that of the "
     "splittings") {
   const Topd start = top_of<double>(A);
-  const auto exact = FreeTop(exactly(start)).orientation(10);
+  const auto exact = exact::FreeTop<long double>(exactly(start)).at(10).orientation;
   const auto error = [&](const Rule<double>& rule, int steps_per_second) {
     Topd top = start;
     for (int n = 0; n < 10 * steps_per_second; ++n) rule.turn(top, 1.0 / steps_per_second);

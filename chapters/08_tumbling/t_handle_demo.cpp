@@ -40,7 +40,7 @@ int main(int argument_count, char** arguments) {
   //! [throw]
   ModelledBody<double> handle = course::thrown_t_handle();
   ModelledBody<double> steady = handle;
-  const course::FreeTop exact(course::exactly(handle.body.top));
+  const exact::FreeTop<long double> exact(course::exactly(handle.body.top));
   //! [throw]
   const Vec3d moments = in_model(handle, moments_of(handle.body.top)).cwiseAbs();
   std::printf("moments about bar, shaft and the third axis: %.1e, %.1e, %.1e kg m^2\n", moments.x(),
@@ -61,7 +61,7 @@ int main(int argument_count, char** arguments) {
   for (int n = 0; n * time_step <= seconds; ++n) {
     const double time = n * time_step;
     const Vec3d w = in_model(handle, angular_velocity_body(handle.body.top));
-    const Vec3d truth = in_model(handle, exact.angular_velocity_body(time).cast<double>());
+    const Vec3d truth = in_model(handle, angular_velocity_body(exact.at(time)).cast<double>());
     const Vec3d without = in_model(steady, angular_velocity_body(steady.body.top));
     table.row(time, w.x(), w.y(), w.z(), truth.y(), without.y());
     course::expect(std::abs(without.y() - 10) < 1e-9, "without the term it never flips");

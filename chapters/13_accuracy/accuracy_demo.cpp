@@ -1,5 +1,6 @@
 // What accuracy costs in time: every method on every problem.
 #include <course/cheapest.hpp>
+#include <course/items.hpp>
 #include <course/record.hpp>
 
 #include "contests.hpp"
@@ -151,19 +152,49 @@ double floor_of(const std::vector<Measurement>& all, const std::string& problem,
   return floor;
 }
 
+/// The contest in which one problem is measured, or none.
+Contest contest_on(const std::string& problem) {
+  Contest contest{wanted_effort(), problem};
+  for (const auto hold : {free_tops, torqued_tops, moving_points}) hold(contest);
+  return contest;
+}
+
+std::string text_of(const std::vector<Measurement>& all) {
+  std::string text;
+  for (const Measurement& m : all) {
+    for (const std::string& word : {m.problem, m.precision, m.method, m.kind}) text += word + '\t';
+    text += std::to_string(m.steps);
+    for (const double value :
+         {m.knob, m.error, m.energy_error, m.momentum_error, m.nanoseconds, m.seconds})
+      text += '\t' + number(value);
+    text += '\n';
+  }
+  return text;
+}
+
+std::vector<Measurement> measurements_in(const std::string& text) {
+  std::vector<Measurement> all;
+  for (const std::vector<std::string>& row : cells_of(text)) {
+    const auto value = [&](std::size_t n) { return std::strtod(row.at(n).c_str(), nullptr); };
+    all.push_back({row.at(0), row.at(1), row.at(2), row.at(3), value(5), std::stol(row.at(4)),
+                   value(6), value(7), value(8), value(9), value(10)});
+  }
+  return all;
+}
+
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  Notebook notebook(argument_count, arguments);
-  const Effort effort = wanted_effort();
-  std::vector<Measurement> all;
-  for (const auto contest : {free_tops, torqued_tops, moving_points}) append(all, contest(effort));
-  write_csv(notebook.file_in_folder("accuracy.csv"), all);
+  const std::vector<std::string> problems = contest_on("").problems;
+  Items items;  // prices are compared on one problem
+  for (const std::string& problem : problems)
+    items.add(problem, [problem] { return text_of(contest_on(problem).measured); });
+  if (!items.are_wanted()) return 0;
 
-  std::vector<std::string> problems;
-  for (const Measurement& m : all)
-    if (std::find(problems.begin(), problems.end(), m.problem) == problems.end())
-      problems.push_back(m.problem);
+  Notebook notebook(argument_count, arguments);
+  std::vector<Measurement> all;
+  for (const std::string& problem : problems) append(all, measurements_in(items.result(problem)));
+  write_csv(notebook.file_in_folder("accuracy.csv"), all);
   write_runs(notebook, "runs_ordinary", all, problems[0]);
   write_runs(notebook, "runs_rod", all, problems[2]);
   write_runs(notebook, "runs_driven", all, "driven top");

@@ -4,22 +4,20 @@ namespace tumble::course {
 namespace {
 
 template <class Real>
-void contest_free_tops_in(std::vector<Measurement>& all, const Effort& effort) {
+void contest_free_tops_in(Contest& contest) {
   for (const FreeProblem<Real>& problem : free_problems<Real>()) {
     auto list = contestants(problem, turning_ladder<Real>);
     list.push_back(exact_contestant(problem));
     append_peers(list, problem, peers::Torque::none, 0);
-    measure_all(all, problem, list, truth_of(problem), effort);
+    measure_all(contest, problem, list, truth_of(problem));
   }
 }
 
 }  // namespace
 
-std::vector<Measurement> free_tops(const Effort& effort) {
-  std::vector<Measurement> all;
-  contest_free_tops_in<float>(all, effort);
-  contest_free_tops_in<double>(all, effort);
-  return all;
+void free_tops(Contest& contest) {
+  contest_free_tops_in<float>(contest);
+  contest_free_tops_in<double>(contest);
 }
 
 }  // namespace tumble::course

@@ -4,13 +4,13 @@ namespace tumble::course {
 namespace {
 
 template <class Real>
-void contest_torqued_tops_in(std::vector<Measurement>& all, const Effort& effort) {
+void contest_torqued_tops_in(Contest& contest) {
   for (const auto& [name, spin] : {std::pair("heavy top, slow", 3), {"heavy top, fast", 20}}) {
     const auto problem = heavy_top<Real>(name, spin);
     auto list = contestants(problem, torque_ladder<Real, Weight<Real>>);
     list.push_back(exact_contestant(problem));
     append_peers(list, problem, peers::Torque::weight, 1);
-    measure_all(all, problem, list, truth_of(problem), effort);
+    measure_all(contest, problem, list, truth_of(problem));
   }
   // Nobody has solved this one: its truth is the highest rung in long double, with steps so short
   // that they no longer matter.
@@ -21,16 +21,14 @@ void contest_torqued_tops_in(std::vector<Measurement>& all, const Effort& effort
   const auto truth = contestant(wide, torque_ladder<long double, Wide>.back()).run(2000);
   auto list = contestants(problem, torque_ladder<Real, Drive<Real>>);
   append_peers(list, problem, peers::Torque::drive, 0);
-  measure_all(all, problem, list, truth, effort);
+  measure_all(contest, problem, list, truth);
 }
 
 }  // namespace
 
-std::vector<Measurement> torqued_tops(const Effort& effort) {
-  std::vector<Measurement> all;
-  contest_torqued_tops_in<float>(all, effort);
-  contest_torqued_tops_in<double>(all, effort);
-  return all;
+void torqued_tops(Contest& contest) {
+  contest_torqued_tops_in<float>(contest);
+  contest_torqued_tops_in<double>(contest);
 }
 
 }  // namespace tumble::course

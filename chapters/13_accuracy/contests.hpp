@@ -6,20 +6,31 @@
 
 namespace tumble::course {
 
-std::vector<Measurement> free_tops(const Effort& effort);
-std::vector<Measurement> torqued_tops(const Effort& effort);
-std::vector<Measurement> moving_points(const Effort& effort);
+/// What is wanted of the contests, and what came of it.
+struct Contest {
+  Effort effort;
+  std::string wanted;                      ///< the problem that is measured; without it none is
+  std::vector<std::string> problems = {};  ///< all that there are
+  std::vector<Measurement> measured = {};
+};
+
+void free_tops(Contest& contest);
+void torqued_tops(Contest& contest);
+void moving_points(Contest& contest);
 
 /// What a body measured with one precision goes through: its rungs, the exact solution, the peers.
 template <class Body, class Gather, class Truth>
-void measure_all(std::vector<Measurement>& all, const Problem<Body, Gather>& problem,
-                 const std::vector<Contestant<Body>>& contestants, const Truth& truth,
-                 const Effort& effort) {
+void measure_all(Contest& contest, const Problem<Body, Gather>& problem,
+                 const std::vector<Contestant<Body>>& contestants, const Truth& truth) {
+  auto& names = contest.problems;
+  if (std::find(names.begin(), names.end(), problem.name) == names.end())
+    names.push_back(problem.name);
+  if (problem.name != contest.wanted) return;
   const bool single = sizeof(typename ScalarOf<Body>::Type) == sizeof(float);
   for (const Contestant<Body>& contestant : contestants)
     for (Measurement& one :
-         measured(problem, single ? "float" : "double", contestant, truth, effort))
-      all.push_back(std::move(one));
+         measured(problem, single ? "float" : "double", contestant, truth, contest.effort))
+      contest.measured.push_back(std::move(one));
 }
 
 template <class List>

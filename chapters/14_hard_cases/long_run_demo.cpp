@@ -1,5 +1,5 @@
 // One body for a million steps, or a hundred million: clock, |q|, energy, momentum, phase.
-#include <course/free_top.hpp>
+#include <course/exactly.hpp>
 #include <course/record.hpp>
 #include <course/tumbling_problems.hpp>
 #include <tumble/exact/free_top.hpp>

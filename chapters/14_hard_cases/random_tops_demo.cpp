@@ -1,5 +1,6 @@
 // Random tops of all sizes and speeds, with random torques: who stays finite, and do the books
 // close?
+#include <course/items.hpp>
 #include <course/random_tops.hpp>
 #include <course/record.hpp>
 #include <course/rungs.hpp>
@@ -59,52 +60,70 @@ Unexplained<double> worst_of(const Turn& turn, int count) {
 template <class Real>
 const double rounding = steps * 400 * std::numeric_limits<Real>::epsilon() / 2;
 
-/// The rungs that claim to stay finite, on random tops: they must, and their books must close.
+/// The rungs that claim to stay finite, on random tops: they must, and their books must close. One
+/// item a rung.
 template <class Real>
 class Trial {
  public:
-  Trial(const Notebook& notebook, const char* precision)
-      : table_(notebook.table("random_in_" + std::string(precision),
-                              {"rung", "tops", "L unexplained", "energy unexplained"})) {
-    std::printf("in %-27s %8s  unexplained: L   energy\n", precision, "tops");
-  }
+  Trial(Items& items, const char* precision) : items_(items), precision_(precision) {}
 
   template <class Number, class Turn>
-  void run(std::string_view name, int count, const Turn& turn) {
-    const Claims claims = rung_called<Real>(name).claims;
-    expect(claims.bounded, "only those that claim to stay finite are tried here");
-    const Unexplained<double> worst = worst_of<Real, Number>(turn, count);
-    expect(worst.energy <= rounding<Real>, "the books of the energy close");
-    expect(!claims.momentum || worst.momentum <= rounding<Real>,
-           "those of L close where it is kept");
-    expect(claims.momentum || worst.momentum > 0.1, "and where it is not, they don't");
-    std::printf("%-30s %8d      %7.1e  %7.1e\n", std::string(name).c_str(), count, worst.momentum,
-                worst.energy);
-    table_.row(name, std::to_string(count), number("%.0e", worst.momentum),
-               number("%.0e", worst.energy));
-    tried_.push_back(name);
+  void add(std::string_view name, int count, const Turn& turn) {
+    items_.add(item(name), [=] {
+      const Unexplained<double> worst = worst_of<Real, Number>(turn, count);
+      return number(worst.momentum) + '\t' + number(worst.energy);
+    });
+    tried_.push_back({name, count});
   }
 
-  /// Those that have not been tried yet, one top at a time.
-  void run_others(int count) {
+  /// Those that have not been added yet, one top at a time.
+  void add_others(int count) {
     for (const TurningRung<Real>& rung : rungs<Real>())
-      if (rung.claims.bounded && std::find(tried_.begin(), tried_.end(), rung.name) == tried_.end())
-        run<Real>(rung.name, count, rung.turn);
+      if (rung.claims.bounded &&
+          std::none_of(tried_.begin(), tried_.end(),
+                       [&](const Tried& tried) { return tried.name == rung.name; }))
+        add<Real>(rung.name, count, rung.turn);
+  }
+
+  void report(const Notebook& notebook) const {
+    Table table = notebook.table("random_in_" + precision_,
+                                 {"rung", "tops", "L unexplained", "energy unexplained"});
+    std::printf("in %-27s %8s  unexplained: L   energy\n", precision_.c_str(), "tops");
+    for (const auto& [name, count] : tried_) {
+      const Claims claims = rung_called<Real>(name).claims;
+      expect(claims.bounded, "only those that claim to stay finite are tried here");
+      const auto cells = cells_of(items_.result(item(name))).at(0);
+      const double momentum = std::stod(cells.at(0)), energy = std::stod(cells.at(1));
+      expect(energy <= rounding<Real>, "the books of the energy close");
+      expect(!claims.momentum || momentum <= rounding<Real>, "those of L close where it is kept");
+      expect(claims.momentum || momentum > 0.1, "and where it is not, they don't");
+      std::printf("%-30s %8d      %7.1e  %7.1e\n", std::string(name).c_str(), count, momentum,
+                  energy);
+      table.row(name, std::to_string(count), number("%.0e", momentum), number("%.0e", energy));
+    }
   }
 
  private:
-  Table table_;
-  std::vector<std::string_view> tried_;
+  struct Tried {
+    std::string_view name;
+    int count;
+  };
+
+  std::string item(std::string_view name) const { return std::string(name) + " in " + precision_; }
+
+  Items& items_;
+  std::string precision_;
+  std::vector<Tried> tried_;
 };
 
 /// Chapter 8's rules in packs, the others on a hundredth of as many tops.
 template <class Real>
-void try_bounded(const Notebook& notebook, const char* precision) {
+Trial<Real> bounded(Items& items, const char* precision) {
   const int many = wanted_count();
   using Packed = Pack<Real, natural_width<Real>>;
-  Trial<Real> trial(notebook, precision);
+  Trial<Real> trial(items, precision);
   const auto in_packs = [&](const char* name, const auto& turn) {
-    trial.template run<Packed>(name, many, turn);
+    trial.template add<Packed>(name, many, turn);
   };
   in_packs("steady", [](auto& top, auto h) { turn_steadily(top, h); });
   in_packs("explicit, |L| restored", [](auto& top, auto h) { turn_restoring_momentum(top, h); });
@@ -112,54 +131,78 @@ void try_bounded(const Notebook& notebook, const char* precision) {
   in_packs("momentum-carrying", [](auto& top, auto h) { turn_carrying_momentum(top, h); });
   in_packs("splitting by axes", [](auto& top, auto h) { turn_axis_by_axis(top, h); });
   in_packs("splitting", [](auto& top, auto h) { turn_by_splitting(top, h); });
-  trial.run_others(many / 100);
+  trial.add_others(many / 100);
+  return trial;
 }
 
-/// The rungs that claim no bound, with the guard: some tops are stopped, with a sentence, and none
-/// goes on with what is no number.
+/// A rung that claims no bound, with the guard: how many tops are stopped, and what the last one
+/// says. None goes on with what is no number.
 //! [stopped]
 template <class Real>
-void try_unbounded(Table& table, const char* precision, int count) {
-  std::printf("\nguarded, in %-18s %8s  stopped\n", precision, "tops");
-  for (const TurningRung<Real>& rung : rungs<Real>()) {
-    if (rung.claims.bounded) continue;
-    Dice dice(14);
-    int stopped = 0;
-    std::string sentence;
-    for (int n = 0; n < count; ++n) {
-      Top<Real> top = random_top<Real>(dice, fastest<Real>, steps / 60.0);
-      try {
-        for (int step = 0; step < steps; ++step) {
-          kick(top, Real(1) / 60);
-          turn_or_stop(rung, top, Real(1) / 60);
-        }
-      } catch (const TurnError& error) {
-        ++stopped;
-        sentence = error.what();
+std::string stopped(const TurningRung<Real>& rung, int count) {
+  Dice dice(14);
+  int stopped = 0;
+  std::string sentence;
+  for (int n = 0; n < count; ++n) {
+    Top<Real> top = random_top<Real>(dice, fastest<Real>, steps / 60.0);
+    try {
+      for (int step = 0; step < steps; ++step) {
+        kick(top, Real(1) / 60);
+        turn_or_stop(rung, top, Real(1) / 60);
       }
-      expect(is_finite(top.angular_momentum_body), "nobody goes on with what is no number");
+    } catch (const TurnError& error) {
+      ++stopped;
+      sentence = error.what();
     }
-    expect(stopped == 0 || sentence.find("'" + std::string(rung.name) + "' ") == 0,
-           "who stops says its name");
-    table.row(rung.name, precision, std::to_string(count), std::to_string(stopped), sentence);
-    std::printf("%-30s %8d  %7d\n", std::string(rung.name).c_str(), count, stopped);
+    expect(is_finite(top.angular_momentum_body), "nobody goes on with what is no number");
   }
+  return std::to_string(stopped) + '\t' + sentence;
 }
 //! [stopped]
+
+template <class Real>
+void add_unbounded(Items& items, const std::string& precision, int count) {
+  for (const TurningRung<Real>& rung : rungs<Real>())
+    if (!rung.claims.bounded)
+      items.add("guarded " + std::string(rung.name) + " in " + precision,
+                [=] { return stopped(rung, count); });
+}
+
+template <class Real>
+void report_unbounded(Table& table, const Items& items, const std::string& precision, int count) {
+  std::printf("\nguarded, in %-18s %8s  stopped\n", precision.c_str(), "tops");
+  for (const TurningRung<Real>& rung : rungs<Real>()) {
+    if (rung.claims.bounded) continue;
+    const std::string name(rung.name);
+    auto cells = cells_of(items.result("guarded " + name + " in " + precision)).at(0);
+    cells.resize(2);  // who stops nobody says nothing
+    expect(cells[0] == "0" || cells[1].find("'" + name + "' ") == 0, "who stops says its name");
+    table.row(name, precision, std::to_string(count), cells[0], cells[1]);
+    std::printf("%-30s %8d  %7s\n", name.c_str(), count, cells[0].c_str());
+  }
+}
 
 }  // namespace
 
 int main(int argument_count, char** arguments) {
+  Items items;
+  const auto in_double = bounded<double>(items, "double");
+  const auto in_float = bounded<float>(items, "float");
+  const int few = wanted_count() / 100;
+  add_unbounded<double>(items, "double", few);
+  add_unbounded<float>(items, "float", few);
+  if (!items.are_wanted()) return 0;
+
   Notebook notebook(argument_count, arguments);
-  try_bounded<double>(notebook, "double");
+  in_double.report(notebook);
   std::printf("\n");
-  try_bounded<float>(notebook, "float");
+  in_float.report(notebook);
   Table table =
       notebook.table("stopped", {"rung", "precision", "tops", "stopped", "the last says"});
-  try_unbounded<double>(table, "double", wanted_count() / 100);
-  try_unbounded<float>(table, "float", wanted_count() / 100);
+  report_unbounded<double>(table, items, "double", few);
+  report_unbounded<float>(table, items, "float", few);
   notebook.value("tops", std::to_string(wanted_count()));
-  notebook.value("few_tops", std::to_string(wanted_count() / 100));
+  notebook.value("few_tops", std::to_string(few));
   notebook.value("steps", std::to_string(steps));
   notebook.value("rounding_double", number("%.0e", rounding<double>));
   notebook.value("rounding_float", number("%.0e", rounding<float>));

@@ -21,17 +21,17 @@ import tempfile
 from pathlib import Path
 
 from catalogue import find_all, read_catalogue
-from complaint import Complaint
+from complaint import Complaint, GraderFailed
 from grade_class import grade_class, job_of
 from made import CommandFailed
-from outputs import Outputs
+from outputs import Outputs, occupy_standard_descriptors, require_a_place_of_its_own
 from plain_text import complain, one_line, say, why_unheard
 from programs import prepare_all
 from reports import FORMATS, marks
 from shards import WHOLE, Part, Stopped, merge, shard_of, stoppable
-from submission import name_of, read_header, require_folders
+from submission import places_of, places_of_header, read_header
 from toolchain import read_toolchain
-from untrusted import require_seals, seals_in_words
+from untrusted import require_out_of_reach, require_seals, seals_in_words
 
 SECONDS, MOST_SECONDS = 5, 3600  # of computing, for one check
 NO_RESULT = 3
@@ -54,18 +54,18 @@ def export_for_similarity(folder, submissions, exercises):
     for exercise in exercises:
         place = folder / exercise.name
         place.mkdir(parents=True, exist_ok=True)
-        for submission in submissions:
+        for name, submission in submissions.items():
             header = read_header(submission, exercise)
             if header.text:
-                (place / f"{file_name_of(submission)}.hpp").write_text(header.text, encoding="utf-8", newline="")
+                (place / f"{file_name_of(name)}.hpp").write_text(header.text, encoding="utf-8", newline="")
         starter = exercise.folder / exercise.header
         if starter.exists():
             shutil.copyfile(starter, place / "STARTER.hpp")
 
 
 def file_name_of(submission):
-    """The submission's name, shortened where an ending would make it too long for a file; what it lost is in a digest then."""
-    name = os.fsencode(name_of(submission))
+    """A submission's name, shortened where an ending would make it too long for a file; what it lost is in a digest then."""
+    name = os.fsencode(submission)
     return os.fsdecode(name if len(name) <= 251 else name[:200] + b"-" + hashlib.sha256(name).hexdigest()[:32].encode())
 
 
@@ -93,13 +93,16 @@ def write_outputs(arguments, outputs, by_name, missing):
     return NO_RESULT if missing else 0
 
 
-def opened_outputs(stack, arguments):
+def opened_outputs(stack, arguments, inputs):
     files = {"output": arguments.output, "marks": arguments.marks}
+    for name, file in files.items():
+        if file:
+            require_a_place_of_its_own(f"--{name}", file, inputs)
     return {name: stack.open(f"--{name}", file) for name, file in files.items() if file}
 
 
-def grade(arguments, outputs):
-    require_folders(arguments.folders)
+def grade(arguments, stack):
+    submissions = places_of(arguments.folders, arguments.follow_links)
     exercises = find_all(read_catalogue(arguments.root, arguments.private), arguments.exercises)
     if not 0 < arguments.seconds <= MOST_SECONDS:
         raise Complaint(f"seconds is {arguments.seconds:g}; it must be greater than 0 and at most {MOST_SECONDS}")
@@ -107,17 +110,23 @@ def grade(arguments, outputs):
         raise Complaint(f"jobs is {arguments.jobs}; it must be at least 1")
     if arguments.format == "gradescope" and len(arguments.folders) != 1:
         raise Complaint(f"{len(arguments.folders)} submissions; Gradescope grades one at a time")
+    outputs = opened_outputs(stack, arguments, read_by_it(arguments, submissions, exercises))
     toolchain = read_toolchain(arguments.toolchain, arguments.root / "exercises" / "common", arguments.toolchain.parent)
     with tempfile.TemporaryDirectory(prefix="grade-") as scratch:
         kept = part_of(arguments)
-        with Part(kept or Path(scratch) / "part", job_of(arguments, exercises), arguments.shard, arguments.resume) as part:
+        job = job_of(arguments, submissions, exercises)
+        with Part(kept or Path(scratch) / "part", job, arguments.shard, arguments.resume) as part:
             if arguments.similarity:
-                export(arguments, exercises)
+                export(arguments.similarity, submissions, exercises)
             prepare_all(toolchain, exercises, arguments.jobs)
             require_seals(toolchain, exercises[0], arguments.unsealed)
+            if not arguments.unsealed:
+                require_out_of_reach([("the course", arguments.root), ("the build", arguments.toolchain.parent), ("what TMPDIR names",
+                                      tempfile.gettempdir()), *([("what --private names", arguments.private)] if arguments.private else []),
+                                      *((f"the submission {one_line(name)}", place) for name, place in submissions.items())])
             before, computed = len(part.done), seconds_computed()
             try:
-                results, failed = grade_class(arguments, exercises, part, show_how_far)
+                results, failed = grade_class(arguments, submissions, exercises, part, show_how_far)
                 tell_throughput(len(part.done) - before, len(exercises), seconds_computed() - computed)
             except Stopped:
                 if kept:
@@ -135,6 +144,13 @@ def grade(arguments, outputs):
     return status
 
 
+def read_by_it(arguments, submissions, exercises):
+    """What no output may overwrite: what it is, and the file."""
+    headers = [("a submission's header", place) for folder in submissions.values() for exercise in exercises
+               for place in places_of_header(folder, exercise) if place.exists()]
+    return [("where results are kept", part_of(arguments)), *headers] if part_of(arguments) else headers
+
+
 def part_of(arguments):
     """Where results are kept. One submission alone needs no such place."""
     if arguments.part:
@@ -144,13 +160,13 @@ def part_of(arguments):
     return Path("grade.part") if len(arguments.folders) > 1 or arguments.resume else None
 
 
-def export(arguments, exercises):
-    if "STARTER" in map(name_of, arguments.folders):
+def export(folder, submissions, exercises):
+    if "STARTER" in submissions:
         raise Complaint("a submission is called STARTER, as the starters are among the files for similarity")
     try:
-        export_for_similarity(arguments.similarity, arguments.folders, exercises)
+        export_for_similarity(folder, submissions, exercises)
     except OSError as error:
-        raise Complaint(f"--similarity: {arguments.similarity} can't be written: {error.strerror}") from None
+        raise Complaint(f"--similarity: {folder} can't be written: {error.strerror}") from None
 
 
 def parsers():
@@ -170,6 +186,7 @@ def parsers():
     grading.add_argument("--similarity", type=Path, help="a folder for programs that look for copied code")
     grading.add_argument("--seconds", type=float, default=SECONDS, help="of computing, for one check")
     grading.add_argument("--unsealed", action="store_true", help="grade also where a submission can't be confined")
+    grading.add_argument("--follow-links", action="store_true", help="grade submissions that are symbolic links, wherever they lead")
     grading.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="submissions that are graded at the same time")
     grading.add_argument("--shard", default="1/1", help="NUMBER/OF: this share alone, for ./course grade merge")
     grading.add_argument("--part", type=Path, help="the file in which results are kept as they come")
@@ -211,20 +228,28 @@ def show_how_far(done, of):
 
 
 def main(words):
+    occupy_standard_descriptors()
     arguments = commanded(words)
     try:
+        if sys.stdout is None:
+            if not arguments.output:
+                raise Complaint("the standard output is closed; --output names a file for what is handed on")
+            sys.stdout = open(1, "w", encoding="utf-8", closefd=False)
         with stoppable(), Outputs() as stack:
             if "parts" in arguments:
-                outputs = opened_outputs(stack, arguments)
+                outputs = opened_outputs(stack, arguments, [("one of the parts", part) for part in arguments.parts])
                 results, missing = merge(arguments.parts)
                 return write_outputs(arguments, outputs, results, dict.fromkeys(missing, ""))
             arguments.shard = shard_of(arguments.shard)
             if arguments.shard != WHOLE and (arguments.output or arguments.marks):
                 raise Complaint("a shard writes its part alone; --output and --marks are for ./course grade merge")
-            status = grade(arguments, opened_outputs(stack, arguments))
+            status = grade(arguments, stack)
     except Complaint as complaint:
         complain(complaint)
         return 2
+    except GraderFailed as failure:
+        complain(failure)
+        return NO_RESULT
     except CommandFailed as failure:
         complain(f"the checks themselves don't compile:\n{failure.output}")
         return 2

@@ -9,27 +9,26 @@ import sys
 import threading
 from pathlib import Path
 
-from complaint import GraderFailed
+from complaint import Complaint, GraderFailed
 from shards import Job, run
-from submission import name_of, read_header, student_of
+from submission import read_header, student_of
 from untrusted import COMPILING
 
 GRADE_ONE = [sys.executable, "-E", "-B", str(Path(__file__).with_name("grade_one.py"))]
 PATIENCE = 20  # seconds that the grader of one submission has to tidy up
 
 
-def job_of(arguments, exercises):
+def job_of(arguments, submissions, exercises):
     """What must be equal in all its shards."""
     return Job({"exercises": {exercise.path: _digest_of(exercise) for exercise in exercises}, "seed": arguments.seed,
-                "seconds": arguments.seconds}, list(map(name_of, arguments.folders)))
+                "seconds": arguments.seconds}, list(submissions))
 
 
-def grade_class(arguments, exercises, part, tell):
+def grade_class(arguments, folders, exercises, part, tell):
     """Grades what the part lacks. Returns the results by submission, of those that have one, and why the others have none."""
-    folders = {name_of(folder): folder for folder in arguments.folders}
     for name in [name for name, result in part.done.items() if result["handed_in"] != _handed_in(folders[name], exercises)]:
         part.void(name)  # it was handed in once more, so it's graded once more
-    graders = _Graders(arguments, exercises, min(arguments.jobs, len(folders)))
+    graders = _Graders(arguments, exercises, part.job.what["exercises"], min(arguments.jobs, len(folders)))
     failed = run(part, lambda name: graders.grade(name, folders[name]), graders.most, graders.end, tell)
     return {name: part.done[name] for name in part.tasks if name in part.done}, failed
 
@@ -37,8 +36,9 @@ def grade_class(arguments, exercises, part, tell):
 class _Graders:
     """The processes that grade, no more than `most` at a time."""
 
-    def __init__(self, arguments, exercises, most):
+    def __init__(self, arguments, exercises, digests, most):
         self.arguments, self.exercises, self.most = arguments, exercises, most
+        self.digests = digests
         self.lock, self.processes, self.ended = threading.Lock(), set(), False
         # Each exercise is compiled, each check takes at most four times its seconds in both precisions, and the judge may have to be made.
         # By the clock a compiler has four times what it may compute.
@@ -49,10 +49,12 @@ class _Graders:
         student = student_of(name)
         handed_in = _handed_in(folder, self.exercises)
         graded = self._graded({
-            "root": str(self.arguments.root), "toolchain": str(self.arguments.toolchain), "submission": str(folder.resolve()),
+            "root": str(self.arguments.root), "toolchain": str(self.arguments.toolchain), "submission": str(folder),
             "exercises": [exercise.path for exercise in self.exercises], "seconds": self.arguments.seconds,
             "key": f"{self.arguments.seed}-{student}" if self.arguments.seed else "",
             "private": str(self.arguments.private) if self.arguments.private else None, "caller": os.getpid()})
+        if {exercise.path: _digest_of(exercise) for exercise in self.exercises} != self.digests:
+            raise Complaint("the checks have changed since the grading began; what was graded before is kept, and no more")
         checks = [check for exercise in graded["exercises"] for check in exercise["checks"]]
         return {"student": student, "submission": name, "points": sum(check["points"] for check in checks),
                 "of": sum(check["of"] for check in checks), "exercises": graded["exercises"], "seconds": graded["seconds"],

@@ -4,10 +4,15 @@ import fcntl
 import json
 import os
 import subprocess
+import sys
 import time
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+
+from plain_text import say
+
+PATIENCE = 10  # seconds for which others are waited for without a word
 
 
 class CommandFailed(Exception):
@@ -45,13 +50,18 @@ def _make(target, command, inputs, dependencies, limit):
         return Made(known["output"], 0.0)
     record.unlink(missing_ok=True)
     began = time.monotonic()
+    # Made beside it and given its name when it is whole: who has the old one open, such as a compiler a precompiled header, goes on.
+    beside = f"{target}.new"
+    words = [beside if word == str(target) else word for word in command]
     try:
-        result = subprocess.run(command, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=limit)
+        result = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=limit)
     except subprocess.TimeoutExpired:
         raise CommandFailed(command, f"it took more than {limit} seconds") from None
     output = result.stdout.decode("utf-8", "replace")
     if result.returncode != 0:
         raise CommandFailed(command, output)
+    if beside in words:
+        os.replace(beside, target)
     read = list(map(str, inputs)) + (dependencies_in(dependencies) if dependencies else [])
     stamps = _stamps(dict.fromkeys(read))
     record.write_text(json.dumps({"command": command, "output": output, "stamps": stamps}), encoding="utf-8")
@@ -60,10 +70,23 @@ def _make(target, command, inputs, dependencies, limit):
 
 @contextmanager
 def held(target):
-    """Keeps others, threads and processes, from making the same; the lock goes with its holder, however that ends."""
-    with open(f"{target}.lock", "w", encoding="utf-8") as lock:
-        fcntl.flock(lock, fcntl.LOCK_EX)
+    """Keeps others, threads and processes, from making the same; the lock goes with its holder, however that ends. Nobody else can open
+    it, for whoever can open a lock can hold it."""
+    with open(os.open(f"{target}.lock", os.O_CREAT | os.O_RDWR | os.O_CLOEXEC, 0o600), "wb") as lock:
+        _wait_for(lock, f"{target}.lock")
         yield
+
+
+def _wait_for(lock, name):
+    """Says so if it takes long."""
+    deadline = time.monotonic() + PATIENCE
+    while time.monotonic() < deadline:
+        try:
+            return fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            time.sleep(0.05)
+    say(f"Waiting for another run, which holds {name}", to=sys.stderr)
+    return fcntl.flock(lock, fcntl.LOCK_EX)
 
 
 def dependencies_in(file):

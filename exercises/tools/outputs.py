@@ -2,6 +2,8 @@
 
 import contextlib
 import os
+import stat
+import sys
 import tempfile
 
 from complaint import Complaint
@@ -55,6 +57,34 @@ class Outputs(contextlib.ExitStack):
             except OSError as error:
                 raise _complaint(option, file, error) from None
         return write
+
+
+def occupy_standard_descriptors():
+    """What is closed would be given to the first file that is opened, and what is printed would land in it. Nobody hears what is printed
+    where Python had found it closed: then sys.stdout stays None."""
+    for number in range(3):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_RDWR)
+    if sys.stderr is None:
+        sys.stderr = open(2, "w", encoding="utf-8", errors="backslashreplace", closefd=False)
+
+
+def require_a_place_of_its_own(option, file, inputs):
+    """Neither what is read, as (what it is, file), nor what the standard output goes to is overwritten, by whatever name."""
+    place = os.path.realpath(file)
+    try:
+        known = os.stat(file)
+    except FileNotFoundError:
+        known = None
+    except OSError as error:
+        raise _complaint(option, file, error) from None
+    for what, read in inputs:
+        if place == os.path.realpath(read) or (known and os.path.exists(read) and os.path.samestat(known, os.stat(read))):
+            raise Complaint(f"{option} is {file}; that is {what}, and it would be overwritten")
+    if known and stat.S_ISREG(known.st_mode) and any(os.path.samestat(known, os.fstat(number)) for number in (1, 2)):
+        raise Complaint(f"{option} is {file}; what is printed goes there already, and would be lost")
 
 
 def write_whole(file, data):

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from catalogue import find_all, read_catalogue
 from complaint import Complaint
-from outputs import Outputs
+from outputs import Outputs, occupy_standard_descriptors
 from plain_text import complain, say, why_unheard
 from release import release, tell_left_out
 
@@ -64,6 +64,7 @@ def package(root, exercises, target):
 
 
 def main(words):
+    occupy_standard_descriptors()
     parser = argparse.ArgumentParser(prog="./course package", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--root", type=Path, required=True, help=argparse.SUPPRESS)

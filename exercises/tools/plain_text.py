@@ -50,8 +50,10 @@ def all_plain(value):
 
 
 def say(text="", to=None):
-    """Prints it plain, and with escapes for what the terminal has no letters for."""
+    """Prints it plain, and with escapes for what the terminal has no letters for; or not at all where the standard output is closed."""
     to = to or sys.stdout
+    if to is None:
+        return
     letters = to.encoding or "utf-8"
     print(plain(str(text)).encode(letters, "backslashreplace").decode(letters), file=to, flush=True)
 
@@ -68,5 +70,5 @@ def why_unheard(error):
         complain(f"{error.filename or 'what was to be written'}: {error.strerror}")
         status = 2
     with contextlib.suppress(OSError):
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # for what Python still holds back
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # for what Python still holds back
     return status

@@ -9,7 +9,7 @@ import re
 from dataclasses import dataclass
 from datetime import datetime
 
-LINE = re.compile(r"(\S+) (\d\d_[a-z0-9_]+/[a-z0-9_]+) (started|checked|solved|hint|compared|reset)(?: (\d+)(?:/(\d+))?)?")
+LINE = re.compile(r"(\S+) (\d\d_[a-z0-9_]+/[a-z0-9_]+) (started|checked|solved|hint|compared|reset)(?: (\d{1,6})(?:/(\d{1,6}))?)?")
 
 
 @dataclass

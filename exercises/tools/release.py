@@ -17,6 +17,7 @@ from pathlib import Path
 
 from catalogue import read_catalogue
 from complaint import Complaint
+from outputs import occupy_standard_descriptors
 from plain_text import complain, one_line, say, why_unheard
 from starter import regions_of
 
@@ -154,6 +155,7 @@ def release(root, target, toolchain_file=None):
 
 
 def main(words):
+    occupy_standard_descriptors()
     parser = argparse.ArgumentParser(prog="./course release", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--root", type=Path, required=True, help=argparse.SUPPRESS)

@@ -69,7 +69,7 @@ class _Pair:
                 [str(judge), str(number), precision, str(question_in), str(reply_out)] +
                 [f"{name}={value!r}" for name, value in parameters],
                 pass_fds=(question_in, reply_out), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                stderr=subprocess.STDOUT, preexec_fn=lambda: end_with(parent))
+                stderr=subprocess.STDOUT, env=_without_preloading(), preexec_fn=lambda: end_with(parent))
         except BaseException:
             self.end()
             raise
@@ -128,6 +128,11 @@ class _Pair:
             self.worker.stdout.close()
 
 
+def _without_preloading():
+    """What a caller has preloaded, or in vain, is not to speak among the judge's words."""
+    return {name: value for name, value in os.environ.items() if name != "LD_PRELOAD"}
+
+
 def _started(command, **options):
     try:
         return subprocess.Popen(command, **options)
@@ -177,6 +182,7 @@ def _silence(pair):
              signal.SIGABRT: "it gave up, as after a failed assertion or an exception that nobody caught",
              signal.SIGFPE: "a whole number was divided by zero",
              signal.SIGXFSZ: "it wrote a file larger than it may",
+             signal.SIGKILL: "it went on without a way to answer, which it had closed",
              signal.SIGPIPE: "it wrote to a pipe that nobody reads"}
     return f"the program crashed: {names.get(-code, f'signal {-code}')}.{said}"
 

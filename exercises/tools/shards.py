@@ -64,7 +64,7 @@ class Part:
     """The file with the results of one shard, locked while it is open. `done` holds them by the task's name."""
 
     def __init__(self, file, job, shard=WHOLE, resume=False):
-        self.name, self.tasks, self.done = file, share(job.tasks, shard), {}
+        self.name, self.job, self.tasks, self.done = file, job, share(job.tasks, shard), {}
         _require_no_device(file)
         try:
             self.file = open(file, "a+b", buffering=0)
@@ -137,9 +137,10 @@ class Part:
                             "--resume takes it up") from None
 
 
-def run(part, work, workers=1, stop=lambda: None, tell=lambda done, of: None):
-    """Does what the part lacks, `workers` tasks at a time; the results are in part.done. Returns why, by the name of what failed twice."""
-    waiting = [(name, 1) for name in reversed(part.to_do())]
+def run(part, work, workers=1, stop=lambda: None, tell=lambda done, of: None, only=lambda name: True):
+    """Does what the part lacks, `workers` tasks at a time; the results are in part.done. Returns why, by the name of what failed twice.
+    Of the tasks, `only` those are done that it says."""
+    waiting = [(name, 1) for name in reversed(part.to_do()) if only(name)]
     running, failed = {}, {}
     with stoppable(), ThreadPoolExecutor(workers) as pool:
         try:
@@ -206,6 +207,12 @@ def merge(files):
         results.update(found)
     tasks = first["tasks"]
     return {name: results[name] for name in tasks if name in results}, [name for name in tasks if name not in results]
+
+
+def job_of_part(file):
+    """What must be equal in all shards of the job, as one of them says it."""
+    merge([file])  # or a Complaint
+    return _read(Path(file).read_bytes(), file)[0]["job"]
 
 
 def _require_no_device(file):

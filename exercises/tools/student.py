@@ -12,6 +12,7 @@ from compiler_says import first_message, why_not
 from complaint import Complaint
 from hints import read_hints
 from made import CommandFailed
+from outputs import occupy_standard_descriptors
 from plain_text import complain, say, why_unheard
 from programs import build_worker, folder_of, judge_of, prepare
 from progress import Progress, bar
@@ -212,6 +213,7 @@ class Student:
 
 
 def main(words):
+    occupy_standard_descriptors()
     parser = argparse.ArgumentParser(prog="course", usage="./course COMMAND [NAME] [OPTION]; ./course help lists them")
     parser.add_argument("--root", type=Path, required=True, help=argparse.SUPPRESS)
     parser.add_argument("--toolchain", type=Path, help=argparse.SUPPRESS)

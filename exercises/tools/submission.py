@@ -1,14 +1,17 @@
 """A submission: a folder with a student's headers, none of which is trusted."""
 
+import errno
 import os
 import re
 import stat
 from dataclasses import dataclass, field
 
-from complaint import Complaint
+from complaint import Complaint, GraderFailed
 from plain_text import one_line
 
 LARGEST = 256 * 1024  # bytes; the course's own solutions have two thousand
+OF_THE_FILE = (errno.EACCES, errno.ENXIO, errno.ENOTDIR, errno.ENOENT, errno.ELOOP)  # and not of the disk or the machine
+BELOW = os.O_PATH | os.O_NOFOLLOW | os.O_CLOEXEC  # a folder to go on from
 
 # What no exercise needs. It costs no points; a person should look at it.
 SUSPICIOUS = (
@@ -35,26 +38,37 @@ class Header:
     flags: list = field(default_factory=list)
 
 
+def places_of_header(folder, exercise):
+    """Where the header for an exercise may lie: in the folder itself, or below it in NAME/, CHAPTER/NAME/ or work/CHAPTER/NAME/."""
+    return [folder / below / exercise.header for below in ("", exercise.name, exercise.path, f"work/{exercise.path}")]
+
+
 def read_header(folder, exercise):
-    """The header for an exercise: in the folder itself, or below it in NAME/, CHAPTER/NAME/ or work/CHAPTER/NAME/."""
-    for below in ("", exercise.name, exercise.path, f"work/{exercise.path}"):
-        place = folder / below / exercise.header
+    """The header for an exercise, in the first of its places that is there."""
+    for place in places_of_header(folder, exercise):
         if os.path.lexists(place):
             try:
                 return _judged(_bytes_of(folder, place))
-            except (Complaint, OSError) as error:
-                return Header(reason=str(error))
+            except Complaint as complaint:
+                return Header(reason=str(complaint))
+            except OSError as error:
+                if error.errno not in OF_THE_FILE:
+                    raise GraderFailed(f"{place} can't be read: {error.strerror}") from None
+                return Header(reason=f"{place.relative_to(folder)} can't be read: {error.strerror}")
     return Header(reason=f"{exercise.header} was not handed in")
 
 
 def _bytes_of(folder, place):
-    """The file's content. Nothing on the way to it may be a symbolic link."""
-    way = folder
-    for part in place.relative_to(folder).parts:
-        way = way / part
-        if way.is_symlink():
-            raise Complaint(f"{way.relative_to(folder)} is a symbolic link; hand in the file itself")
-    descriptor = os.open(place, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
+    """The file's content. Neither the folder nor anything on the way from there may be a symbolic link, nor turn into one meanwhile."""
+    way = place.relative_to(folder)
+    above = os.open(folder, BELOW | os.O_DIRECTORY)
+    try:
+        for part in reversed(way.parents[:-1]):
+            above, before = _opened(part, above, BELOW | os.O_DIRECTORY), above
+            os.close(before)
+        descriptor = _opened(way, above, os.O_RDONLY | os.O_NONBLOCK | os.O_NOFOLLOW | os.O_CLOEXEC)
+    finally:
+        os.close(above)
     if not stat.S_ISREG(os.fstat(descriptor).st_mode):
         os.close(descriptor)
         raise Complaint(f"{place.name} is no file")
@@ -65,6 +79,16 @@ def _bytes_of(folder, place):
     if not data.strip():
         raise Complaint(f"{place.name} is empty")
     return data
+
+
+def _opened(way, above, how):
+    """The last part of a way, in a folder that is open."""
+    try:
+        return os.open(way.name, how, dir_fd=above)
+    except OSError:
+        if stat.S_ISLNK(os.stat(way.name, dir_fd=above, follow_symlinks=False).st_mode):
+            raise Complaint(f"{way} is a symbolic link; hand in the file itself") from None
+        raise
 
 
 def _judged(data):
@@ -94,13 +118,35 @@ def student_of(submission):
     return re.fullmatch(r"(.+?)(?:@[0-9][0-9-]*)?", submission, re.DOTALL)[1]
 
 
-def require_folders(folders):
-    seen = {}
+def places_of(folders, follow_links=False):
+    """Where each submission lies, by its name. Who can make a link among the submissions must not choose by it what is graded: one that is
+    a link leads to a place in the same folder that is nobody else's, unless all links are followed."""
+    places, given = {}, {}
     for folder in folders:
         if not folder.is_dir():
             raise Complaint(f"{one_line(str(folder))} is no folder; a submission is a folder that holds a student's headers")
         name = name_of(folder)
-        if name in seen:
-            raise Complaint(f"two submissions are called {one_line(name)}: {one_line(str(seen[name]))} and {one_line(str(folder))}; "
+        if name in given:
+            raise Complaint(f"two submissions are called {one_line(name)}: {one_line(str(given[name]))} and {one_line(str(folder))}; "
                             "the name of the folder names the student")
-        seen[name] = folder
+        places[name], given[name] = folder.resolve(), folder
+    if not follow_links:
+        _require_links_at_home(places, given)
+    return places
+
+
+def _require_links_at_home(places, given):
+    owners = {}
+    for name, place in places.items():
+        owners.setdefault(place, []).append(name)
+    for name, folder in given.items():
+        if not folder.is_symlink():
+            continue
+        place, home, link = places[name], folder.parent.resolve(), f"{one_line(str(folder))} is a symbolic link"
+        unless = "--follow-links grades it nevertheless"
+        if home not in place.parents:
+            raise Complaint(f"{link} that leads out of the folder in which it lies, to {one_line(str(place))}; {unless}")
+        for each in [place, *place.parents][:len(place.parts) - len(home.parts)]:
+            for other in owners.get(each, ()):
+                if other != name:
+                    raise Complaint(f"{link} that leads to what {one_line(other)} handed in; {unless}")

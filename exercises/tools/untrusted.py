@@ -4,6 +4,7 @@ import functools
 import glob
 import os
 import re
+import resource
 import shutil
 import signal
 import stat
@@ -31,6 +32,7 @@ PARTS_OF_COMPILERS = ("cc1plus", "collect2", "as", "ld")
 FIRST_USER = 0x70000000  # from here to 0x7fffffff no system gives numbers to accounts; a process's number is below 1 << 22
 FEW_USERS = 62000        # where a container has but 65536 numbers: beyond those of accounts
 COMPILING = 12           # times as long as a check may take
+MEMORY_OF_COMPILERS, FILES_OF_COMPILERS = 2048 * MEBIBYTE, 64 * MEBIBYTE
 ROOM = 256 * MEBIBYTE    # which a compiler must find on the disk
 # The last that the compiler says then; a text can make it say so too, with a static_assert.
 ENDED_FROM_OUTSIDE = re.compile(r"fatal error: (Killed signal terminated program \w+|ld terminated with signal 9 \[Killed\])\n"
@@ -84,11 +86,26 @@ def require_seals(toolchain, exercise, unsealed):
         lacking = " and ".join(what for what, name in (("Landlock", "files"), ("seccomp", "calls")) if not held[name])
         raise Complaint(f"here a submission can't be confined, for the system offers no {lacking}. The handbook says what it could do "
                         "then; --unsealed grades nevertheless")
+    for name, option, kind, wanted in (("memory", "v", resource.RLIMIT_AS, MEMORY_OF_COMPILERS),
+                                       ("a file's size", "f", resource.RLIMIT_FSIZE, FILES_OF_COMPILERS)):
+        most = resource.getrlimit(kind)[1]
+        if most != resource.RLIM_INFINITY and most < wanted:
+            raise Complaint(f"the limit of {name} is {most // 1024} KB here (ulimit -{option}), and a compiler gets "
+                            f"{wanted // MEBIBYTE} MB")
     try:
         with a_workshop(toolchain, exercise, own_user(), COMPILING * 5) as workshop:
             workshop.try_out()
     except GraderFailed as failure:
         raise Complaint(failure) from None
+
+
+def require_out_of_reach(places):
+    """Complains of what lies where every submission may read, in the system's own folders; (what it is, folder)."""
+    for what, place in places:
+        real = Path(os.path.realpath(place))
+        for folder in (*LIBRARIES, *HEADERS):
+            if real.is_relative_to(os.path.realpath(folder)):
+                raise Complaint(f"{what} lies in {folder}, which every submission may read; grade where it lies elsewhere")
 
 
 @contextmanager
@@ -189,7 +206,7 @@ class Workshop:
     def _run(self, command, deadline):
         """Raises Uncompiled with what the compiler said, GraderFailed where somebody else ended it."""
         made = self.place / "made"
-        limits = Limits(seconds=self.seconds, memory=2048 * MEBIBYTE, file=64 * MEBIBYTE, user=self.user,
+        limits = Limits(seconds=self.seconds, memory=MEMORY_OF_COMPILERS, file=FILES_OF_COMPILERS, user=self.user,
                         reach=Reach(readable=(*LIBRARIES, *HEADERS, *self._headers(), shared(self.toolchain, "serve.o")),
                                     executable=(*_tools(self.toolchain.compiler), *_loaders()), writable=(made,)))
         try:

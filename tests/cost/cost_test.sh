@@ -32,6 +32,7 @@ verify() { # SENTENCE CONDITION...
 }
 
 says() { [[ $output == *"$1"* ]]; }
+says_not() { [[ $output != *"$1"* ]]; }
 complains() { [[ $errors == *"$1"* ]]; }
 ends_with() { [ "$code" -eq "$1" ]; }
 is_silent() { [ -z "$output$errors" ]; }
@@ -88,9 +89,36 @@ for wish in 1e-17 1e-16; do
   verify "and ends with 1" ends_with 1
 done
 run --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle 1e-9 --precision float
-verify "what float can't hold is refused" says "no method here could be confirmed to be that accurate"
+verify "what float can't store is refused with the reason" says "the exact orientations, rounded to float, are off by up to"
+verify "before any method is tried" says_not "nearest "
+verify "and ends with 1" ends_with 1
+run --inertia 1,2,3 --spin 1,2,0.5 --for 1 --angle 1e-16
+verify "and so is what double can't store" says "the exact orientations, rounded to double, are off by up to"
+run --inertia 1,2,3 --spin 0,0,0 --for 1 --angle 1e-16
+verify "where double stores everything exactly, the finest wish is fulfilled" says "expected error     0 rad"
+verify "and no quotient by zero is told" says_not "inf"
+run --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle 3e-7 --precision float --rate 10 --longest-run 0.01
+verify "what float can store and no method keeps is refused" says "no method here could be confirmed to be that accurate"
 verify "with what came nearest" says "nearest "
 verify "and ends with 1" ends_with 1
+if [ -n "$python" ]; then
+  output=$("$python" -c '
+import os, pty, subprocess, sys
+ours, its = pty.openpty()
+answer = subprocess.run(sys.argv[1:], stderr=its, stdout=subprocess.PIPE).stdout.decode()
+os.close(its)
+said = b""
+try:
+    while part := os.read(ours, 4096):
+        said += part
+except OSError:
+    pass  # so a terminal ends
+print(answer.count("trying"), said.decode())' "$cost" --inertia 1,2,3 --spin 1,2,0.5 --for 1 --angle 1e-4 --precision float --rate 1)
+  code=$? errors=""
+  verify "on a terminal it says what it tries" says "what was asked for: trying exact solution in float, "
+  verify "and takes that away again" [ "${output: -4}" = $'\r\e[K' ]
+  verify "and the answer is free of it" [ "${output%% *}" = 0 ]
+fi
 run --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle 1e-17 --json
 printf '%s\n' "$output" >refused.json
 verify "JSON says it too" says '"confirmed": false'

@@ -66,6 +66,7 @@ verify() { # SENTENCE CONDITION...
   fi
 }
 
+says_not() { [[ $output != *"$1"* ]]; }
 says() { [[ $output == *"$1"* ]]; }
 ends_with() { [ "$code" -eq "$1" ]; }
 called() { [[ $called == *"$1"* ]]; }
@@ -85,7 +86,8 @@ course check
 verify "a missing chapter is asked for" says "which chapter?"
 course book --pfd
 verify "the nearest option is offered" says "Did you mean --pdf?"
-for words in "bench extra" "book 01" "test 01" "run 01 --pdf" "check 01 --all" "book --show" "run 01 02" "run 01 --hepl"; do
+for words in "bench extra" "book 01" "test 01" "run 01 --pdf" "check 01 --all" "book --show" "run 01 02" "run 01 --hepl" "book --shard 1/2" \
+  "book --full --shard" "book --full --shard 1/2 --pdf" "book merge" "book merge --resume a.part" "test --shard 1/2"; do
   # shellcheck disable=SC2086  # a list of words
   course $words
   verify "$words is refused" ends_with 2
@@ -159,12 +161,25 @@ course sweep "a sweep.json" --shard 3/16 --no-install
 verify "sweep gives its options to its tool, in the caller's folder" says "python3 / "
 verify "and all of them" says "programs/11_world/simulate' 'a sweep.json' '--shard' '3/16'"
 verify "and ends as it does" ends_with 7
+course book --full --shard 3/16 --part "a part" --resume --no-install
+verify "a share of the measurements is measured in the caller's folder" says "python3 / "
+verify "with its options" says "default/long_programs.json' '--shard=3/16' '--part=a part' '--resume'"
+verify "and ends as its tool does" ends_with 7
+verify "and makes no book" says_not "Set the book"
+course book merge "a part" b.part --no-install
+verify "parts are put together" says "default/measured' '--merge' 'a part' 'b.part'"
+verify "and where that fails there is no book" ends_with 1
+stand_in python3 <<<'exit 0'
+course book merge a.part b.part --no-install
+verify "the book is set from what they make" called "-DTUMBLE_FULL=ON -DTUMBLE_MEASURED:PATH=$scratch/tree/build/default/measured"
+course book --no-install
+verify "and the next one measures for itself" called "-DTUMBLE_FULL=OFF -DTUMBLE_MEASURED:PATH= "
 rm "$scratch/bin/python3"
 course cost --spin -1,2,3 --json --no-install
 verify "cost gives its options to the adviser" says "/ '--spin' '-1,2,3' '--json'"
 verify "and ends as it does" ends_with 130
 verify "cost compiles the adviser alone" called "--target cost"
-verify "cost needs Boost" says "libboost-dev"
+verify "cost needs cxxopts" says "libcxxopts-dev"
 
 fresh debian 12
 course bench

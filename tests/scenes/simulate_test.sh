@@ -262,6 +262,17 @@ errors=$(cat errors.txt)
 rm errors.txt
 verify "a file beyond the limit of its size is told" complains "cannot write"
 verify "and ends with 3" ends_with 3
+output=$( (ulimit -f 10 && "$simulate" rain --until 0.1 --csv rain.csv --jsonl rain.jsonl --books books.json 2>errors.txt </dev/null))
+code=$?
+errors=$(cat errors.txt)
+rm errors.txt
+for file in rain.csv rain.jsonl; do
+  verify "$file, which is full while something is recorded, is given up" complains "$file is given up, and the other outputs go on"
+done
+verify "the first of them is told at the end too" complains "/rain.csv: the disk may be full"
+verify "the run ends with 3" ends_with 3
+verify "and the output that isn't full is there" grep -q '"unexplained"' books.json
+rm books.json
 "$simulate" t_handle --until 0.1 >/dev/full 2>errors.txt
 code=$? errors=$(cat errors.txt) output=""
 rm errors.txt

@@ -112,6 +112,13 @@ class Sweep(unittest.TestCase):
         self.assertEqual(len(set(begun)), 8)  # of 16 combinations, this shard's
         self.assertLessEqual(len(begun), 8 + len(stops))  # only what was interrupted is done again
 
+    def test_a_scene_that_changes_meanwhile_ends_the_sweep(self):
+        program = SCRATCH / "slow"
+        program.write_text(f"#!/bin/sh\ncase \"$*\" in *--plan*) ;; *) echo ' ' >>'{SCRATCH}/tops.json' ;; esac\nexec '{SIMULATE}' \"$@\"\n")
+        program.chmod(0o755)
+        self.assertIn("a scene has changed since the sweep began", self.sweep("sweep.json", "--jobs", "1", simulate=program, code=2))
+        self.assertIn("belongs to another job", self.sweep("sweep.json", "--resume", code=2))
+
     def test_the_table_goes_over_nothing_that_is_read(self):
         for number in (1, 2):
             self.sweep("sweep.json", "--shard", f"{number}/2", "--part", f"{number}.part")

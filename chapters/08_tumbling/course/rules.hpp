@@ -2,8 +2,9 @@
 /// The rules of the chapter in one list, and what each makes of a top.
 #pragma once
 
-#include <course/free_top.hpp>
+#include <course/exactly.hpp>
 #include <course/tumbling_problems.hpp>
+#include <tumble/exact/free_top.hpp>
 #include <tumble/tumbling.hpp>
 #include <utility>
 
@@ -55,8 +56,9 @@ Motion watched(Top<Real> top, const Turn& turn, int steps, int steps_to_angle, R
     const long double off = (angular_momentum_world(now) - L).norm() / L.norm();
     motion.momentum_error = std::max(motion.momentum_error, static_cast<double>(off));
     if (n == steps_to_angle) {
-      const auto exact = FreeTop(start).orientation(static_cast<long double>(time_step) * n);
-      motion.angle = static_cast<double>(angle_between(exact, now.orientation));
+      const auto there =
+          exact::FreeTop<long double>(start).at(static_cast<long double>(time_step) * n);
+      motion.angle = static_cast<double>(angle_between(there.orientation, now.orientation));
     }
   }
   return motion;

@@ -34,30 +34,30 @@ struct Outputs {
   }
 
   /// Records this moment. The page of a view has equal intervals only: it leaves out a last moment
-  /// that comes early.
+  /// that comes early. What can't be recorded any further is given up, and the others go on.
+  /// @throws what went wrong, once nothing is left.
   template <class Real, class Keeping>
   void record(Scene<Real, Keeping>& scene, bool comes_early = false) {
     const double time =
         static_cast<double>(scene.world.ticks()) * time_step_of<double>(scene.world.step_length());
-    if (csv) csv->record(time, scene);
-    if (json_lines) json_lines->record(time, scene);
-    if (plot) plot->record(time, scene);
-    if (view && !comes_early) view->record(scene);
+    record_in(csv, [&] { csv->record(time, scene); });
+    record_in(json_lines, [&] { json_lines->record(time, scene); });
+    record_in(plot, [&] { plot->record(time, scene); });
+    if (!comes_early) record_in(view, [&] { view->record(scene); });
   }
 
   /// Finishes all that can be finished, and then throws what went wrong first. If Ctrl-C ended the
   /// drawing, that is told here, and the caller ends as after any signal.
   void finish(const std::string& title, const std::string& text_of_books) {
-    std::exception_ptr failure;
-    const auto attempt = [&failure](OutputFile& file, const auto& finish_file) {
+    const auto attempt = [this](OutputFile& file, const auto& finish_file) {
       try {
         finish_file();
         std::printf("wrote %s\n", file.path().c_str());
       } catch (const std::exception& error) {
-        if (failure || ended_by != 0)
+        if (failure_ || ended_by != 0)
           std::fprintf(stderr, "simulate: %s\n", error.what());
         else
-          failure = std::current_exception();
+          failure_ = std::current_exception();
       }
     };
     if (csv) attempt(csv->file(), [this] { csv->file().finish(); });
@@ -69,8 +69,26 @@ struct Outputs {
         books->write(text_of_books);
         books->finish();
       });
-    if (failure) std::rethrow_exception(failure);
+    if (failure_) std::rethrow_exception(failure_);
   }
+
+ private:
+  template <class Output, class Record>
+  void record_in(std::optional<Output>& output, const Record& record_moment) {
+    if (!output) return;
+    const std::string path = output->file().path().string();
+    try {
+      record_moment();
+    } catch (const std::exception& error) {
+      output.reset();  // also what it holds of the disk or the memory
+      if (!failure_) failure_ = std::current_exception();
+      if (!csv && !json_lines && !plot && !view && !books) std::rethrow_exception(failure_);
+      std::fprintf(stderr, "%ssimulate: %s is given up, and the other outputs go on: %s\n",
+                   ::isatty(STDERR_FILENO) == 1 ? "\n" : "", path.c_str(), error.what());
+    }
+  }
+
+  std::exception_ptr failure_;  ///< what went wrong first
 };
 
 /// Takes the steps. @return how it ended; `failure` says why, if a step failed

@@ -78,7 +78,9 @@ Verdict Advisor::cheapest(const Wish& wish) const {
   Verdict verdict;
   std::vector<Found> enough;
   double cheapest = std::numeric_limits<double>::infinity();
+  std::size_t n = 0;
   for (const Candidate* candidate : tried) {
+    tell_(*candidate, ++n, tried.size());
     auto found = search(*candidate, wish, worth_naming * cheapest, verdict.nearest);
     if (!found || !confirm(*found, wish)) continue;
     enough.push_back(*found);

@@ -2,7 +2,9 @@
 /// Finds the cheapest method and step for a wanted error, and confirms it before it says so.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "candidate.hpp"
@@ -27,9 +29,17 @@ struct Verdict {
 /// Chooses among candidates.
 class Advisor {
  public:
+  /// Is told which candidate is tried now, and that it is number `n` of so many.
+  using Tell = std::function<void(const Candidate&, std::size_t n, std::size_t of)>;
+
   /// `longest_run` (s): a method is not tried with smaller steps once a run takes longer.
-  Advisor(const std::vector<Candidate>& candidates, const Frames& frames, double longest_run)
-      : candidates_(candidates), frames_(frames), longest_run_(longest_run) {}
+  Advisor(
+      const std::vector<Candidate>& candidates, const Frames& frames, double longest_run,
+      Tell tell = [](const Candidate&, std::size_t, std::size_t) {})
+      : candidates_(candidates),
+        frames_(frames),
+        longest_run_(longest_run),
+        tell_(std::move(tell)) {}
 
   /// The candidate that fulfils the wish in the least time.
   Verdict cheapest(const Wish& wish) const;
@@ -49,6 +59,7 @@ class Advisor {
   const std::vector<Candidate>& candidates_;
   Frames frames_;
   double longest_run_;
+  Tell tell_;
 };
 
 }  // namespace tumble::cost

@@ -14,6 +14,7 @@ struct Answer {
   std::vector<Candidate> candidates = {};
   std::string reference = {};  ///< what the winner was held against
   Errors uncertainty = {};     ///< of the reference
+  Rounded rounded = {};        ///< of a free top: what the exact solution loses by being stored
   std::size_t bodies = 1;      ///< in the scene
   Verdict verdict = {};
   std::string refusal = {};  ///< why nothing is promised; empty if something is

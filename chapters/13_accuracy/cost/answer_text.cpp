@@ -91,9 +91,10 @@ std::string text_of(const Answer& answer) {
   }
   const Found& winner = *answer.verdict.winner;
   text += line("cheapest", method_of(winner, asked.frames));
+  const double ratio = winner.errors.of(asked.wish);
   text += line("expected error",
                errors_of(winner.errors, asked.wish) +
-                   formatted(", %.2g times less than wanted", 1 / winner.errors.of(asked.wish)));
+                   (ratio > 0 ? formatted(", %.2g times less than wanted", 1 / ratio) : ""));
   if (asked.top)
     text += line("", formatted("energy off by %.2g, angular momentum by %.2g, relatively",
                                winner.errors.energy, winner.errors.momentum));

@@ -80,6 +80,15 @@ std::vector<Trial<Real>> trials_of(const FreeTopQuestion& question, const Frames
   return list;
 }
 
+/// The angle between an orientation and what of it a precision can store, rad.
+template <class Real>
+double rounding_of(const Quaternion<long double>& truth) {
+  const Quaternion<long double> stored = {
+      static_cast<Real>(truth.real),
+      truth.imaginary.template cast<Real>().template cast<long double>()};
+  return static_cast<double>(angle_between(truth, stored));
+}
+
 /// What a top errs at one moment.
 template <class Real>
 Errors errors_at(const Top<Real>& top, const Top<long double>& truth) {
@@ -198,6 +207,20 @@ std::vector<Candidate> free_top_candidates(const FreeTopQuestion& question, cons
   if (precisions.twice) append<double>(candidates, question, frames);
   if (precisions.single) append<float>(candidates, question, frames);
   return candidates;
+}
+
+Rounded rounded_truth(const FreeTopQuestion& question, const Frames& frames) {
+  const exact::FreeTop<long double> exact(start_of<long double>(question, 0));
+  Rounded worst;
+  for (long frame = 1; frame <= frames.count; ++frame) {
+    if (frame % frames_between_looks(frames) != 0) continue;
+    const Quaternion<long double> truth =
+        exact.at(static_cast<long double>(frame) / static_cast<long double>(frames.rate))
+            .orientation;
+    worst.single = std::max(worst.single, rounding_of<float>(truth));
+    worst.twice = std::max(worst.twice, rounding_of<double>(truth));
+  }
+  return worst;
 }
 
 double uncertainty_of_truth(const FreeTopQuestion& question, const Frames& frames) {

@@ -24,6 +24,13 @@ struct Precisions {
 std::vector<Candidate> free_top_candidates(const FreeTopQuestion& question, const Frames& frames,
                                            const Precisions& precisions);
 
+/// How far the exact orientations are off at most, rad, once they are rounded to float and to
+/// double: no method that stores its states so can be expected to be nearer.
+struct Rounded {
+  double single = 0, twice = 0;
+};
+Rounded rounded_truth(const FreeTopQuestion& question, const Frames& frames);
+
 /// How far the exact solution in long double may itself be off, rad.
 double uncertainty_of_truth(const FreeTopQuestion& question, const Frames& frames);
 

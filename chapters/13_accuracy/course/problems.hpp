@@ -2,7 +2,7 @@
 /// The problems that every method is tried on: a body, what acts on it, and for how long.
 #pragma once
 
-#include <course/free_top.hpp>
+#include <course/exactly.hpp>
 #include <course/tumbling_problems.hpp>
 #include <string>
 #include <tumble/ladder.hpp>

@@ -1,19 +1,15 @@
 /// @file
-/// The turning methods that scene files can name: those of worlds, and the exact solution where
-/// Boost is there to compute it.
+/// The turning methods that scene files can name: those of worlds, and the exact solution.
 #pragma once
 
+#include <tumble/exact/free_top.hpp>
 #include <tumble/in_packs.hpp>
 #include <tumble/turning_rungs.hpp>
-#if __has_include(<tumble/exact/free_top.hpp>)
-#include <tumble/exact/free_top.hpp>
-#endif
 
 namespace tumble::course {
 
-#if __has_include(<tumble/exact/free_top.hpp>)
-/// Finds, in every step, the solution that goes through the present state. Boost knows no packs, so
-/// the bodies of a pack are turned one after another.
+/// Finds, in every step, the solution that goes through the present state. Its integrals know no
+/// packs, so the bodies of a pack are turned one after another.
 //! [exact_rule]
 struct ExactSolution {
   static constexpr std::string_view name = "exact solution";
@@ -24,9 +20,6 @@ struct ExactSolution {
 };
 //! [exact_rule]
 using SceneRules = Longer<RungsOfWorlds, ExactSolution>::Type;
-#else
-using SceneRules = RungsOfWorlds;
-#endif
 
 }  // namespace tumble::course
 

@@ -45,21 +45,35 @@ struct TurnAndMomentum {
   Vec3<Real> turn, momentum;
 };
 
-/// The same with torque. In the axes of the step's start L changes by the torque alone, so where
-/// there is none it is kept to the last digit. `gather` as in step_by_runge_kutta().
+/// What the bearings of locked axes push with (N m, world axes), so that L about those axes stays
+/// 0: they take on the torque about them, and L × ω about them, which the axes of the world would
+/// see as L turning along with the body.
+//! [bearing_torque]
+template <class Real>
+Vec3<Real> bearing_torque(const Top<Real>& top) {
+  const Vec3<Real> unborne = rotate_back(top.orientation, top.torque) + gyroscopic_torque(top);
+  return rotate<Real>(top.orientation, free_part(top, unborne) - unborne);
+}
+//! [bearing_torque]
+
+/// The same with torque. In the axes of the step's start L changes by the torques alone, the
+/// bearings' among them, so where there is none it is kept to the last digit. `gather` as in
+/// step_by_runge_kutta().
 template <class Real, class Gather>
 void turn_by_lie_runge_kutta(Top<Real>& top, const Gather& gather, Same<Real> time,
                              Same<Real> time_step) {
   using State = TurnAndMomentum<Real>;
   const Quaternion<Real> start = top.orientation;
+  const bool borne = (top.inverse_moments.array() == 0).any();
   const auto go = [&](const State& by) {
     const Quaternion<Real> turn = quaternion_of_rotation_vector(by.turn);
     top.orientation = start * turn;
     top.angular_momentum_body = free_part(top, rotate_back(turn, by.momentum));
   };
   const auto rate = [&](const State& by) -> State {
+    const Vec3<Real> torque = borne ? top.torque + bearing_torque(top) : top.torque;
     return {time_step * rate_of_turn(by.turn, angular_velocity_body(top)),
-            time_step * rotate_back(start, top.torque)};
+            time_step * rotate_back(start, torque)};
   };
   const State begin = {Vec3<Real>::Zero(), top.angular_momentum_body};
   State sum = begin, there = begin;

@@ -32,8 +32,7 @@ inline long double eighth_order_error(long double rate, long double time, int st
 /// What `count` roundings of numbers of size 1 add up to. Each is off by up to a unit roundoff, one
 /// as likely as another, so their sum spreads by √(count/3) of them; it is five times as far off
 /// once in two million times. They are counted so: an operation rounds once, an elementary function
-/// twice (it is right to a unit in its last place), Boost's integrals of Carlson eight times (to
-/// four).
+/// twice (it is right to a unit in its last place), Carlson's integrals eight times (to four).
 template <class Real>
 Real spread(int count) {
   return 5 * std::sqrt(static_cast<Real>(count) / 3) * unit_roundoff<Real>;

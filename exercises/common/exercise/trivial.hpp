@@ -25,6 +25,9 @@ struct TrivialAnswer {
 };
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Its square is 0, so that a quotient by a length of such numbers is infinite; and the other end.
+inline constexpr double smallest = std::numeric_limits<double>::denorm_min(),
+                        largest_number = std::numeric_limits<double>::max();
 inline constexpr auto trivial_answers = std::to_array<TrivialAnswer>({
     {"its own code", TrivialAnswer::own_code},
     {"nothing", TrivialAnswer::nothing},
@@ -37,6 +40,10 @@ inline constexpr auto trivial_answers = std::to_array<TrivialAnswer>({
     {"NaN", TrivialAnswer::number, std::numeric_limits<double>::quiet_NaN()},
     {"infinity", TrivialAnswer::number, infinity},
     {"-infinity", TrivialAnswer::number, -infinity},
+    {"the smallest number", TrivialAnswer::number, smallest},
+    {"minus the smallest number", TrivialAnswer::number, -smallest},
+    {"the largest number", TrivialAnswer::number, largest_number},
+    {"minus the largest number", TrivialAnswer::number, -largest_number},
     {"the unit along x", TrivialAnswer::unit, 0, 0},
     {"the unit along y", TrivialAnswer::unit, 0, 1},
     {"the unit along z", TrivialAnswer::unit, 0, 2},

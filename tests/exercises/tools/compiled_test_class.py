@@ -17,8 +17,10 @@ from pathlib import Path
 from unittest import mock
 
 import grade_class
+from complaint import Complaint
 from fixture import ROOT, TOOLCHAIN
 from grading import Grading
+from untrusted import require_out_of_reach
 
 TOOLS = ROOT / "exercises" / "tools"
 # Whoever is graded is noted in the log. The header's first line says how it goes.
@@ -254,6 +256,40 @@ class NothingLost(AClassOfStandIns):
         self.assertEqual(self.graded_so_far(), {})
         self.assertEqual({file.name for file in self.place.iterdir()} - {"grade.part"}, {"a file"})
 
+    def test_no_output_goes_over_what_is_read(self):
+        self.hand_in("ada", "// 2\n")
+        header = self.submissions / "ada" / "doubled.hpp"
+        (self.place / "link").symlink_to(header)
+        for option in ("--marks", "--output"):
+            for file in (header, self.place / "link"):
+                self.assertIn("that is a submission's header, and it would be overwritten", self.run_to_the_end(option, file, code=2)[1])
+            self.assertIn("File name too long", self.run_to_the_end(option, "n" * 300, code=2)[1])
+            self.assertIn("that is where results are kept", self.run_to_the_end(option, "kept", "--part", "kept", code=2)[1])
+        self.assertEqual(header.read_text(encoding="utf-8"), "// 2\n")
+        self.run_to_the_end("--part", "1", "--shard", "1/1")
+        self.assertIn("that is one of the parts", self.run_to_the_end("merge", "1", "--marks", "1", code=2)[1])
+        self.run_to_the_end("merge", "1", "--marks", self.submissions / "ada" / "marks.csv")
+
+    def test_checks_that_change_meanwhile_end_the_run(self):
+        self.hand_in("ada", "// 2\n")
+        self.hand_in("bob", "// waits\n")
+        wait = Path(f"{self.log}.wait")
+        wait.touch()
+        process = self.begin("--jobs", "1")
+        self.wait_until(lambda: "waits" in self.log.read_text(encoding="utf-8"))
+        checks = self.exercise_folder / "checks.cpp"
+        checks.write_text(checks.read_text(encoding="utf-8") + "\n// another\n", encoding="utf-8")
+        wait.unlink()
+        self.assertIn(b"the checks have changed since the grading began", process.communicate(timeout=60)[1])
+        self.assertEqual(process.returncode, 2)
+        self.assertIn("belongs to another job", self.run_to_the_end("--resume", code=2)[1])
+
+    def test_what_every_submission_may_read_holds_nothing_of_the_course(self):
+        for place in ("/usr/lib/course", "/lib/course", "/usr/local/include/course"):
+            with self.assertRaisesRegex(Complaint, "which every submission may read"):
+                require_out_of_reach([("the course", place)])
+        require_out_of_reach([("the course", "/usr/share/course"), ("the build", self.root)])
+
     def test_who_does_not_listen_any_more_loses_nothing(self):
         self.hand_in_all(ada=2, bob=1)
         with open("/dev/full", "wb") as full:
@@ -284,7 +320,7 @@ class NothingLost(AClassOfStandIns):
     def test_a_grader_that_never_ends_is_ended_and_has_failed(self):
         deaf = "import signal, time; signal.signal(signal.SIGTERM, signal.SIG_IGN); print('up', flush=True); time.sleep(600)"
         arguments = types.SimpleNamespace(seconds=1)
-        graders = grade_class._Graders(arguments, [], 1)
+        graders = grade_class._Graders(arguments, [], {}, 1)
         graders.seconds = 0.5
         with mock.patch.object(grade_class, "GRADE_ONE", [sys.executable, "-c", deaf]), mock.patch.object(grade_class, "PATIENCE", 0.2):
             with self.assertRaises(grade_class.GraderFailed) as caught:

@@ -2,11 +2,19 @@
 
 import csv
 import json
+import os
+import resource
 import shutil
+import subprocess
+import sys
+from unittest import mock
 from xml.etree import ElementTree
 
+from complaint import Complaint
+from fixture import ROOT
 from gradescope_format import mistakes_in
 from grading import RIGHT, Grading
+from untrusted import require_seals
 
 
 class AClass(Grading):
@@ -46,6 +54,30 @@ class AClass(Grading):
         self.assertEqual([(test["score"], test["max_score"], test["status"]) for test in results["tests"]],
                          [(0, 2, "failed"), (1, 1, "passed")])
         self.assertIn("one at a time", self.grade("--format", "gradescope", code=2))
+
+    def test_what_the_caller_has_preloaded_breaks_no_check(self):
+        self.hand_in("ada", RIGHT)
+        with mock.patch.dict(os.environ, LD_PRELOAD="/nowhere/at_all.so"):
+            self.assertIn("ada: 3 of 3 points", self.grade())
+
+    def test_a_closed_output_is_told_before_anything_is_graded(self):
+        self.hand_in("ada", RIGHT)
+        words = [sys.executable, "-B", str(ROOT / "exercises" / "tools" / "grade.py"), "--root", str(self.root), "--toolchain",
+                 str(self.toolchain_file), str(self.submissions / "ada")]
+        for options, closed, code in (([], ">&-", 2), (["--output", str(self.root / "all")], ">&- 2>&-", 0), ([], "<&- 2>&-", 0)):
+            with self.subTest(closed):
+                done = subprocess.run(["sh", "-c", f'"$@" {closed}', "sh", *words, *options], cwd=self.root, stdin=subprocess.DEVNULL,
+                                      capture_output=True, timeout=300)
+                self.assertEqual(done.returncode, code, done.stderr)
+                self.assertIn(b"the standard output is closed" if code else b"", done.stderr)
+        self.assertIn("ada: 3 of 3 points", (self.root / "all").read_text(encoding="utf-8"))
+
+    def test_limits_that_leave_a_compiler_too_little_are_told(self):
+        self.hand_in("ada", RIGHT)
+        for kind, words in ((resource.RLIMIT_AS, "ulimit -v"), (resource.RLIMIT_FSIZE, "ulimit -f")):
+            with mock.patch("untrusted.resource.getrlimit", side_effect=lambda asked: (1024, 1024) if asked == kind else (-1, -1)), \
+                    self.assertRaisesRegex(Complaint, words):
+                require_seals(self.toolchain, None, True)
 
     def test_of_resubmissions_the_best_or_the_last_counts(self):
         for name, text in (("ada@1", RIGHT), ("ada@2", ""), ("bob@1", "")):

@@ -1,9 +1,13 @@
+import io
 import multiprocessing
 import tempfile
+import threading
+import time
 import unittest
 from pathlib import Path
+from unittest import mock
 
-from made import CommandFailed, make
+from made import CommandFailed, held, make
 
 
 def make_slowly(folder):
@@ -28,6 +32,34 @@ class Made(unittest.TestCase):
             seconds = pool.map(make_slowly, [self.folder] * 4, chunksize=1)
         self.assertEqual(self.runs(), 1)
         self.assertEqual(sum(each > 0 for each in seconds), 1)
+
+    def test_who_has_the_old_one_open_goes_on(self):
+        source, target = self.folder / "source", self.folder / "target"
+        make(target, ["cp", source, target], inputs=[source])
+        with open(target, encoding="utf-8") as old:
+            source.write_text("2", encoding="utf-8")
+            make(target, ["cp", source, target], inputs=[source])
+            self.assertEqual((old.read(), target.read_text(encoding="utf-8")), ("1", "2"))
+        source.unlink()
+        with self.assertRaises(CommandFailed):
+            make(target, ["cp", source, target], inputs=[target])
+        self.assertEqual(target.read_text(encoding="utf-8"), "2")
+
+    def test_nobody_else_can_hold_what_is_made(self):
+        make_slowly(self.folder)
+        self.assertEqual((self.folder / "target.lock").stat().st_mode & 0o077, 0)
+
+    def test_a_wait_is_told_when_it_takes_long(self):
+        said = io.StringIO()
+        with mock.patch("made.PATIENCE", 0.1), mock.patch("sys.stderr", said), held(self.folder / "target"):
+            waiting = threading.Thread(target=make_slowly, args=[self.folder])
+            waiting.start()
+            deadline = time.monotonic() + 20
+            while not said.getvalue() and time.monotonic() < deadline:
+                time.sleep(0.01)
+        waiting.join()
+        self.assertIn(f"Waiting for another run, which holds {self.folder / 'target.lock'}", said.getvalue())
+        self.assertEqual(self.runs(), 1)
 
     def test_it_is_made_again_when_what_it_was_made_of_changes_and_not_before(self):
         make_slowly(self.folder)

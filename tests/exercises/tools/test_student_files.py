@@ -39,7 +39,9 @@ class ProgressFile(InAFolder):
 
     def test_it_survives_damage(self):
         file = self.folder / "progress.txt"
-        file.write_bytes(b"\xff\xfe nonsense\n2026-01-01T00:00:00 01_force/a solved 2/2\n2026-01-01T00:00:00 01_fo")
+        beyond = b"9" * 5000
+        file.write_bytes(b"\xff\xfe nonsense\n2026-01-01T00:00:00 01_force/c solved " + beyond + b"/" + beyond +
+                         b"\n2026-01-01T00:00:00 01_force/a solved 2/2\n2026-01-01T00:00:00 01_fo")
         progress = Progress(file)
         progress.note("01_force/b", "solved", "3/3")
         self.assertEqual(set(progress.standings()), {"01_force/a", "01_force/b"})

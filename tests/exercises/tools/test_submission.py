@@ -1,10 +1,13 @@
 """What is read of a submission, and what a person should look at."""
 
+import errno
 import os
+import socket
+import unittest.mock
 from pathlib import Path
 
-from complaint import Complaint
-from submission import LARGEST, name_of, read_header, require_folders, student_of
+from complaint import Complaint, GraderFailed
+from submission import LARGEST, name_of, places_of, read_header, student_of
 from test_texts import InAFolder, exercise
 
 PLAIN = "#pragma once\n#include <exercise/todo.hpp>\n#include <tumble/force.hpp>\n"
@@ -59,18 +62,82 @@ class Headers(InAFolder):
             self.assertEqual(student_of(name), name)
         self.assertEqual([student_of(name) for name in ("jo@web.de@1", "@1@2", "a\nb@3")], ["jo@web.de", "@1", "a\nb"])
 
-    def test_a_submission_is_called_as_it_was_given(self):
-        for owner in ("ada", "bob"):
-            (self.folder / "store" / owner / "latest").mkdir(parents=True)
-            (self.folder / owner).symlink_to(self.folder / "store" / owner / "latest")
-        self.assertEqual([name_of(self.folder / owner) for owner in ("ada", "bob")], ["ada", "bob"])
-        require_folders([self.folder / "ada", self.folder / "bob"])
+    def test_what_is_no_file_is_told_as_that(self):
+        def bind(place):
+            with socket.socket(socket.AF_UNIX) as made:
+                made.bind(str(place))
+        for kind, make in (("socket", bind), ("pipe", os.mkfifo), ("folder", Path.mkdir)):
+            with self.subTest(kind):
+                place = self.folder / kind
+                place.mkdir()
+                make(place / "hammer.hpp")
+                reason = read_header(place, exercise()).reason
+                self.assertRegex(reason, r"^hammer\.hpp (is no file|can't be read: No such device or address)$")
+
+    def test_a_disk_that_fails_is_no_fault_of_the_student(self):
+        (self.folder / "hammer.hpp").write_text(PLAIN, encoding="utf-8")
+        for number in (errno.EIO, errno.ESTALE, errno.EMFILE, errno.ENOMEM):
+            with unittest.mock.patch("os.open", side_effect=OSError(number, os.strerror(number))), self.assertRaises(GraderFailed):
+                read_header(self.folder, exercise())
+
+    def link(self, name, target):
+        (self.folder / name).symlink_to(self.folder / target)
+        return self.folder / name
+
+    def complaint_of(self, *names):
         with self.assertRaises(Complaint) as caught:
-            require_folders([self.folder / "store" / owner / "latest" for owner in ("ada", "bob")])
-        self.assertIn("two submissions are called latest: ", str(caught.exception))
+            places_of([self.folder / name for name in names])
+        return str(caught.exception)
+
+    def test_a_submission_is_called_as_it_was_given(self):
+        latest = {owner: self.folder / "store" / owner / "latest" for owner in ("ada", "bob")}
+        for owner, place in latest.items():
+            place.mkdir(parents=True)
+            self.link(owner, place)
+        self.assertEqual(places_of([self.folder / owner for owner in latest]), {each: place.resolve() for each, place in latest.items()})
+        self.assertIn("two submissions are called latest: ", self.complaint_of(*latest.values()))
         before = os.getcwd()
         os.chdir(self.folder / "store" / "ada")
         try:
             self.assertEqual([name_of(Path(each)) for each in (".", "..", "latest/..", "latest/")], ["ada", "store", "ada", "latest"])
         finally:
             os.chdir(before)
+
+    def test_a_submission_that_is_a_link_leads_nowhere_outside(self):
+        (self.folder / "class").mkdir()
+        (self.folder / "solutions").mkdir()
+        for target in ("solutions", "class", "."):
+            with self.subTest(target):
+                link = self.link(f"class/to {Path(target).name}", target)
+                self.assertIn(f"{link} is a symbolic link that leads out of the folder in which it lies, to "
+                              f"{(self.folder / target).resolve()}; --follow-links", self.complaint_of(link))
+                self.assertEqual(places_of([link], follow_links=True), {link.name: (self.folder / target).resolve()})
+
+    def test_a_submission_that_is_a_link_leads_to_nobody_elses(self):
+        for name in ("ada/work", "store/of both"):
+            (self.folder / name).mkdir(parents=True)
+        self.link("link to ada", "ada")
+        for name, target in (("bob", "ada"), ("eve", "ada/work"), ("joe", "link to ada")):
+            with self.subTest(name):
+                self.link(name, target)
+                self.assertIn(f"{self.folder / name} is a symbolic link that leads to what ada handed in", self.complaint_of("ada", name))
+                self.assertEqual(list(places_of([self.folder / "ada", self.folder / name], follow_links=True)), ["ada", name])
+        for name in ("one", "another"):
+            self.link(name, "store/of both")
+        self.assertIn("one is a symbolic link that leads to what another handed in", self.complaint_of("one", "another"))
+
+    def test_the_folder_of_the_class_may_be_a_link(self):
+        (self.folder / "store" / "ada").mkdir(parents=True)
+        self.link("class", "store")
+        self.assertEqual(places_of([self.folder / "class" / "ada"]), {"ada": (self.folder / "store" / "ada").resolve()})
+
+    def test_a_folder_that_turns_into_a_link_after_it_was_found_is_not_read(self):
+        (self.folder / "secret").mkdir()
+        (self.folder / "secret" / "hammer.hpp").write_text(PLAIN, encoding="utf-8")
+        (self.folder / "eve").mkdir()
+        place = places_of([self.folder / "eve"])["eve"]
+        place.rmdir()
+        self.link("eve", "secret")
+        header = read_header(place, exercise())
+        self.assertEqual(header.text, "")
+        self.assertNotEqual(header.reason, "")

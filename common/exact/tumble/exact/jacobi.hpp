@@ -2,10 +2,10 @@
 /// Jacobi's elliptic functions and the integrals that belong to them, for a parameter m that may
 /// lie as close to 0 or 1 as it likes.
 ///
-/// Boost.Math has all of them as functions of the modulus k = √m. From k nobody can tell how far m
-/// is from 1, and it is 1 − m that says when a body flips. So the functions are made here from both
-/// m and 1 − m, and the integrals from Carlson's symmetric ones, which Boost has too and which take
-/// what is accurate: squares of sn, cn and dn.
+/// Libraries have them as functions of the modulus k = √m. From k nobody can tell how far m is from
+/// 1, and it is 1 − m that says when a body flips. So the functions are made here from both m and
+/// 1 − m, and the integrals from Carlson's symmetric ones, which take what is accurate: squares of
+/// sn, cn and dn.
 ///
 /// Sources: Abramowitz and Stegun, chapters 16 and 17 (Landen's transformation 16.12 and 17.6,
 /// Jacobi's imaginary one 16.20); DLMF 19.25 for the integrals in Carlson's form.
@@ -13,11 +13,7 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/special_functions/ellint_rf.hpp>
-#include <boost/math/special_functions/ellint_rj.hpp>
-#include <cmath>
-#include <limits>
-#include <tumble/real.hpp>
+#include <tumble/exact/carlson.hpp>
 
 namespace tumble::exact {
 
@@ -35,7 +31,7 @@ class Jacobi {
   /// `m` and `one_minus_m`, both in 0 … 1. Each must be accurate for itself: of two numbers that
   /// add up to 1 the smaller one says more than the larger.
   Jacobi(Real m, Real one_minus_m)
-      : m_(m), m1_(one_minus_m), quarter_period_(m1_ > 0 ? carlson_rf(0, m1_, 1) : infinity) {
+      : m_(m), m1_(one_minus_m), quarter_period_(m1_ > 0 ? carlson_rf<Real>(0, m1_, 1) : infinity) {
     hyperbolic_ = m1_ < m_;
     const Real smaller = hyperbolic_ ? m1_ : m_;
     Real a = 1, b = std::sqrt(1 - smaller), c = std::sqrt(smaller);
@@ -77,7 +73,7 @@ class Jacobi {
   /// integral of the first kind.
   Real argument_of(Real sn, Real cn) const {
     const Real length = std::hypot(sn, cn), s = sn / length, c = cn / length;
-    return s * carlson_rf(c * c, c * c + m1_ * (s * s), 1);
+    return s * carlson_rf<Real>(c * c, c * c + m1_ * (s * s), 1);
   }
 
   /// ∫ du/(1 − n sn² u) from 0 to `u`, the integral of the third kind, for n in 0 … 1. It takes
@@ -87,23 +83,15 @@ class Jacobi {
     const Real rest = u - half_periods * half_period();
     Real whole = 0;
     if (half_periods != 0)
-      whole = half_periods * 2 * (quarter_period_ + n / 3 * carlson_rj(0, m1_, 1, one_minus_n));
+      whole =
+          half_periods * 2 * (quarter_period_ + n / 3 * carlson_rj<Real>(0, m1_, 1, one_minus_n));
     const auto [s, c, d] = within_half_period(rest);
     if (n == 0 || s == 0) return whole + rest;
-    const Real rj = carlson_rj(c * c, d * d, 1, c * c + one_minus_n * (s * s));
+    const Real rj = carlson_rj<Real>(c * c, d * d, 1, c * c + one_minus_n * (s * s));
     return whole + (rest + n / 3 * (s * s * s) * rj);
   }
 
  private:
-  /// By default Boost computes a double in long double, which takes three times as long.
-  using InReal = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
-  static Real carlson_rf(Real x, Real y, Real z) {
-    return boost::math::ellint_rf(x, y, z, InReal());
-  }
-  static Real carlson_rj(Real x, Real y, Real z, Real p) {
-    return boost::math::ellint_rj(x, y, z, p, InReal());
-  }
-
   static constexpr Real infinity = std::numeric_limits<Real>::infinity();
 
   /// For u in −K … K. What lies beyond K/2 is mirrored, so that cn and dn keep their digits where

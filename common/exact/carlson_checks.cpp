@@ -1,0 +1,57 @@
+#include <boost/math/special_functions/ellint_rf.hpp>
+#include <boost/math/special_functions/ellint_rj.hpp>
+#include <course/checks.hpp>
+#include <random>
+#include <tumble/exact/carlson.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+using exact::carlson_rf, exact::carlson_rj;
+
+namespace {
+
+/// What the integrals may be off by, relative: four units in the last place.
+template <class Real>
+constexpr Real claimed = 8 * unit_roundoff<Real>;
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("Carlson's integrals have the values that he printed", Real, float, double,
+                   long double) {
+  // "Numerical computation of real or complex elliptic integrals", section 3: to 14 digits.
+  const auto agrees = [](Real mine, long double printed) {
+    CHECK(std::abs(mine / printed - 1) <= claimed<Real> + 0.5e-13L);
+  };
+  agrees(carlson_rf<Real>(1, 2, 0), 1.3110287771461L);
+  agrees(carlson_rf<Real>(Real(0.5), 1, 0), 1.8540746773014L);
+  agrees(carlson_rf<Real>(2, 3, 4), 0.58408284167715L);
+  agrees(carlson_rj<Real>(0, 1, 2, 3), 0.77688623778582L);
+  agrees(carlson_rj<Real>(2, 3, 4, 5), 0.14297579667157L);
+}
+
+TEST_CASE_TEMPLATE("Carlson's integrals are those of Boost over twenty decades", Real, float,
+                   double) {
+  std::mt19937_64 generator(24);
+  std::uniform_real_distribution<double> decades(-20, 3), part(0, 1);
+  const auto drawn = [&] {
+    return static_cast<Real>(std::pow(10, decades(generator) * part(generator)));
+  };
+  for (int trial = 0; trial < 5000; ++trial) {
+    const Real x = trial % 5 == 0 ? Real(0) : drawn(), y = drawn(), p = drawn();
+    const long double wide_x = x, wide_y = y, wide_p = p;
+    CAPTURE(x);
+    CAPTURE(y);
+    CAPTURE(p);
+    const long double rf = boost::math::ellint_rf(wide_x, wide_y, 1.0L),
+                      rj = boost::math::ellint_rj(wide_x, wide_y, 1.0L, wide_p);
+    CHECK(std::abs(carlson_rf<Real>(x, y, 1) / rf - 1) <= claimed<Real>);
+    CHECK(std::abs(carlson_rj<Real>(x, y, 1, p) / rj - 1) <= claimed<Real>);
+  }
+}
+
+TEST_CASE("Of equal arguments Carlson's integrals are powers of them") {
+  for (const double x : {1e-30, 0.1, 1.0, 7.0, 1e30}) {
+    CHECK(std::abs(carlson_rf<double>(x, x, x) * std::sqrt(x) - 1) <= claimed<double>);
+    CHECK(std::abs(carlson_rj<double>(x, x, x, x) * (x * std::sqrt(x)) - 1) <= claimed<double>);
+  }
+}

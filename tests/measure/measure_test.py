@@ -1,0 +1,163 @@
+"""measure_test.py TINY_ITEMS_DEMO LONG_PROGRAMS SCRATCH: measurements are the same whole and in shards, however often they are stopped."""
+import json
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+TINY, LISTED, SCRATCH = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+MEASURE = pathlib.Path(__file__).resolve().parents[2] / "tools" / "measure.py"
+
+# A program without items. It must not run beside another one: whoever finds the other's mark says so.
+ALONE = """#!/bin/sh
+mkdir "$0.runs" || echo "expected, but not so: I am alone" >&2
+sleep 0.1
+printf 'a line\\r\\n' >"$1/alone.tsv"
+echo "$2 and full: $TUMBLE_FULL"
+rmdir "$0.runs"
+"""
+
+
+class Measurements(unittest.TestCase):
+    def setUp(self):
+        shutil.rmtree(SCRATCH, ignore_errors=True)
+        (SCRATCH / "chapters").mkdir(parents=True)
+        (SCRATCH / "chapters" / "tiny.cpp").write_text("// what is measured\n")
+        self.begun = SCRATCH / "begun"
+        self.programs = [self.program("tiny_items_demo", TINY, items=True)]
+        for name in ("first_alone", "second_alone"):
+            script = SCRATCH / "alone.sh"
+            script.write_text(ALONE)
+            script.chmod(0o755)
+            self.programs.append(self.program(name, str(script), measures=True, arguments=["--full"]))
+        self.list_programs()
+
+    def program(self, name, program, items=False, measures=False, arguments=()):
+        return {"name": name, "chapter": "01_tiny", "program": program, "arguments": list(arguments), "items": items, "measures": measures}
+
+    def list_programs(self, compiler="tiny 1"):
+        (SCRATCH / "programs.json").write_text(json.dumps({"compiler": compiler, "programs": self.programs}))
+
+    def words(self, *words):
+        return [sys.executable, "-B", str(MEASURE), "--root", str(SCRATCH), "--programs", "programs.json", *words]
+
+    def measure(self, *words, code=0, **environment):
+        done = subprocess.run(self.words(*words), cwd=SCRATCH, capture_output=True, text=True, env={**os.environ, **environment})
+        self.assertEqual(done.returncode, code, done.stderr)
+        return done.stdout if code == 0 else done.stderr
+
+    def lines_of(self, file):
+        return len(file.read_bytes().splitlines()) if file.exists() else 0
+
+    def merged(self, *parts):
+        self.measure("--into", "measured", "--merge", *parts)
+        return {str(file.relative_to(SCRATCH / "measured")): file.read_bytes()
+                for file in sorted((SCRATCH / "measured").rglob("*")) if file.is_file() and file.name != "where.txt"}
+
+    def whole(self):
+        """What one run of each program leaves: the build does the same."""
+        found = {}
+        for program in self.programs:
+            folder = SCRATCH / "whole" / program["name"]
+            folder.mkdir(parents=True)
+            done = subprocess.run([program["program"], folder, *program["arguments"]], capture_output=True,
+                                  env={**os.environ, "TUMBLE_FULL": "1"})
+            (folder / f"{program['name']}.txt").write_bytes(done.stdout)
+            for ending in ("errors", "failed") if done.returncode else ("errors",):
+                (folder / f"{program['name']}.{ending}").write_bytes(done.stderr)
+            found |= {f"{program['name']}/{file.name}": file.read_bytes() for file in folder.iterdir()}
+        return found
+
+    def test_merged_shards_are_one_run_to_the_byte(self):
+        for number in (3, 1, 2):
+            self.measure("--shard", f"{number}/3")
+        whole = self.whole()
+        self.assertEqual(self.merged(*(f"measured.{number}-of-3.part" for number in (2, 3, 1))), whole)
+        self.assertIn(b"a sum is less than three", whole["tiny_items_demo/tiny_items_demo.failed"])
+        self.assertIn(b"full\tyes", whole["tiny_items_demo/tiny_items_demo.values.tsv"])
+        self.assertEqual(whole["first_alone/alone.tsv"], b"a line\r\n")
+        self.assertRegex((SCRATCH / "measured" / "where.txt").read_text(), r"^the full set, measured in 3 parts on .+ \(tiny 1\)\n$")
+
+    def test_one_shard_is_one_run_too(self):
+        self.measure("--shard", "1/1", "--part", "all")
+        self.assertEqual(self.merged("all"), self.whole())
+
+    def test_what_measures_time_runs_alone(self):
+        self.measure("--shard", "1/1", "--part", "all")
+        self.assertNotIn("first_alone/first_alone.failed", self.merged("all"))
+
+    def test_a_stopped_shard_is_taken_up_again(self):
+        self.measure("--shard", "2/2")
+        part, stops, resume = SCRATCH / "measured.1-of-2.part", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT], []
+        environment = {**os.environ, "TINY_ITEMS_BEGUN": str(self.begun)}
+        for how in stops:
+            before = self.lines_of(part)
+            running = subprocess.Popen(self.words("--shard", "1/2", *resume), cwd=SCRATCH, stderr=subprocess.DEVNULL,
+                                       stdout=subprocess.DEVNULL, env=environment)
+            while self.lines_of(part) <= max(before, 1):  # the first says what is measured
+                self.assertIsNone(running.poll())
+                time.sleep(0.01)
+            running.send_signal(how)
+            self.assertEqual(running.wait(), -how if how == signal.SIGKILL else 128 + how)
+            resume = ["--resume"]
+        self.assertIn("--resume takes it up", self.measure("--shard", "1/2", code=2))
+        self.assertIn("have no result yet", self.measure("--into", "measured", "--merge", part.name, "measured.2-of-2.part", code=2))
+        self.measure("--shard", "1/2", "--resume", TINY_ITEMS_BEGUN=str(self.begun))
+        self.assertEqual(self.merged("measured.2-of-2.part", part.name), self.whole())
+        begun = self.begun.read_text().split()
+        self.assertEqual(set(begun), {"1", "3", "5", "7", "9", "20", "100"})  # this shard's
+        self.assertLessEqual(len(begun), 7 + len(stops) * (os.cpu_count() or 1))  # only what was interrupted is done again
+
+    def test_parts_of_another_course_compiler_or_share_are_refused(self):
+        for number in (1, 2):
+            self.measure("--shard", f"{number}/2")
+        parts = [f"measured.{number}-of-2.part" for number in (1, 2)]
+        self.assertIn("each counts once", self.measure("--into", "measured", "--merge", *parts, parts[0], code=2))
+        self.list_programs(compiler="tiny 2")
+        self.measure("--shard", "2/2", "--part", "other")
+        self.assertIn('its job compiler is "tiny 2"', self.measure("--into", "measured", "--merge", parts[0], "other", code=2))
+        self.merged(*parts)  # on a machine with another compiler than that of all shares
+        (SCRATCH / "chapters" / "tiny.cpp").write_text("// what is measured, changed\n")
+        self.assertIn("another version of the course", self.measure("--into", "measured", "--merge", *parts, code=2))
+
+    def test_what_fails_is_told_and_is_no_result(self):
+        self.programs.append(self.program("crashing", "/bin/false"))
+        self.list_programs()
+        self.assertIn("crashing failed twice: RuntimeError: it ended with 1", self.measure("--shard", "1/1", "--part", "all", code=1))
+        self.assertIn("1 of 17 items have no result yet, such as crashing", self.measure("--into", "measured", "--merge", "all", code=2))
+
+    def test_a_program_that_is_compiled_anew_meanwhile_ends_the_share(self):
+        script = SCRATCH / "anew.sh"
+        script.write_text('#!/bin/sh\ntouch "$0"\n')
+        script.chmod(0o755)
+        self.programs.append(self.program("anew", str(script)))
+        self.list_programs()
+        self.assertIn("anew was compiled anew meanwhile", self.measure("--shard", "1/1", "--part", "all", code=2))
+
+    def test_a_part_that_names_a_file_elsewhere_is_refused(self):
+        self.measure("--shard", "1/1", "--part", "all")
+        sys.path.insert(0, str(MEASURE.parents[1] / "exercises" / "tools"))
+        from shards import Job, Part, merge  # noqa: PLC0415
+        results, _ = merge([SCRATCH / "all"])
+        job = json.loads((SCRATCH / "all").read_bytes().splitlines()[0].rpartition(b" ")[0])
+        with Part(SCRATCH / "forged", Job(job["job"], job["tasks"])) as part:
+            for task, result in results.items():
+                part.add(task, {"files": {"../../stolen": ""}} if task == "first_alone" else result)
+        self.assertIn("no program of the course leaves", self.measure("--into", "measured", "--merge", "forged", code=2))
+        self.assertFalse((SCRATCH / "stolen").exists())
+
+    def test_each_item_of_the_course_has_a_name_of_its_own(self):
+        for program in json.loads(LISTED.read_text())["programs"]:
+            if program["items"] and os.path.exists(program["program"]):
+                names = subprocess.run([program["program"]], env={**os.environ, "TUMBLE_ITEMS": "names"}, capture_output=True, text=True,
+                                       check=True).stdout.splitlines()
+                self.assertGreater(len(names), 1)
+                self.assertEqual(len(set(names)), len(names))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
