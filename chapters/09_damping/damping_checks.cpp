@@ -245,3 +245,21 @@ TEST_CASE_TEMPLATE(
   CHECK(stopping.velocity.x() == 0);
 }
 //! [crawl]
+
+TEST_CASE_TEMPLATE("What damping makes too slow to matter stops in the same step", Real,
+                   EVERY_PRECISION) {
+  const Real slow = slowest_speed<Real>;
+  Particle<Real> particle = make_particle<Real>(1, {0, 0, 0}, {3 * slow / 2, 3 * slow, slow});
+  damp(particle, Real(0.5));
+  CHECK(same_bits(particle.velocity, Vec3<Real>(0, 3 * slow / 2, 0)));
+  damp(particle, Real(1));
+  CHECK(same_bits(particle.velocity, Vec3<Real>(0, 3 * slow / 2, 0)));
+  Top<Real> top;
+  top.inverse_moments = {1, 2, Real(0.5)};
+  top.angular_momentum_body = {3 * slow / 2, 3 * slow / 2, 2 * slow};
+  damp(top, Real(0.5));
+  CHECK(same_bits(top.angular_momentum_body, Vec3<Real>(0, 3 * slow / 4, 0)));
+  Particle<Real> just_fast = make_particle<Real>(1, {0, 0, 0}, {slow, 0, 0});
+  damp(just_fast, Real(1));
+  CHECK(just_fast.velocity.x() == slow);
+}
