@@ -35,10 +35,19 @@ struct Blow {
   }
 };
 
+/// Sets a velocity with its own hands, in the phase that it is told.
+template <class Real, Phase when>
+struct Motor {
+  static constexpr std::string_view name = "motor";
+  static constexpr Phase phase = when;
+  Real speed = 1;
+  void act(Particle<Real>& centre, const Moment<Real>&) const { centre.velocity = {speed, 0, 0}; }
+};
+
 }  // namespace
 
-TEST_CASE_TEMPLATE("Gravity as force and as acceleration lead through the same points", Real,
-                   EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("Gravity as force and as acceleration lead through the same points, to rounding",
+                   Real, EVERY_PRECISION) {
   World<Real> by_force, by_acceleration;
   const BodyHandle a = by_force.add("stone", make_particle<Real>(3, {0, 0, 9}, {1, 0, 5}));
   const BodyHandle b = by_acceleration.add("stone", make_particle<Real>(3, {0, 0, 9}, {1, 0, 5}));
@@ -156,6 +165,11 @@ TEST_CASE_TEMPLATE("A tether pulls and never pushes", Real, EVERY_PRECISION) {
   CHECK(spring_energy<Real>(tether, {1, 0, 0}) == 0);
   CHECK(spring_energy<Real>(tether, {4, 0, 0}) == 20);
   CHECK(same_bits(spring_force<Real>(tether, rest, rest), rest));
+  Dice dice(4);
+  for (int n = 0; n < 1000; ++n) {
+    const Vec3<Real> extent = 4 * dice.vector<Real>(), rate = 50 * dice.vector<Real>();
+    CHECK(spring_force<Real>(tether, extent, rate).dot(extent) <= 0);
+  }
 }
 
 //! [thruster_spins]
@@ -179,8 +193,25 @@ TEST_CASE_TEMPLATE("A thruster turns with its body: it spins up as τ t/I and pu
 }
 //! [thruster_spins]
 
-TEST_CASE_TEMPLATE("The Magnus force is square to spin and path: topspin dips, and no work is done",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "A thruster burns in the steps that begin while it burns: one between two, never", Real,
+    EVERY_PRECISION) {
+  const auto speed_after = [](Real from, Real until) {
+    World<Real> world(steps_per_second(64));
+    const BodyHandle ball = world.add("ball", ball_body<Real>({0, 0, 0}, {0, 0, 0}, {0, 0, 0}));
+    world.add(Thruster<Real>{.force_body = {0, 64, 0}, .from = from, .until = until}, {ball});
+    for (int n = 0; n < 10; ++n) world.step();
+    return world.body(ball).centre.velocity.y();  // half a metre per second for each step
+  };
+  const Real h = Real(1) / 64;
+  CHECK(speed_after(2 * h, 5 * h) == Real(1.5));
+  CHECK(speed_after(2 * h, Real(2.001) * h) == Real(0.5));
+  CHECK(speed_after(Real(2.001) * h, Real(2.999) * h) == 0);
+}
+
+TEST_CASE_TEMPLATE(
+    "The Magnus force is perpendicular to the spin and to the path through the air: topspin dips",
+    Real, EVERY_PRECISION) {
   const Magnus<Real> magnus{.strength = Real(0.5), .wind = {0, 0, 0}};
   // Forward along x, the top side running forward too: ω along +y.
   const RigidBody<Real> topspin = ball_body<Real>({0, 0, 0}, {2, 0, 0}, {0, 4, 0});
@@ -189,6 +220,31 @@ TEST_CASE_TEMPLATE("The Magnus force is square to spin and path: topspin dips, a
   CHECK(force.x() == 0);
   const Magnus<Real> with_wind{.strength = Real(0.5), .wind = {2, 0, 0}};
   CHECK(same_bits(with_wind.force({topspin.centre, topspin.top}, 0), Vec3<Real>(0, 0, 0)));
+  // With any wind; and towards the side of the ball whose skin, ω × r, runs with the air.
+  Dice dice(8);
+  for (int n = 0; n < 50; ++n) {
+    const Magnus<Real> wind{.strength = Real(0.5), .wind = dice.vector<Real>()};
+    const RigidBody<Real> ball =
+        ball_body<Real>({0, 0, 0}, dice.vector<Real>(), 4 * dice.vector<Real>());
+    const Vec3<Real> push = wind.force({ball.centre, ball.top}, 0);
+    const Vec3<Real> spin = angular_velocity_world(ball.top),
+                     path = ball.centre.velocity - wind.wind;
+    // A dozen roundings of products up to ½ · 7 · 4 · 7.
+    CHECK(std::abs(push.dot(spin)) <= 12 * 98 * unit_roundoff<Real>);
+    CHECK(std::abs(push.dot(path)) <= 12 * 98 * unit_roundoff<Real>);
+    CHECK(spin.cross(push).dot(-path) > 0);
+  }
+}
+
+TEST_CASE_TEMPLATE("In still air the Magnus force does no work, and in a wind it does", Real,
+                   EVERY_PRECISION) {
+  const auto power = [](const Vec3<Real>& wind) {
+    const RigidBody<Real> ball = ball_body<Real>({0, 0, 0}, {2, 0, 0}, {0, 4, 0});
+    const Magnus<Real> magnus{.strength = Real(0.5), .wind = wind};
+    return magnus.force({ball.centre, ball.top}, 0).dot(ball.centre.velocity);
+  };
+  CHECK(power({0, 0, 0}) == 0);
+  CHECK(std::abs(power({0, 0, 3}) + 12) <= 64 * unit_roundoff<Real>);  // ½ 4 y × (2 x − 3 z) · 2 x
 }
 
 //! [buoyancy_volume]
@@ -237,7 +293,7 @@ TEST_CASE_TEMPLATE("Drag in a world is chapter 9's, wind and all", Real, EVERY_P
 }
 
 //! [own]
-TEST_CASE_TEMPLATE("An effect of the user's own is planned, run and named like ours", Real,
+TEST_CASE_TEMPLATE("A force of the user's own is planned, run and named like ours", Real,
                    EVERY_PRECISION) {
   World<Real> world(steps_per_second(1000));
   const BodyHandle leaf = world.add("leaf", make_particle<Real>(2));
@@ -265,6 +321,48 @@ TEST_CASE_TEMPLATE("The order of work is kick, blow, damping, drift", Real, EVER
   // (0 + 3)² · ½ = 4.5, and the place follows the damped speed. The half is e^(−ln 2), two
   // roundings, the product a third: 3 · 4.5 < 16 units.
   CHECK(std::abs(world.body(ball).centre.position.x() - Real(4.5)) <= 16 * unit_roundoff<Real>);
+}
+
+//! [phases]
+TEST_CASE_TEMPLATE("A velocity that act() writes in the impulse phase moves a body; in others, not",
+                   Real, EVERY_PRECISION) {
+  const auto after_a_second = [](const auto& motor) {
+    World<Real> world(steps_per_second(64));
+    const BodyHandle ball = world.add("ball", make_particle<Real>(1));
+    world.add(motor);
+    for (int n = 0; n < 64; ++n) world.step();
+    return world.body(ball).centre;
+  };
+  CHECK(after_a_second(Motor<Real, Phase::impulse>{}).position.x() == 1);
+  const Particle<Real> others[] = {
+      after_a_second(Motor<Real, Phase::force>{}), after_a_second(Motor<Real, Phase::kick>{}),
+      after_a_second(Motor<Real, Phase::damping>{}), after_a_second(Motor<Real, Phase::drift>{})};
+  for (const Particle<Real>& centre : others) {
+    CHECK(centre.velocity.x() == 1);
+    CHECK(centre.position.x() == 0);
+  }
+  // Nor does the guard look at a body that is not to move.
+  const Real none = std::numeric_limits<Real>::quiet_NaN();
+  CHECK_THROWS_AS(after_a_second(Motor<Real, Phase::impulse>{none}), SimulationError);
+  CHECK_FALSE(is_finite(after_a_second(Motor<Real, Phase::damping>{none}).velocity));
+}
+//! [phases]
+
+TEST_CASE_TEMPLATE("A body of no inverse mass that could turn is turned by a torque, not by a push",
+                   Real, EVERY_PRECISION) {
+  const auto spin_after_a_step = [](const auto& effect) {
+    World<Real> world(steps_per_second(64));
+    RigidBody<Real> flywheel = ball_body<Real>({0, 0, 0}, {0, 0, 0}, {0, 0, 0});
+    flywheel.centre.inverse_mass = 0;
+    const BodyHandle body = world.add("flywheel", flywheel);
+    world.add(effect, {body});
+    world.step();
+    return angular_velocity_world(world.body(body).top).z();
+  };
+  // 2 N m on 0.2 kg m² either way.
+  CHECK(std::abs(spin_after_a_step(SteadyTorque<Real>{{0, 0, 2}}) - Real(10) / 64) <=
+        16 * unit_roundoff<Real>);
+  CHECK(spin_after_a_step(Thruster<Real>{.force_body = {0, 1, 0}, .point = {2, 0, 0}}) == 0);
 }
 
 TEST_CASE_TEMPLATE("A steady torque spins a ball up by τ t/I, and the books have its work", Real,

@@ -144,7 +144,9 @@ TEST_CASE_TEMPLATE("A part of a compound is turned as the file says", Real, EVER
   CHECK((inertia - expected).cwiseAbs().maxCoeff() <= 64 * unit_roundoff<Real> * 13);
 }
 
-TEST_CASE("Copies stand where the published rule puts them, with every standard library") {
+TEST_CASE(
+    "Copies stand where the rule of the page puts them, from an engine whose numbers the standard "
+    "fixes") {
   // The standard fixes the engine by this number: its 10,000th, from its own seed.
   std::mt19937_64 engine;
   engine.discard(9999);
@@ -181,7 +183,9 @@ TEST_CASE("Random orientations are unit quaternions that prefer no direction") {
 }
 
 //! [bad]
-TEST_CASE("Whatever is wrong with a scene file is said with file, place, value, unit and rule") {
+TEST_CASE(
+    "Each mistake that we thought of in a scene file is said with the file, the place and the "
+    "rule") {
   for (const BadScene& bad : bad_scenes()) {
     CAPTURE(bad.text);
     CHECK(complaint_of_scene<double>(bad.text) == bad.complaint);

@@ -22,7 +22,7 @@ TEST_CASE_TEMPLATE("A coordinate can be told from one that is a spacing away, an
 //! [spacing]
 
 //! [slowest]
-TEST_CASE_TEMPLATE("A body moves from the slowest speed on, and below it never does", Real,
+TEST_CASE_TEMPLATE("A body moves above the slowest speed, and below it never does", Real,
                    EVERY_PRECISION) {
   const Real h = Real(1) / 64;
   for (const Real place : {Real(10e3), Real(-1e6)}) {
@@ -34,6 +34,8 @@ TEST_CASE_TEMPLATE("A body moves from the slowest speed on, and below it never d
     };
     CHECK(slowest_drift_at(place, -h) == slowest_drift_at(place, h));  // backwards in time too
     CHECK(moved(Real(0.99) * slowest) == 0);
+    // Of two places equally near the even multiple wins: once from an odd one, and no further.
+    CHECK(std::abs(moved(slowest)) <= spacing_at(place));
     // Rounded up each time, it goes twice as fast as it should.
     CHECK(moved(Real(1.01) * slowest) == 100 * std::copysign(spacing_at(place), place));
   }

@@ -1,7 +1,9 @@
 // What a world does with the longest step and with none, with a rule that blows up, and with a rod.
+#include <cfenv>
 #include <course/checks.hpp>
 #include <course/random_quaternion.hpp>
 #include <course/tumbling_problems.hpp>
+#include <tumble/damping.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/spheres.hpp>
 #include <tumble/thruster.hpp>
@@ -23,6 +25,31 @@ std::string complaint_of_any(const Action& action) {
 }
 
 }  // namespace
+
+//! [underflow]
+TEST_CASE_TEMPLATE("Down to the slowest speed the turn of a box makes no number that underflows",
+                   Real, EVERY_PRECISION) {
+  // A turn squares L, of I times the slowest speed or more. That speed is 2^33 times the root of
+  // the smallest normal number, so the square is normal where I is 2^-33 kg m² or more; for the
+  // grain of dust it is not.
+  void (*volatile turn)(Top<Real>&, Same<Real>) = turn_by_splitting<Real>;  // not known beforehand
+  const auto underflows = [&](Real moment, Real speed) {
+    Top<Real> top{.orientation = {Real(0.5), {Real(0.5), Real(0.5), Real(0.5)}},
+                  .angular_momentum_body = moment * speed * Vec3<Real>(1, 2, Real(2.7)),
+                  .inverse_moments = Vec3<Real>(1, Real(0.5), Real(0.37)) / moment};
+    std::feclearexcept(FE_UNDERFLOW);
+    turn(top, Real(1) / 60);
+    return std::fetestexcept(FE_UNDERFLOW) != 0;
+  };
+  for (const Real moment : {std::ldexp(Real(1), -32), Real(1e-6), Real(1), Real(1000)})
+    for (Real speed = 1; speed > slowest_speed<Real>; speed /= Real(3.7)) {
+      CAPTURE(moment);
+      CAPTURE(speed);
+      CHECK_FALSE(underflows(moment, speed));
+    }
+  CHECK(underflows(Real(1e-13), 2 * slowest_speed<Real>));
+}
+//! [underflow]
 
 //! [step]
 TEST_CASE_TEMPLATE("A step of no time moves nothing; a negative one, or one over an hour, is none",

@@ -83,7 +83,8 @@ struct QuadraticDrag {
 };
 
 /// The Magnus force on a spinning ball, F = S ω × v: on the side where the skin runs with the air
-/// it drags the air along, the air leaves bent to that side, and the ball is pushed to the other.
+/// it carries the air round the back, the air leaves bent towards the other side, and the ball is
+/// pushed towards the first.
 ///
 /// A slice of radius a carries the circulation 2π a² ω and feels ρ v times that for each metre
 /// (Kutta and Joukowski); summed over the slices of a ball of radius r that makes S = 8/3 π ρ r³ in

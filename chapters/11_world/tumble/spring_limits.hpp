@@ -1,5 +1,5 @@
 /// @file
-/// Up to which time step the springs of a scene can't feed on themselves.
+/// Up to which time step the stretches of a scene's springs can't feed on themselves.
 #pragma once
 
 #include <limits>
@@ -16,8 +16,10 @@ Real largest_inverse_mass_at(const BodyState<Real>& body, Real arm) {
   return body.centre.inverse_mass + arm * arm * body.top.inverse_moments.maxCoeff();
 }
 
-/// The time step (s) up to which no set of springs can grow, and the spring (its place in
-/// `entries`) that limits it; infinite without springs.
+/// The time step (s) up to which no small stretches of springs can grow, and the spring (its place
+/// in `entries`) that limits it; infinite without springs. A spring under tension also resists
+/// being turned aside, with the tension times its arm: that is left out, and can need a shorter
+/// step.
 ///
 /// Springs that share a body stiffen each other. With w the inverse mass at an attachment, the
 /// equation of all stretches s is s̈ = −A s, where A_ij joins springs i and j through a shared body

@@ -192,7 +192,7 @@ class World {
   const StepLength& step_length() const { return step_; }
   Real time_step() const { return time_step_; }
   std::int64_t ticks() const { return ticks_; }
-  /// n h, s: with two roundings however many steps there were.
+  /// n h, s: with two roundings, beside that of h, however many steps there were.
   Real time() const { return moment_of(ticks_, time_step_).time; }
 
   // --- The plan ---------------------------------------------------------------------------------

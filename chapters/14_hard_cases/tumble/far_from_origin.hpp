@@ -18,8 +18,9 @@ Real spacing_at(Real coordinate) {
 }
 //! [spacing]
 
-/// The slowest speed (m/s) that moves a body there, away from the origin, in steps of `time_step`
-/// (s, not 0): x + h v is rounded back to x while h v is half the spacing or less.
+/// The speed (m/s) above which a body moves there, away from the origin, in steps of `time_step`
+/// (s, not 0): x + h v is rounded back to x while h v is less than half the spacing. At half of it
+/// the even one of the two places wins, so a body takes one step at most.
 //! [slowest_drift]
 template <class Real>
 Real slowest_drift_at(Real coordinate, Same<Real> time_step) {

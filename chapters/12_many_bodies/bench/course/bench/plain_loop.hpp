@@ -1,5 +1,5 @@
 /// @file
-/// The floor: a whole step of a whole scene in one loop over plain arrays, written for speed alone.
+/// The yardstick: a whole step of a whole scene in one loop over plain arrays, written for speed alone.
 /// It plans nothing, checks nothing, and knows one scene at a time.
 #pragma once
 

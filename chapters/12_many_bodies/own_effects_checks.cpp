@@ -1,0 +1,143 @@
+// Effects that somebody wrote for one body, without a word about packs.
+#include <course/beside_one_by_one.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+/// From this time on (s) each of the effects below gives NaN.
+template <class Real>
+struct Fuse {
+  Real burnt_at = std::numeric_limits<Real>::infinity();
+  Real operator()(Real time) const {
+    return time < burnt_at ? Real(1) : std::numeric_limits<Real>::quiet_NaN();
+  }
+};
+
+template <class Real, Phase when>
+struct ActOnCentre {
+  static constexpr std::string_view name = "own act on centres";
+  static constexpr Phase phase = when;
+  Fuse<Real> fuse;
+  void act(Particle<Real>& centre, const Moment<Real>& moment) const {
+    centre.velocity *= fuse(moment.time) * Real(0.99);
+    centre.velocity.x() += moment.time_step * centre.position.y();
+  }
+};
+
+template <class Real, Phase when>
+struct ActOnTop {
+  static constexpr std::string_view name = "own act on tops";
+  static constexpr Phase phase = when;
+  Fuse<Real> fuse;
+  void act(Top<Real>& top, const Moment<Real>& moment) const {
+    top.angular_momentum_body *= fuse(moment.time) * Real(0.99);
+  }
+};
+
+template <class Real>
+struct OwnAcceleration {
+  static constexpr std::string_view name = "own acceleration";
+  Fuse<Real> fuse;
+  Vec3<Real> acceleration(const Particle<Real>& centre, Real time) const {
+    return fuse(time) * Vec3<Real>(0, 0, 2).cross(centre.velocity);
+  }
+};
+
+template <class Real>
+struct OwnTorque {
+  static constexpr std::string_view name = "own torque";
+  Fuse<Real> fuse;
+  Vec3<Real> torque(const Top<Real>& top, Real time) const {
+    return fuse(time) * Vec3<Real>(top.orientation.real, 1, 0);
+  }
+};
+
+template <class Real>
+struct OwnForce {
+  static constexpr std::string_view name = "own force";
+  Fuse<Real> fuse;
+  Vec3<Real> force(const BodyState<Real>& body, Real time) const {
+    return fuse(time) * (body.top.angular_momentum_body + body.centre.position);
+  }
+};
+
+template <class Real>
+struct OwnPush {
+  static constexpr std::string_view name = "own push";
+  Fuse<Real> fuse;
+  Push<Real> push(const BodyState<Real>& body, Real time) const {
+    return {.force = -fuse(time) * body.centre.position, .torque = body.centre.velocity};
+  }
+};
+
+template <class Real>
+struct OwnPushBetween {
+  static constexpr std::string_view name = "own push between";
+  Fuse<Real> fuse;
+  PairPush<Real> push(const BodyState<Real>& first, const BodyState<Real>& second,
+                      Real time) const {
+    const Vec3<Real> way = second.centre.position - first.centre.position;
+    return {.force_on_first = fuse(time) * way, .torque_on_first = way, .torque_on_second = -way};
+  }
+};
+
+/// Two in three of seventy bodies of all kinds, or all that have a top, with the effect and
+/// gravity, until the fuse burns out after 80 steps. @return whether a step failed
+template <class Real, class Effect>
+bool is_same_until_burnt_out(Effect effect) {
+  effect.fuse.burnt_at = Real(80) / 60;
+  const auto made = [&]<class AnyWorld>(AnyWorld world) {
+    Dice dice(29);
+    std::vector<BodyHandle> chosen;
+    for (int n = 0; n < 70; ++n) {
+      const BodyHandle body = add_random_body(world, dice, "body " + std::to_string(n));
+      const bool fits =
+          PushBetween<Effect, Real> || EffectOf<Real, Effect>(effect).traits().needs_top
+              ? world.body(body).top.inverse_moments.x() != 0
+              : n % 3 != 0;
+      if (fits) chosen.push_back(body);
+    }
+    if (PushBetween<Effect, Real> && chosen.size() % 2 == 1) chosen.pop_back();
+    world.add(effect, chosen);
+    world.add(Gravity<Real>{});
+    return world;
+  };
+  World<Real> plain = made(World<Real>(steps_per_second(60)));
+  auto packed = made(ManyBodies<Real>(steps_per_second(60)));
+  for (int n = 0; n < 80; ++n) {
+    plain.step();
+    packed.step();
+    REQUIRE(same_motion(plain.bodies(), packed.bodies()));
+  }
+  const std::string complaint = complaint_of_step(plain);
+  CHECK(complaint_of_step(packed) == complaint);
+  if (!complaint.empty()) CHECK(same_motion(plain.bodies(), packed.bodies()));
+  return !complaint.empty();
+}
+
+}  // namespace
+
+//! [own_effects]
+TEST_CASE_TEMPLATE(
+    "Effects of the user's own, of every form and in every phase, move packs as one by one, and "
+    "fail alike",
+    Real, EVERY_PRECISION) {
+  CHECK(is_same_until_burnt_out<Real>(ActOnCentre<Real, Phase::force>{}));
+  CHECK(is_same_until_burnt_out<Real>(ActOnCentre<Real, Phase::kick>{}));
+  CHECK(is_same_until_burnt_out<Real>(ActOnCentre<Real, Phase::impulse>{}));
+  CHECK(is_same_until_burnt_out<Real>(ActOnCentre<Real, Phase::damping>{}));
+  CHECK(is_same_until_burnt_out<Real>(ActOnCentre<Real, Phase::drift>{}));
+  CHECK(is_same_until_burnt_out<Real>(ActOnTop<Real, Phase::force>{}));
+  CHECK(is_same_until_burnt_out<Real>(ActOnTop<Real, Phase::kick>{}));
+  CHECK(is_same_until_burnt_out<Real>(ActOnTop<Real, Phase::impulse>{}));
+  CHECK(is_same_until_burnt_out<Real>(ActOnTop<Real, Phase::damping>{}));
+  CHECK(is_same_until_burnt_out<Real>(ActOnTop<Real, Phase::drift>{}));
+  CHECK(is_same_until_burnt_out<Real>(OwnAcceleration<Real>{}));
+  CHECK(is_same_until_burnt_out<Real>(OwnTorque<Real>{}));
+  CHECK(is_same_until_burnt_out<Real>(OwnForce<Real>{}));
+  CHECK(is_same_until_burnt_out<Real>(OwnPush<Real>{}));
+  CHECK(is_same_until_burnt_out<Real>(OwnPushBetween<Real>{}));
+}
+//! [own_effects]
