@@ -1,6 +1,6 @@
 /// @file
-/// The yardstick: a whole step of a whole scene in one loop over plain arrays, written for speed alone.
-/// It plans nothing, checks nothing, and knows one scene at a time.
+/// The yardstick: a whole step of a whole scene in one loop over plain arrays, written for speed
+/// alone. It plans nothing, checks nothing, and knows one scene at a time.
 #pragma once
 
 #include <cmath>
