@@ -24,8 +24,11 @@ function parted(argument) {
   return bar < 0 ? [argument.trim(), ''] : [argument.slice(0, bar).trim(), argument.slice(bar + 1).trim()];
 }
 
-/** Tables that no build of one machine can make: what was measured elsewhere, kept in the tree by the program that did. */
-const kept_tables = {'colophon.compilers': 'tests/compilers/tried.tsv'};
+/** Tables that the book's build does not make: what was measured elsewhere, or for long, kept in the tree by the program that did. */
+const kept_tables = {
+  'colophon.compilers': 'tests/compilers/tried.tsv',
+  'colophon.mutants': 'tests/mutations/caught.tsv',
+};
 
 /** How long the chapters take: prose at 120 words a minute, half as long again at the reader's own machine. */
 function reading_time(pages) {

@@ -68,3 +68,39 @@ TEST_CASE_TEMPLATE(
   CHECK(complaint_of([] { checked_time_step(std::numeric_limits<Real>::infinity()); }) ==
         "time step is inf s; it must be finite");
 }
+
+TEST_CASE_TEMPLATE("A mass twice as large as the largest allowed is refused with both limits", Real,
+                   EVERY_PRECISION) {
+  const Real smallest = std::numeric_limits<Real>::min(), too_much = 1.5f / smallest;
+  CHECK(complaint_of([&] { make_particle(too_much); }) ==
+        "mass is " + text_of(too_much) + " kg; it must lie between " + text_of(smallest) + " and " +
+            text_of(1 / smallest) + " kg");
+}
+
+TEST_CASE_TEMPLATE("What has no unit is refused without one", Real, EVERY_PRECISION) {
+  CHECK(complaint_of([] { require_between<Real>("ratio", 3, "", 0, 2); }) ==
+        "ratio is 3; it must lie between 0 and 2");
+  CHECK(complaint_of([] { require_between<Real>("ratio", 2, "", 0, 2); }) == "nothing thrown");
+}
+
+TEST_CASE_TEMPLATE("One bad component is enough, whichever it is", Real, EVERY_PRECISION) {
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3<Real> force(1, 2, 3);
+    force[axis] = std::numeric_limits<Real>::quiet_NaN();
+    Particle<Real> particle = make_particle(Real(2));
+    CHECK(complaint_of([&] { add_force(particle, force); }) ==
+          "force is " + text_of(force) + " N; every component must be finite");
+  }
+}
+
+TEST_CASE_TEMPLATE("What must not be negative may be zero, and must be finite", Real,
+                   EVERY_PRECISION) {
+  const auto complaint = [](Real value) {
+    return complaint_of([value] { require_not_negative("stiffness", value, "N/m"); });
+  };
+  CHECK(complaint(0) == "nothing thrown");
+  CHECK(complaint(Real(0.5)) == "nothing thrown");
+  CHECK(complaint(Real(-0.5)) == "stiffness is -0.5 N/m; it must be 0 or more");
+  CHECK(complaint(std::numeric_limits<Real>::infinity()) ==
+        "stiffness is inf N/m; it must be finite");
+}

@@ -15,4 +15,8 @@ int main(int argument_count, char** arguments) {
     }
   }
   tumble::course::expect(refused == 5, "every one of the five masses is refused");
+  // Below the normal numbers a digit is lost with every halving; the smallest of all has one left.
+  notebook.value("digits_left",
+                 std::to_string(std::ilogb(1e-41f) - std::ilogb(Limits::denorm_min()) + 1));
+  notebook.value("digits", std::to_string(Limits::digits));
 }

@@ -25,6 +25,7 @@ int main(int argument_count, char** arguments) {
   const double ratio = wrong.position.z() / right.position.z();
   std::printf("after 1 s the cleared ball fell %.2f m, the other %.1f m: %.1f times as far\n",
               -right.position.z(), -wrong.position.z(), ratio);
+  notebook.value("fell", course::number("%.2f m", -right.position.z()));
   notebook.value("ratio", course::number("%.1f", ratio));
   course::expect(std::abs(ratio - (steps_per_second + 2) / 3.0) < 1e-9,
                  "after n steps the fall is (n + 2)/3 times as far");

@@ -20,6 +20,7 @@ int main(int argument_count, char** arguments) {
                 taken_about(everything, point).torque.y());
   };
   row("the pivot", Vec3d(0, 0, 0));
+  row("a lamp 2 m above it", Vec3d(0, 0, 2));
   row("the heavier child", Vec3d(-1.0, 0, 0));
   row("the lighter child", Vec3d(1.5, 0, 0));
   row("a tree 10 m away", Vec3d(10, 0, 0));

@@ -171,6 +171,23 @@ TEST_CASE_TEMPLATE("A wrench taken about another point is what its forces give a
 }
 //! [another_point]
 
+TEST_CASE_TEMPLATE(
+    "The point of a torque may be moved along the sum of the forces, and not across it", Real,
+    EVERY_PRECISION) {
+  // Two children on a seesaw, whose weights sum to 500 N downward. All numbers are exact.
+  Wrench<Real> children;
+  add_force_at(children, Vec3<Real>(0, 0, -300), Vec3<Real>(-1, 0, 0));
+  add_force_at(children, Vec3<Real>(0, 0, -200), Vec3<Real>(Real(1.5), 0, 0));
+  for (const Real above : {Real(-64), Real(0), Real(0.25), Real(3)}) {
+    const auto torque_beside = [&](Real x, Real y) {
+      return taken_about(children, Vec3<Real>(x, y, above)).torque;
+    };
+    CHECK(same_bits(torque_beside(0, 0), Vec3<Real>::Zero()));
+    CHECK(same_bits(torque_beside(2, 0), Vec3<Real>(0, -1000, 0)));
+    CHECK(same_bits(torque_beside(0, 2), Vec3<Real>(1000, 0, 0)));
+  }
+}
+
 TEST_CASE_TEMPLATE("Forces in balance have the same torque about every point: none", Real,
                    EVERY_PRECISION) {
   // A seesaw: 30 kg at 1 m, 20 kg at 1.5 m, and the pivot that carries both. All numbers are exact.

@@ -30,7 +30,9 @@ TEST_CASE_TEMPLATE("Turning the whole scene by 90 degrees turns the torque with 
 }
 
 //! [far_away]
-TEST_CASE_TEMPLATE("Far from the origin the torque is as exact as near it", Real, float, double) {
+TEST_CASE_TEMPLATE(
+    "Far from the origin a force at an exact place has the torque it has near it, to the bit", Real,
+    float, double) {
   // Coordinates are multiples of 1/64, exact here and there: only the formula can lose digits.
   const Vec3<Real> centre(Real(0.25), Real(-0.5), 1), arm(Real(0.5), Real(0.25), Real(-0.125)),
       force(Real(0.1), Real(-0.7), Real(0.3));
@@ -61,7 +63,7 @@ TEST_CASE_TEMPLATE(
 }
 
 TEST_CASE_TEMPLATE(
-    "Against a witness in long double a torque rounds as little as its operations allow", Real,
+    "Against a witness in long double a torque rounds no more than its operations allow", Real,
     float, double) {
   const Vec3<Real> centre(Real(0.1), Real(0.2), Real(0.3)), point(Real(1.7), Real(-2.9), Real(0.4)),
       force(Real(3.3), Real(0.7), Real(-5.1));

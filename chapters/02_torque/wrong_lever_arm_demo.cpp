@@ -27,4 +27,10 @@ int main(int argument_count, char** arguments) {
     course::expect(about_world_origin == 10 * (metres + 1), "the wrong one grows with distance");
     course::expect(about_mesh_origin == 20, "the mesh's origin doubles the arm");
   }
+  // Pushed between the two, half a metre from the left end.
+  const double right = torque_about<double>({0, 0, 0}, {-0.5, 0, 0}, push).z();
+  const double wrong = torque_about<double>(from_centre_to_mesh_origin, {-0.5, 0, 0}, push).z();
+  course::expect(right < 0 && wrong > 0, "between the two origins even the sign is wrong");
+  notebook.value("between_right", course::number("%.0f N m", right));
+  notebook.value("between_wrong", course::number("%.0f N m", wrong));
 }

@@ -65,8 +65,9 @@ TEST_CASE_TEMPLATE(
 //! [energy_splits]
 
 TEST_CASE_TEMPLATE(
-    "Without the centre of mass as reference the energy does not split, except about a pivot", Real,
-    EVERY_PRECISION) {
+    "Seen from another moving point the energy keeps a cross term, from a pivot it is all of "
+    "turning",
+    Real, EVERY_PRECISION) {
   const std::vector<Particle<Real>> particles = {make_particle(Real(1), {1, 0, 0}),
                                                  make_particle(Real(3), {2, 0, 0})};
   const Vec3<Real> V(0, 1, 0), omega(0, 0, 1);

@@ -84,8 +84,9 @@ TEST_CASE_TEMPLATE("A body made of parts is the body made of all their particles
 }
 
 //! [far_away]
-TEST_CASE_TEMPLATE("A compound body far from the origin keeps the bits it has near it", Real,
-                   EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "A compound body far from the origin, at exact places, keeps the bits it has near it", Real,
+    EVERY_PRECISION) {
   const Mat3<Real> upright = Mat3<Real>::Identity();
   const auto dumbbell = [&](const Vec3<Real>& place) {
     const MassProperties<Real> ball = mass_properties(Sphere<Real>{Real(0.1)}, 2);

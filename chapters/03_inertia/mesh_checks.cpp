@@ -127,8 +127,8 @@ TEST_CASE_TEMPLATE("A mesh that was turned has a tensor that was turned", Real, 
 }
 
 //! [mesh_far_away]
-TEST_CASE_TEMPLATE("A mesh far from the origin keeps the bits it has near it", Real,
-                   EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("A mesh far from the origin, at exact places, keeps the bits it has near it",
+                   Real, EVERY_PRECISION) {
   const Vec3<Real> size(3, 1, 2), far(1'000'000, -2'000'000, 500'000);
   const MassProperties<Real> here = mass_properties(box_mesh(size), 7);
   const MassProperties<Real> there =

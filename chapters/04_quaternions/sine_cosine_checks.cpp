@@ -28,8 +28,9 @@ long double units_off(Real angle) {
 
 // Half a unit for rounding the reduced angle, half for the last sum, and what the products before
 // it leave; 1.5 is the largest seen in millions of angles.
-TEST_CASE_TEMPLATE("Sine and cosine are right to two units in the last place, whatever the angle",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "Sine and cosine of random angles up to the limit are right to two units in the last place",
+    Real, EVERY_PRECISION) {
   std::mt19937_64 generator(1);
   const Real limit = SineCosineConstants<Real>::limit;
   for (const Real size : {Real(1), Real(4), Real(100), limit}) {
@@ -43,8 +44,9 @@ TEST_CASE_TEMPLATE("Sine and cosine are right to two units in the last place, wh
 
 // The digits that cancel there are made up from the third and fourth piece of π/2: 2.2 is the
 // largest seen, in float.
-TEST_CASE_TEMPLATE("Next to every multiple of a quarter turn sine and cosine keep their digits",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "Next to multiples of a quarter turn sine and cosine are right to two and a half units", Real,
+    EVERY_PRECISION) {
   const long double quarter_turn = std::numbers::pi_v<long double> / 2;
   const int most = static_cast<int>(SineCosineConstants<Real>::limit / 2);
   long double worst = 0;

@@ -38,6 +38,10 @@ int main(int argument_count, char** arguments) {
 
   const double limit = 2 * SineCosineConstants<float>::limit;
   notebook.value("limit_float", course::number("%.0f", limit));
+  notebook.value("angle_float", course::number("%.0f", SineCosineConstants<float>::limit));
+  notebook.value("angle_double", course::number("%.0f", SineCosineConstants<double>::limit));
+  notebook.value("terms_float", std::to_string(SineCosineConstants<float>::terms));
+  notebook.value("terms_double", std::to_string(SineCosineConstants<double>::terms));
   notebook.value("turns_float", course::number("%.0f", limit / (2 * std::numbers::pi)));
   std::printf("\nturned by (rad)   sin(angle/2)/angle v   the exponential of v/2\n");
   for (const double angle : {1e-3, 1e-160, 1e-200, 0.0}) {

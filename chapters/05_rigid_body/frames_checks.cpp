@@ -122,7 +122,7 @@ TEST_CASE_TEMPLATE("The angular momentum is the world tensor times the angular v
 }
 
 //! [sphere_cannot_tell]
-TEST_CASE_TEMPLATE("A ball and a cube cannot tell a right frame from a wrong one", Real,
+TEST_CASE_TEMPLATE("The tensor of a ball or a cube is the same in every frame", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(55);
   for (const MassProperties<Real>& shape : {mass_properties(Sphere<Real>{Real(0.5)}, 3),

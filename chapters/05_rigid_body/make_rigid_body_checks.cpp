@@ -267,3 +267,45 @@ TEST_CASE_TEMPLATE("A static body stands as it was put, with a quaternion of nor
   CHECK(std::abs(norm(checked_pose<Real>({place, typed}, "wall").orientation) - 1) <=
         8 * unit_roundoff<Real>);
 }
+
+TEST_CASE_TEMPLATE("Whether an axis is thin depends on its moments' ratio, not on their unit", Real,
+                   EVERY_PRECISION) {
+  // The same body, measured in units far apart: none of its moments is thin.
+  for (const Real unit : {std::ldexp(Real(1), -30), Real(1), std::ldexp(Real(1), 30)}) {
+    const Mat3<Real> inertia = unit * Vec3<Real>(std::ldexp(Real(1), -10), 1, 1).asDiagonal();
+    const Vec3<Real> inverse =
+        free_inverse_moments("body", inertia, principal_axes(inertia), Turning::locked_where_thin);
+    CHECK(same_bits(Vec3<Real>(unit * inverse), Vec3<Real>(1024, 1, 1)));
+  }
+}
+
+TEST_CASE_TEMPLATE(
+    "A moment whose inverse is no normal number is refused where thin axes are locked", Real,
+    EVERY_PRECISION) {
+  const Real smallest = std::numeric_limits<Real>::min();
+  const auto complaint = [&](Real moment) {
+    const Mat3<Real> inertia = moment * Mat3<Real>::Identity();
+    return complaint_of([&] {
+      free_inverse_moments("body", inertia, principal_axes(inertia), Turning::locked_where_thin);
+    });
+  };
+  CHECK(complaint(1 / smallest) == "nothing thrown");
+  CHECK(complaint(Real(1.5) / smallest) == "body: principal moment is " +
+                                               text_of(Real(1.5) / smallest) +
+                                               " kg m^2; it must lie between " + text_of(smallest) +
+                                               " and " + text_of(1 / smallest) + " kg m^2");
+}
+
+TEST_CASE_TEMPLATE("How much of a spin may be about a locked axis grows with the spin", Real,
+                   EVERY_PRECISION) {
+  Top<Real> rod;
+  rod.inverse_moments = {1, 1, 0};
+  const auto complaint = [&](Real spin, Real roundings) {
+    const Vec3<Real> w(spin, 0, spin * roundings * unit_roundoff<Real>);
+    return complaint_of([&] { set_checked_angular_velocity("rod", rod, w); });
+  };
+  for (const Real spin : {Real(0.25), Real(1), Real(1024)}) {
+    CHECK(complaint(spin, 63) == "nothing thrown");
+    CHECK(complaint(spin, Real(64.5)).find("locked about an axis") != std::string::npos);
+  }
+}

@@ -237,3 +237,13 @@ TEST_CASE("A velocity started half a kick back makes the places second order") {
   }
 }
 //! [changing_force]
+
+TEST_CASE_TEMPLATE("A blow leaves the forces of the step and the place as they are, to the bit",
+                   Real, EVERY_PRECISION) {
+  Particle<Real> particle = make_particle<Real>(2, {1, 2, 3});
+  add_force<Real>(particle, {4, 5, 6});
+  apply_impulse<Real>(particle, {8, -8, 2});
+  CHECK(same_bits(particle.velocity, Vec3<Real>(4, -4, 1)));
+  CHECK(same_bits(particle.force, Vec3<Real>(4, 5, 6)));
+  CHECK(same_bits(particle.position, Vec3<Real>(1, 2, 3)));
+}

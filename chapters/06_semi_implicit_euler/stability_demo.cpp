@@ -35,6 +35,10 @@ int main(int argument_count, char** arguments) {
     if (wh == 1.999) notebook.value("bounded", number("%.1f m", largest));
     if (wh == 2.001) notebook.value("unbounded", number("%.0e m", largest));
   }
+  const double growth = amplitude(2.001, 1060) / amplitude(2.001, 1000);
+  course::expect(std::abs(growth / std::exp(60 * 2 * std::acosh(2.001 / 2)) - 1) < 1e-9,
+                 "beyond 2 a step grows by exp(2 acosh(w h / 2))");
+  notebook.value("growth", number("%.0f", growth));
   course::expect(amplitude(1.999, 100'000) < 31.63, "w h = 1.999 stays bounded");
   course::expect(amplitude(2.001, 1000) > 1e20, "w h = 2.001 does not");
 

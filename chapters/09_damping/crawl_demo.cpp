@@ -15,7 +15,7 @@ int main(int argument_count, char** arguments) {
     if (n % (60 * 20) == 0)
       std::printf("%5d s   %-15.3g   %g m/s\n", n / 60, double(crawling),
                   double(stopping.velocity.x()));
-    if (stopping.velocity.x() == 0 && stopped == 0) stopped = n / 60;
+    if (stopping.velocity.x() == 0 && stopped == 0) stopped = n;
     crawling *= kept;
     damp(stopping, kept);
   }
@@ -23,7 +23,8 @@ int main(int argument_count, char** arguments) {
                  "the product rounds back up for ever");
   course::expect(!std::isnormal(crawling), "and what it is stuck at is a denormal number");
   course::expect(stopping.velocity.x() == 0, "damp() stops it");
-  notebook.value("stopped", std::to_string(stopped) + " s");
+  notebook.value("stopped", course::number("%.1f s", stopped / 60.0));
+  notebook.value("kept", course::number("%.4f", double(kept)));
   notebook.value("stuck", course::number("%.1e", double(crawling)));
   notebook.value("slowest_float", course::number("%.1e", double(slowest_speed<float>)));
   notebook.value("slowest_double", course::number("%.1e", slowest_speed<double>));

@@ -20,10 +20,15 @@ int main(int argument_count, char** arguments) {
   std::printf("c = %.4f kg/m, and a damping rate of %.3f 1/s\n", coefficient, rate);
   std::printf("  time   speed: drag   damping       way: drag   damping\n");
   const double kept = fraction_kept(rate, time_step);
+  const auto note = [&notebook](const char* name, const Particled& ball) {
+    notebook.value(name, number("%.1f m/s", ball.velocity.x()));
+  };
   for (int n = 0; n <= 240 * 64; ++n) {
     if (n % 60 == 0 && n <= 240 * 12)
       table.row(n * time_step, dragged.velocity.x(), damped.velocity.x(), dragged.position.x(),
                 damped.position.x());
+    if (n == 6 * 240) note("damped_6", damped);
+    if (n == 12 * 240) note("dragged_12", dragged);
     const int second = n / 240;
     if (n % 240 == 0 && (second & (second - 1)) == 0)
       std::printf("%4d s %9.3f m/s %8.3f m/s %9.2f m %8.2f m\n", second, dragged.velocity.x(),
@@ -49,4 +54,7 @@ int main(int argument_count, char** arguments) {
   const double fastest = 2 * mass / (coefficient * (1.0 / 60));
   std::printf("\nat 60 steps a second the drag of this ball explodes beyond %.0f m/s\n", fastest);
   notebook.value("fastest", number("%.0f m/s", fastest));
+  // A feather: 0.1 g, 20 cm² and a shape number of 1.
+  const double of_feather = drag_coefficient(1.2, 1.0, 20e-4);
+  notebook.value("fastest_feather", number("%.0f m/s", 2 * 1e-4 / (of_feather * (1.0 / 60))));
 }

@@ -13,7 +13,7 @@ int main(int argument_count, char** arguments) {
   const double time_step = 1.0 / 60;
   float added_float = 0;
   double added_double = 0;
-  std::int64_t stopped_after = 0;
+  std::int64_t stopped_after = 0, off_by_a_second = 0;
   std::printf("     steps   time               float t += h      double t += h         n h\n");
   std::int64_t next_row = 60, next_line = 1000;
   for (std::int64_t n = 1; n <= steps; ++n) {
@@ -21,6 +21,8 @@ int main(int argument_count, char** arguments) {
     added_float += static_cast<float>(time_step);
     added_double += time_step;
     if (added_float == before && stopped_after == 0) stopped_after = n - 1;
+    if (off_by_a_second == 0 && std::abs(double(added_float) - double(n) / 60) >= 1)
+      off_by_a_second = n;
     if (n != next_row && n != next_line) continue;
     const long double exact = static_cast<long double>(n) / 60;
     const double counted = static_cast<double>(n) * time_step;
@@ -43,6 +45,7 @@ int main(int argument_count, char** arguments) {
   const double drift = added_double - 1e8 / 60;
   course::expect(drift > -7.0e-4 && drift < -6.8e-4,
                  "a double is off by -6.9e-4 s after 1e8 steps");
+  notebook.value("minutes", number("%.0f", double(off_by_a_second) / 3600));
   notebook.value("stopped_days", number("%.0f", double(added_float) / 86400));
   notebook.value("double_drift", number("%.1e s", drift));
 }

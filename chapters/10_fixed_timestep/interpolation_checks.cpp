@@ -1,7 +1,9 @@
 #include <course/body_bounds.hpp>
 #include <course/checks.hpp>
 #include <numbers>
+#include <tumble/force.hpp>
 #include <tumble/interpolation.hpp>
+#include <tumble/step_clock.hpp>
 
 using namespace tumble;
 using namespace tumble::course;
@@ -74,6 +76,33 @@ TEST_CASE_TEMPLATE("The turn between two poses is about a fixed axis of the worl
   const Quaternion<Real> expected = quaternion_about(up, Real(0.5)) * from.orientation;
   const Pose<Real> drawn = interpolated(from, to, Real(1) / 3);
   CHECK(angle_between(drawn.orientation, expected) <= turn_error<Real>);
+}
+
+TEST_CASE("Drawn between two states an evenly moving body is where it was one step before") {
+  StepClock clock = make_step_clock(steps_per_second(60));
+  const double speed = 3, h = time_step_of<double>(clock.step);
+  Particled ball = make_particle(1.0, Vec3d(0, 0, 0), Vec3d(speed, 0, 0));
+  Posed previous, now;
+  std::mt19937_64 generator(14);
+  for (int n = 0; n < 1000; ++n) {
+    // Frames of 1 to 40 ms, which no cap shortens.
+    const std::int64_t due =
+        steps_due(clock, static_cast<std::int64_t>(1'000'000 + generator() % 39'000'000));
+    for (std::int64_t k = 0; k < due; ++k) {
+      previous = now;
+      step(ball, h);
+      now.position = ball.position;
+    }
+    if (clock.steps == 0) continue;  // one state yet, and nothing to lie between
+    const Posed drawn = interpolated(previous, now, fraction_of_step<double>(clock));
+    const double time = double(clock.time_in) / 1e9;
+    // The place adds up one product a step, two roundings each; the other numbers round some 8
+    // times.
+    const double bound =
+        (2 * double(clock.steps) + 8) * unit_roundoff<double> * (speed * time + speed * h);
+    REQUIRE(std::abs(drawn.position.x() - speed * (time - h)) <= bound);
+  }
+  CHECK(clock.dropped_time + clock.dropped_steps == 0);
 }
 
 TEST_CASE("A body that turns by more than half a turn in a step is drawn turning backwards") {

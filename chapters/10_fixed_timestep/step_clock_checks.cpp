@@ -137,7 +137,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("A step's length is exact in lowest terms, and its time step correctly rounded") {
+TEST_CASE("A step's length is exact in lowest terms, and its time step is rounded once") {
   CHECK(steps_per_second(60).numerator == 50'000'000);
   CHECK(steps_per_second(60).denominator == 3);
   CHECK(steps_per_second(1000).numerator == 1'000'000);
@@ -145,6 +145,17 @@ TEST_CASE("A step's length is exact in lowest terms, and its time step correctly
   CHECK(time_step_of<double>(steps_per_second(60)) == 1.0 / 60);
   CHECK(time_step_of<float>(steps_per_second(60)) == 1.0f / 60);
   CHECK(time_step_of<double>(step_of_nanoseconds(12'300'000)) == 0.0123);
+  // 1 and the rate are exact, and one division is rounded once.
+  int otherwise = 0, rounded_twice = 0;
+  for (int rate = 1; rate <= 1'000'000; ++rate) {
+    const StepLength step = steps_per_second(rate);
+    otherwise += step.numerator * rate != step.denominator * 1'000'000'000;
+    otherwise += time_step_of<double>(step) != 1 / double(rate);
+    rounded_twice += static_cast<double>(1 / static_cast<long double>(rate)) != 1 / double(rate);
+    otherwise += time_step_of<float>(step) != 1 / static_cast<float>(rate);
+  }
+  CHECK(otherwise == 0);
+  if (std::numeric_limits<long double>::digits == 64) CHECK(rounded_twice == 365);
   StepClock clock = make_step_clock(steps_per_second(60));
   CHECK(steps_due(clock, 20 * millisecond) == 1);
   // 20 ms are a step of 16.67 ms and a fifth of the next.

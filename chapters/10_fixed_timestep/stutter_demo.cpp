@@ -46,6 +46,8 @@ int main(int argument_count, char** arguments) {
                   100 * moved_last, 100 * moved_between);
     if (frame < 24) table.row(frame, 100 * drawn_last, 100 * drawn_between);
   }
+  notebook.value("pose_float", std::to_string(sizeof(Pose<float>)));
+  notebook.value("pose_double", std::to_string(sizeof(Pose<double>)));
   notebook.value("even", number("%.2f cm", 100 * largest));
   course::expect(largest - smallest < 1e-7, "between the states the ball moves evenly");
   course::expect(clock.steps == 60, "a second has 60 steps");

@@ -69,6 +69,7 @@ int main(int argument_count, char** arguments) {
               slow, in_turn);
   course::expect(fast < 1.2 && slow < 2.4 && in_turn > 100,
                  "each step alone is stable, the two in turn are not");
+  notebook.value("steady", number("%.1f m", std::max(fast, slow)));
   notebook.value("in_turn", number("%.0f m", in_turn));
 
   Particled even = make_particle(1.0, Vec3d(1, 0, 0)), coarse = even, turns = even;
@@ -81,6 +82,7 @@ int main(int argument_count, char** arguments) {
     // Three of the steps of 1/60 s are one of 1/30 s and one of 1/60 s.
     table.row(n * 0.05, std::abs(even.position.x()), std::abs(coarse.position.x()),
               std::abs(turns.position.x()));
+    if (n == 10) notebook.value("half_a_second", number("%.0f m", std::abs(turns.position.x())));
     for (int k = 0; k < 3; ++k) pull_and_step(even, 1.0 / 60);
     for (int k = 0; k < (n % 2 == 0 ? 2 : 1); ++k) pull_and_step(coarse, 1.0 / 30);
     pull_and_step(turns, 1.0 / 30);

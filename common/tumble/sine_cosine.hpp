@@ -1,6 +1,7 @@
 /// @file
 /// Sine and cosine of one angle together, in arithmetic alone: no table and no branch, so that the
-/// same lines serve one body and eight side by side, and give the same bits on every machine.
+/// same lines serve one body and eight side by side. They give the same bits on every machine with
+/// IEEE 754 arithmetic, as long as the compiler fuses no product with a sum (-ffp-contract=off).
 #pragma once
 
 #include <array>
@@ -78,7 +79,8 @@ struct SineCosine {
   Real sine, cosine;
 };
 
-/// The sine and cosine of `angle` (rad), each within two units in its last place.
+/// The sine and cosine of `angle` (rad), each within two units in its last place; right next to a
+/// multiple of a quarter turn within two and a half.
 ///
 /// An angle whose size exceeds SineCosineConstants::limit gives NaN, as infinity and NaN do.
 //! [sine_cosine]

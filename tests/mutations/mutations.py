@@ -1,165 +1,305 @@
 #!/usr/bin/env python3
-"""Breaks the chapters' headers on purpose, one line at a time, and sees whether a check of the same chapter turns red.
+"""Changes the headers in thousands of places, one at a time, and sees whether a check turns red.
 
-    mutations.py BUILD_FOLDER [LIST...]    the lists are described in mutation_list.py; without any: all beside this file
+    mutations.py BUILD_FOLDER                 all that the generator makes of the library's headers, and all lists beside
+                                              this file
+    mutations.py BUILD_FOLDER --write         the same, and writes what came of it into caught.tsv, which the book shows
+    mutations.py BUILD_FOLDER --chapters 03_inertia,04_quaternions    those of these chapters alone
+    mutations.py BUILD_FOLDER --generated 01_force    all lists, and the generated mutants of these chapters
+    mutations.py BUILD_FOLDER --patient       leaves nothing out: neither float, nor the slowest of the checks that reach a
+                                              mutant, nor what must be compiled alone; it takes much longer
+    mutations.py BUILD_FOLDER LIST...         the mutations of these lists, as mutation_list.py describes them
 
-The changed header goes into a scratch folder that comes first in the include path, so the sources stay untouched. The
-compiler and its flags are those of the build folder, whose compile_commands.json, precompiled header and object with
-doctest's main must exist. A check file is compiled with the mutation only if it includes the header, directly or not, and
-the first one that turns red ends the matter. So does one that computes for over a minute. At first the checks run in float
-alone; only what survives that is tried in every precision, which takes twice as long.
+All mutants of a chapter's headers are compiled together, with the chapter's checks, and chosen when those run (engine.py); what
+can't be chosen so is compiled alone (alone.py). What the checks of a chapter don't see is tried on those of later chapters.
+A check that crashes or computes 20 times as long as it should has seen the mutant.
 
-Prints a line for each mutation as it is settled, then what is wrong; the exit code is 0 if nothing is. Wrong is a mutation
-that survives and is not listed as equivalent, one that is listed so and does not survive, and one that does not compile."""
-import json
-import re
-import shlex
-import subprocess
+Prints what became of each mutation of a list and which generated mutants survive; BUILD_FOLDER/mutants/all.tsv tells of all. The
+exit code is 0 if nothing is wrong. Wrong is a mutation of a list that survives and is not called equivalent there, or does not
+compile; whatever is called equivalent (for generated ones: in the lists of equal/) and is seen; and if of the generated ones
+fewer than 95 of 100 are either caught or listed as equal."""
+import argparse
+import datetime
+import random
 import sys
-import tempfile
+import time
+from dataclasses import dataclass, field
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 sys.dont_write_bytecode = True  # nothing is written beside the sources
+import alone
+import by_hand
+from build_folder import Build
+from engine import Engine, EngineError
+from equal_list import lines_of, read_equal
+from generator import Generator
 from mutation_list import ListError, read_list
 
-jobs = 2
-computing_seconds = 60  # of a processor, so that a busy machine changes no verdict
+here = Path(__file__).parent
+root = here.parent.parent
+jobs = 2  # at a time
+caught_ends = {"killed", "crashed", "endless"}
+wanted_share = 0.95
+# What can't be switched is compiled alone; of the generated ones a sample, unless the run is patient.
+sample, seed = 24, 20261122
+most_in_list = 500  # mutations
 
 
-class Build:
-    """What a build folder knows: how each chapter's check files are compiled, and with what they are linked."""
+@dataclass
+class Mutant:
+    """A change of a header, from a list or from the generator, and what became of it."""
+    chapter: str  # whose checks must see it
+    header: str
+    path: Path
+    start: int
+    end: int
+    replacement: str
+    number: int = 0
+    edits: list = field(default_factory=list)
+    site: str = ""
+    site_text: str = ""
+    is_late: bool = False
+    may_be_constant: bool = False
+    kind: str = ""
+    listed: object = None  # the Mutation of a list
+    seen_by: str = ""
+    proof: str = ""
+    result: str = ""
+    check: str = ""
 
-    def __init__(self, folder):
-        self.commands = {}  # by chapter, then by the file's name without _checks.cpp
-        self.main = None
-        path = Path(folder, "compile_commands.json")
-        if not path.exists():
-            raise ListError(f"{path} does not exist; configure the build with CMAKE_EXPORT_COMPILE_COMMANDS")
-        for entry in json.loads(path.read_text()):
-            # What the course compiles once for many programs is compiled here with the mutation in it.
-            words = [word for word in shlex.split(entry["command"]) if not word.startswith("-DTUMBLE_COMPILED_")]
-            file, target = Path(entry["file"]), words.index("-o") + 1
-            if file.name == "check_main.cpp":
-                self.main = Path(entry["directory"], words[target])
-            elif file.name.endswith("_checks.cpp"):
-                words[target - 1:] = ["-w", "-c", str(file)]  # what a mutation leaves unused is no error
-                checks = self.commands.setdefault(file.parent.name, {})
-                checks[file.name.removesuffix("_checks.cpp")] = (entry["directory"], words)
-        if self.main is None or not self.main.exists():
-            raise ListError(f"{self.main} does not exist; build the targets tumble_check_main and tumble_check_headers")
+    def text(self):
+        text = self.path.read_text()
+        return text[:self.start] + self.replacement + text[self.end:]
 
-    def checks(self, chapter):
-        if chapter not in self.commands:
-            raise ListError(f"no chapter with checks is called {chapter}; there are {', '.join(self.commands)}")
-        return self.commands[chapter]
+    def lines(self):
+        return lines_of(self.path.read_text(), self.start, self.end, self.replacement)
 
-
-def include_folders(words):
-    return [Path(word[2:]) for word in words if word.startswith("-I")]
-
-
-def find_header(name, folders):
-    return next((folder / name for folder in folders if (folder / name).exists()), None)
-
-
-def includes(file, header, folders, seen):
-    """Whether `file` includes `header`, itself or by way of others of ours."""
-    seen.add(file)
-    for name in re.findall(r"#include <((?:tumble|course)/[\w/]+\.hpp)>", file.read_text()):
-        path = find_header(name, folders)
-        if path and (path == header or (path not in seen and includes(path, header, folders, seen))):
-            return True
-    return False
+    def __str__(self):
+        if self.listed:
+            return str(self.listed)
+        line = self.path.read_text().count("\n", 0, self.start) + 1
+        return f"{self.header}:{line}: {self.kind}: " + "  becomes  ".join(self.lines())
 
 
-def checks_that_see(mutation, build):
-    """The names of the chapter's check files that include the header, the likeliest to see the mutation first."""
-    checks = build.checks(mutation.chapter)
-    likeliest = mutation.seen_by or Path(mutation.header).stem
-    if mutation.seen_by and mutation.seen_by not in checks:
-        raise ListError(f"{mutation}: {mutation.chapter} has no checks called {mutation.seen_by}")
-
-    def sees(name):
-        words = checks[name][1]
-        folders = include_folders(words)
-        return includes(Path(words[-1]), find_header(mutation.header, folders), folders, set())
-
-    return sorted(filter(sees, checks), key=lambda name: name != likeliest)
+def say(sentence):
+    print(sentence, flush=True)
 
 
-def mutated_header(mutation, build):
-    """The text of the header with the mutation in it."""
-    for _, words in build.checks(mutation.chapter).values():
-        path = find_header(mutation.header, include_folders(words))
-        if path:
-            return mutation.apply(path.read_text())
-    raise ListError(f"{mutation}: no such header is in reach of this chapter")
+def from_lists(paths, build):
+    """The mutants of lists."""
+    made = []
+    for path in paths:
+        for mutation in read_list(path):
+            header = build.header(mutation.chapter, mutation.header)
+            if header is None:
+                raise ListError(f"{mutation}: no such header is in reach of this chapter")
+            text = header.read_text()
+            mutation.apply(text)  # or refuse
+            alone.checks_that_see(mutation, build)
+            start = text.index(mutation.original)
+            number = first_number(mutation.chapter, build) + sum(mutant.chapter == mutation.chapter for mutant in made)
+            edits, is_late = by_hand.edits_of(text, start, start + len(mutation.original), mutation.replacement, number)
+            made.append(Mutant(mutation.chapter, mutation.header, header, start, start + len(mutation.original),
+                               mutation.replacement, number, edits, f"by hand {number}", mutation.breaks, is_late,
+                               listed=mutation, seen_by=mutation.seen_by, proof=mutation.proof))
+    return made
 
 
-def run(*command, directory=None):
-    """Runs a command that may compute for `computing_seconds`; longer, and a signal ends it."""
-    limit = f'ulimit -t {computing_seconds}; exec "$0" "$@"'
-    return subprocess.run(["sh", "-c", limit, *command], cwd=directory, text=True, errors="replace", capture_output=True)
+def first_number(chapter, build):
+    """A chapter's mutants have numbers of their own, so that a change in one recompiles no other."""
+    return 1 + 4000 * ["common", *build.chapters(), *sorted(set(build.commands) - set(build.chapters()))].index(chapter)
 
 
-def turns_red(name, directory, words, main, scratch, *flags):
-    """How the check file ends with the header in `scratch`: "" if green, otherwise what went wrong, and whether a check
-    saw it."""
-    checks, program = scratch / "checks.o", scratch / "checks"
-    compiled = run(words[0], f"-I{scratch}", *flags, *words[1:], "-o", checks, directory=directory)
-    if compiled.returncode:
-        return "\n".join(["does not compile", *re.findall(r".*error: .*", compiled.stderr)[:2]]), False
-    subprocess.run([words[0], checks, main, "-o", program], check=True)
-    checked = run(program, "--abort-after=1", "--no-colors")
-    if checked.returncode == 0:
-        return "", False
-    failed = re.search(r"^TEST CASE:\s+(.+)", checked.stdout, re.MULTILINE)
-    if failed:
-        return f"{name}: {failed[1]}", True
-    return f"{name}: no verdict within {computing_seconds} s of computing, or a crash", True
+def generated(chapters, build, equal):
+    """The mutants of the headers of `chapters` and the edits of late tables by header."""
+    made, late = [], {}
+    for chapter in chapters:
+        number = first_number(chapter, build) + most_in_list
+        folder = root / "common" if chapter == "common" else root / "chapters" / chapter
+        for path in sorted((folder / "tumble").glob("*.hpp")):
+            name, text = f"tumble/{path.name}", path.read_text()
+            generator = Generator(name, text, number)
+            found = generator.everything()
+            number = generator.next
+            late[path] = generator.late_edits
+            sites = {}
+            for one in found:
+                sites.setdefault(one.site, one)
+            for one in found:
+                first = sites[one.site]
+                site_text = f"{first.kind}: {text[first.start:first.end]} at {text.count(chr(10), 0, first.start) + 1}"
+                made.append(Mutant(chapter, name, path, one.start, one.end, one.replacement, one.number, one.edits,
+                                   f"{name} {one.site}", site_text, one.is_late, one.may_be_constant, one.kind))
+                made[-1].proof = equal.get((name, *made[-1].lines()), "")
+    return made, late
 
 
-def settle(mutation, build):
-    """(what became of the mutation, what is wrong with that or "")"""
-    names = checks_that_see(mutation, build)
-    with tempfile.TemporaryDirectory() as folder:
-        scratch = Path(folder)
-        header = scratch / mutation.header
-        header.parent.mkdir(parents=True)
-        header.write_text(mutated_header(mutation, build))
-        for flags in ["-DTUMBLE_ONE_PRECISION=float"], []:
-            for name in names:
-                end, is_killed = turns_red(name, *build.checks(mutation.chapter)[name], build.main, scratch, *flags)
-                if is_killed:
-                    return f"killed by {end}", "is listed as equivalent, but a check sees it" if mutation.proof else ""
-                if end:
-                    return end, "must compile"
-    if mutation.proof:
-        return f"survived; {mutation.proof}", ""
-    return f"survived {', '.join(names)}", "survived: add a check, or the proof that it is equivalent"
+def home_of(mutant, build):
+    """The chapter whose checks are compiled for a mutant alone."""
+    if mutant.chapter != "common":
+        return mutant.chapter
+    name = Path(mutant.header).stem
+    return next((chapter for chapter in build.chapters() if name in build.checks(chapter)), build.chapters()[0])
+
+
+def settle_alone(mutants, build):
+    """Those that no switch can choose."""
+    def one(mutant):
+        @dataclass
+        class Place:
+            chapter: str
+            header: str
+            seen_by: str
+
+            def __str__(self):
+                return str(mutant)
+        return alone.settle(Place(home_of(mutant, build), mutant.header, mutant.seen_by), mutant.text(), build)
+
+    with ThreadPoolExecutor(jobs) as pool:
+        for mutant, (end, check) in zip(mutants, pool.map(one, mutants)):
+            mutant.result, mutant.check = end, check
+
+
+def is_for_the_compiler(mutant):
+    """Whether no check can reach a mutant because the compiler computes what it changes."""
+    return mutant.result in ("unreached", "none") and (mutant.may_be_constant or mutant.listed is not None)
+
+
+def try_all(by_lists, made, late, build, patient, sample):
+    engine = Engine(build, jobs, patient, say)
+    chapters = [name for name in [*build.chapters(), "exact"] if name in build.commands]
+    tried = {mutant.chapter for mutant in [*by_lists, *made]}
+    unseen = []
+    for chapter in chapters:
+        mine = [m for m in by_lists if m.chapter == chapter]
+        if chapter != "exact" and chapter in tried:
+            mine += [m for m in made if m.chapter == chapter or (
+                m.result in ("", "survived", "unreached") and not (m.proof and m.result == "survived") and
+                not is_for_the_compiler(m) and (m.chapter == "common" or m.chapter < chapter))]
+        if not any(m.edits for m in mine):
+            continue
+        try:
+            ends = engine.chapter(chapter, mine, late)
+        except EngineError as error:
+            say(f"{error}\n{chapter}: its list is tried one by one, and nothing else")
+            unseen.append(f"{chapter}: its generated mutants were not tried")
+            for mutant in made:
+                mutant.result = mutant.result or ("not tried" if mutant.chapter == chapter else "")
+            continue
+        for mutant in mine:
+            end, check = ends.get(mutant.number, ("", ""))
+            if end and not (end == "unreached" and mutant.result) and not (end == "none" and mutant.result == "survived"):
+                mutant.result, mutant.check = end, f"{chapter} {check}"
+    left = [m for m in [*by_lists, *made] if is_for_the_compiler(m) or not m.result]
+    slow = [m for m in left if not m.listed]
+    spared = set() if patient else {m.number for m in slow} - {m.number for m in random.Random(seed).sample(slow, min(len(slow), sample))}
+    left = [m for m in left if m.number not in spared]
+    for mutant in slow:
+        if mutant.number in spared:
+            mutant.result = "not tried"
+    begun = time.time()
+    settle_alone(left, build)
+    say(f"{len(left)} mutants compiled alone in {time.time() - begun:.0f} s; {len(spared)} more were not tried")
+    return unseen if made else []
+
+
+def tell_of_lists(mutants):
+    """Prints what became of each; gives what is wrong."""
+    wrong = []
+    for mutant in mutants:
+        seen = mutant.result in caught_ends
+        check = mutant.check.removeprefix(f"{mutant.chapter} ")
+        end = f"killed by {check}" if seen else "does not compile: " + check if mutant.result == "no code" else (
+            f"survived; {mutant.proof}" if mutant.proof else "survived")
+        say(f"{mutant} -- {end}")
+        if mutant.result == "no code":
+            wrong.append(f"{mutant} -- must compile")
+        elif seen and mutant.proof:
+            wrong.append(f"{mutant} -- is listed as equivalent, but a check sees it")
+        elif not seen and not mutant.proof:
+            wrong.append(f"{mutant} -- survived: add a check, or the proof that it is equivalent")
+    return wrong
+
+
+def tell_of_generated(mutants, equal, path):
+    """Prints the survivors; gives what is wrong, and a row for each chapter: (chapter, generated, caught, crashed or endless,
+    equal, survivors)."""
+    if not mutants:
+        return [], []
+    path.write_text("".join("\t".join([str(m.number), m.header, m.kind, m.result, m.check, str(m)]) + "\n" for m in mutants))
+    real = [m for m in mutants if m.result not in ("none", "no code", "not tried")]
+    wrong = [f"{m} -- is listed as equal, but seen: {m.check}" for m in real if m.proof and m.result in caught_ends]
+    rows = []
+    for chapter in [*dict.fromkeys(m.chapter for m in mutants), "all"]:
+        own = [m for m in real if chapter in (m.chapter, "all")]
+        caught = [m for m in own if m.result in caught_ends]
+        same = [m for m in own if m.proof and m.result not in caught_ends]
+        rows.append((chapter, len(own), len(caught), sum(m.result != "killed" for m in caught), len(same),
+                     len(own) - len(caught) - len(same)))
+    for mutant in real:
+        if mutant.result not in caught_ends and not mutant.proof:
+            say(f"survivor, {mutant.result}: {mutant}")
+    used = {(m.header, *m.lines()) for m in mutants}
+    headers = {m.header for m in mutants}
+    wrong += [f"{header}: the lists of equal mutants name one that is not made: {old}  becomes  {new}"
+              for header, old, new in equal if header in headers and (header, old, new) not in used]
+    nowhere = sum(m.result in ("none", "no code") for m in mutants)
+    say(f"{len(mutants)} generated, of which {nowhere} compile nowhere")
+    for row in rows:
+        say("{}: {} mutants, {} caught, of which {} by a crash or no end; {} equal, {} survive".format(*row))
+    if rows[-1][5] > (1 - wanted_share) * rows[-1][1]:
+        wrong.append(f"of the generated mutants fewer than {wanted_share:.0%} are caught or listed as equal")
+    return wrong, rows
+
+
+def write_table(rows):
+    """Replaces the rows of these chapters; the last row sums all."""
+    path, today = here / "caught.tsv", datetime.date.today().isoformat()
+    names = ["headers of", "mutants", "caught", "by a crash or a hang", "equal", "survive", "when"]
+    old = [line.split("\t") for line in path.read_text().splitlines()[1:]] if path.exists() else []
+    table = {row[0]: row for row in old} | {row[0]: [*map(str, row), today] for row in rows}
+    table.pop("all", None)
+    chapters = sorted(table.values(), key=lambda row: (row[0] != "common", row[0]))
+    sums = [str(sum(int(row[column]) for row in chapters)) for column in range(1, 6)]
+    path.write_text("".join("\t".join(row) + "\n" for row in [names, *chapters, ["all", *sums, max(row[6] for row in chapters)]]))
 
 
 def main():
-    if len(sys.argv) < 2:
-        sys.exit(__doc__)
-    here = Path(__file__).parent
-    lists = sys.argv[2:] or sorted(set(here.glob("*.txt")) - {here / "CMakeLists.txt"})
-    wrong = []
+    parser = argparse.ArgumentParser(usage=__doc__)
+    parser.add_argument("build")
+    parser.add_argument("lists", nargs="*")
+    parser.add_argument("--chapters", default="")
+    parser.add_argument("--generated", default="")
+    parser.add_argument("--write", action="store_true")
+    parser.add_argument("--patient", action="store_true")
+    parser.add_argument("--sample", type=int, default=sample)
+    parser.add_argument("--jobs", type=int, default=2)
+    options = parser.parse_args()
+    global jobs
+    jobs = options.jobs
     try:
-        build = Build(sys.argv[1])
-        mutations = [mutation for path in lists for mutation in read_list(path)]
-        for mutation in mutations:  # before anything is compiled
-            mutated_header(mutation, build)
-            checks_that_see(mutation, build)
-    except (ListError, OSError) as error:
+        build = Build(options.build)
+        wanted = [name for name in build.chapters() if not options.chapters or name in options.chapters.split(",")]
+        paths = options.lists or [path for path in sorted(here.glob("*.txt")) if path.stem in build.commands and (
+            not options.chapters or path.stem in options.chapters.split(","))]
+        by_lists = from_lists(paths, build)
+        equal = read_equal(here / "equal")
+        if options.generated:
+            wanted = [name for name in wanted if name in options.generated.split(",")]
+        elif wanted == build.chapters() or "common" in options.chapters.split(","):
+            wanted.insert(0, "common")
+        made, late = ([], {}) if options.lists else generated(wanted, build, equal)
+        unseen = try_all(by_lists, made, late, build, options.patient, options.sample)
+    except (ListError, EngineError, OSError) as error:
         sys.exit(f"mutations: {error}")
-    with ThreadPoolExecutor(jobs) as pool:
-        for mutation, (end, complaint) in zip(mutations, pool.map(lambda m: settle(m, build), mutations)):
-            print(f"{mutation} -- {end}", flush=True)
-            if complaint:
-                wrong.append(f"{mutation} -- {complaint}")
-    print(f"\n{len(mutations)} mutations, {len(wrong)} of them wrong{':' if wrong else '.'}", *wrong, sep="\n")
+    wrong = unseen + tell_of_lists(by_lists)
+    complaints, rows = tell_of_generated(made, equal, build.folder / "mutants" / "all.tsv")
+    wrong += complaints
+    if options.write:
+        write_table(rows)
+    say(f"\n{len(by_lists)} mutations, {len(made)} generated mutants, {len(wrong)} wrong{':' if wrong else '.'}")
+    print(*wrong, sep="\n")
     sys.exit(1 if wrong else 0)
 
 

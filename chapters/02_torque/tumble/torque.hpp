@@ -9,8 +9,8 @@ namespace tumble {
 /// The torque (N m) about `centre` of a force that acts at `point`: τ = (p − x) × F. All in world
 /// axes; positions in m, the force in N.
 ///
-/// The lever arm p − x is formed first, so its digits do not depend on where the origin is. The
-/// equal formula p × F − x × F loses them far from it.
+/// The lever arm p − x is formed first: one rounding of what the two positions hold, wherever the
+/// origin is. The equal formula p × F − x × F loses digits far from it.
 //! [torque_about]
 template <class Real>
 Vec3<Real> torque_about(const Vec3<Real>& centre, const Vec3<Same<Real>>& point,

@@ -46,7 +46,7 @@ Real largest_stable_time_step(Real stiffness, Same<Real> damping, Same<Real> inv
   require_not_negative("spring's damping", damping, "N s/m");
   require_not_negative("inverse mass", inverse_mass, "1/kg");
   const Real damping_rate = damping * inverse_mass;
-  const Real angular_frequency = std::sqrt(stiffness * inverse_mass);
+  const Real angular_frequency = std::sqrt(stiffness) * std::sqrt(inverse_mass);
   return 4 / (damping_rate + std::hypot(damping_rate, 2 * angular_frequency));
 }
 //! [largest_stable_time_step]

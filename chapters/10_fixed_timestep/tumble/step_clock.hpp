@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 #include <tumble/require.hpp>
+#include <type_traits>
 
 namespace tumble {
 
@@ -46,13 +47,14 @@ inline void require_step_length(const StepLength& step, std::int64_t shortest) {
 }
 //! [require_step_length]
 
-/// The time step h for the formulas of motion, in s.
+/// The time step h for the formulas of motion, in s. In double both numbers are exact up to 2^53,
+/// so that the quotient is rounded once; a longer format in between would round it twice.
 //! [time_step_of]
 template <class Real>
 Real time_step_of(const StepLength& step) {
-  const long double nanoseconds_in_a_second = 1e9L;
-  return static_cast<Real>(static_cast<long double>(step.numerator) /
-                           (static_cast<long double>(step.denominator) * nanoseconds_in_a_second));
+  using Wide = std::conditional_t<std::is_same_v<Real, float>, long double, Real>;
+  const std::int64_t second = step.denominator * 1'000'000'000;  // in the numerator's unit
+  return static_cast<Real>(static_cast<Wide>(step.numerator) / static_cast<Wide>(second));
 }
 //! [time_step_of]
 

@@ -127,6 +127,7 @@ void visit(const Effect& effect, Top<Real>& top, const Moment<Real>& moment) {
     effect.act(top, moment);
 }
 
+/// @cond the base class says what it does
 /// AnyEffect for one type of effect.
 template <class Real, class Effect>
 class EffectOf : public AnyEffect<Real> {
@@ -266,5 +267,6 @@ class EffectOf : public AnyEffect<Real> {
 
   Effect effect_;
 };
+/// @endcond
 
 }  // namespace tumble

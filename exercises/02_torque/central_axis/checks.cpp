@@ -40,7 +40,7 @@ EXERCISE_CHECK("About the point found the torque is parallel to the force") {
       .must_be(Vec3<Real>::Zero(), tolerance);
 }
 
-EXERCISE_CHECK("It is the nearest point of the axis: its way from there is square to the force") {
+EXERCISE_CHECK("It is the nearest point of the axis: the way there is perpendicular to the force") {
   const auto wrench = some_wrench<Real>();
   const Vec3<Real> way = axis_point(wrench) - wrench.about;
   Found("the way to the point, along the force,", "N m", way.dot(wrench.force))

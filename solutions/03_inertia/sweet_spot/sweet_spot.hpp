@@ -18,7 +18,7 @@ tumble::Vec3<Real> velocity_after_blow(const tumble::MassProperties<Real>& body,
   //! [end]
 }
 
-/// How far (m) beyond the centre of mass a blow square to the bat leaves the grip at rest, which is
+/// How far (m) beyond the centre of mass a blow across the bat leaves the grip at rest, which is
 /// `grip` m from the centre of mass on the other side. `moment` (kg m²) is the one about the centre
 /// of mass across bat and blow, `mass` in kg.
 template <class Real>

@@ -1,0 +1,235 @@
+// What is changed in a world while it runs, and what of it is refused.
+#include <course/checks.hpp>
+#include <course/random_world.hpp>
+#include <tumble/ledger.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+template <class Real>
+RigidBody<Real> box_body(const Vec3<Real>& place) {
+  return make_rigid_body<Real>("box", mass_properties(Box<Real>{{1, 2, 3}}, 2), {place}).body;
+}
+
+/// An effect that joins two bodies and from a given time on gives a force or a torque that is none.
+template <class Real>
+struct BrokenJoint {
+  static constexpr std::string_view name = "broken joint";
+  bool breaks_force;
+  PairPush<Real> push(const BodyState<Real>&, const BodyState<Real>&, Real) const {
+    const Vec3<Real> bad(0, std::numeric_limits<Real>::quiet_NaN(), 0);
+    PairPush<Real> push;
+    (breaks_force ? push.force_on_first : push.torque_on_second) = bad;
+    return push;
+  }
+};
+
+template <class Action>
+std::string sentence_of(const Action& action) {
+  try {
+    action();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "nothing thrown";
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("A body that makes no sense is refused, on its own or in place of another", Real,
+                   EVERY_PRECISION) {
+  const Real infinity = std::numeric_limits<Real>::infinity();
+  World<Real> world;
+  const BodyHandle there = world.add("there", box_body<Real>({0, 0, 0}));
+  const auto refused = [&](const auto& spoil, const std::string& what) {
+    RigidBody<Real> body = box_body<Real>({1, 0, 0});
+    spoil(body);
+    CHECK(sentence_of([&] { world.add("new", body); }).find("new: " + what + " is ") == 0);
+    CHECK(sentence_of([&] { world.replace(there, body); }).find("there: " + what + " is ") == 0);
+  };
+  refused([&](auto& body) { body.centre.position.x() = infinity; }, "position");
+  refused([&](auto& body) { body.centre.velocity.y() = infinity; }, "velocity");
+  refused([&](auto& body) { body.centre.inverse_mass = -1; }, "inverse mass");
+  refused([&](auto& body) { body.top.orientation.real = 2; }, "orientation");
+  refused([&](auto& body) { body.top.angular_momentum_body.z() = infinity; }, "angular momentum");
+  refused([&](auto& body) { body.top.inverse_moments.x() = infinity; }, "inverse moments");
+  refused([&](auto& body) { body.top.inverse_moments.x() = -1; }, "inverse moments");
+  CHECK(world.body_count() == 1);
+}
+
+TEST_CASE_TEMPLATE("A body turns to the orientation that it is given, and a point is refused one",
+                   Real, EVERY_PRECISION) {
+  World<Real> world;
+  const BodyHandle box = world.add("box", box_body<Real>({0, 0, 0}));
+  const BodyHandle point = world.add("point", make_particle<Real>(1));
+  const Quaternion<Real> q = {.real = Real(0.5), .imaginary = {Real(0.5), Real(-0.5), Real(0.5)}};
+  world.set_orientation(box, q);
+  CHECK(world.body(box).top.orientation.real == q.real);
+  CHECK(same_bits(world.body(box).top.orientation.imaginary, q.imaginary));
+  CHECK(sentence_of([&] { world.set_orientation(point, q); }) ==
+        "'point' is a point: it has no orientation");
+}
+
+TEST_CASE_TEMPLATE("A blow that makes a speed or a spin infinite is refused", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  RigidBody<Real> light = box_body<Real>({0, 0, 0});
+  light.centre.inverse_mass = 4;
+  const BodyHandle box = world.add("box", light);
+  const Real most = std::numeric_limits<Real>::max();
+  CHECK(sentence_of([&] {
+          world.apply_impulse_at(box, {most, 0, 0}, {0, 0, 0});
+        }).find("box: velocity after the blow is ") == 0);
+  CHECK(sentence_of([&] {
+          world.apply_impulse_at(box, {0, most / 8, 0}, {0, 0, 64});
+        }).find("box: angular momentum after the blow is ") == 0);
+  CHECK(world.body(box).centre.velocity == Vec3<Real>::Zero());
+}
+
+TEST_CASE_TEMPLATE("A first velocity by replacement or by a blow makes a body move", Real,
+                   EVERY_PRECISION) {
+  for (const bool by_blow : {false, true}) {
+    World<Real> world(steps_per_second(2));
+    const BodyHandle box = world.add("box", box_body<Real>({0, 0, 0}));
+    world.step();
+    RigidBody<Real> moving = box_body<Real>({0, 0, 0});
+    moving.centre.velocity = {2, 0, 0};
+    if (by_blow)
+      world.apply_impulse_at(box, {4, 0, 0}, {0, 0, 0});
+    else
+      world.replace(box, moving);
+    world.step();
+    CHECK(world.body(box).centre.position.x() == 1);
+  }
+}
+
+TEST_CASE_TEMPLATE(
+    "After a body is taken out, another may have its name, and the last keeps its own", Real,
+    EVERY_PRECISION) {
+  World<Real> world;
+  const BodyHandle first = world.add("first", make_particle<Real>(1, {1, 0, 0}));
+  const BodyHandle last = world.add("last", make_particle<Real>(1, {2, 0, 0}, {1, 0, 0}));
+  world.remove(first);
+  CHECK(world.name_of(last) == "last");
+  CHECK(world.find("last") == last);
+  world.add("first", make_particle<Real>(1, {3, 0, 0}));
+  CHECK(sentence_of([&] { world.set_velocity(first, {1, 0, 0}); }).find("stale handle") == 0);
+  CHECK(world.body(world.find("first")).centre.position.x() == 3);
+}
+
+TEST_CASE_TEMPLATE("A joint that gives no number is named, with what it gave to the lost body",
+                   Real, EVERY_PRECISION) {
+  for (const bool force : {true, false}) {
+    World<Real> world;
+    world.add("bystander", box_body<Real>({9, 0, 0}));
+    const BodyHandle a = world.add("a", box_body<Real>({0, 0, 0}));
+    const BodyHandle b = world.add("b", box_body<Real>({3, 0, 0}));
+    const BodyHandle c = world.add("c", box_body<Real>({6, 0, 0}));
+    world.add(SpringBetween<Real>{.spring = {.stiffness = 1}}, {a, c});
+    world.add(BrokenJoint<Real>{force}, {a, b});
+    const std::string lost = force ? "'a' at 0 s (step 0): " : "'b' at 0 s (step 0): ";
+    const std::string gave = force ? "a force of (0, nan, 0) N" : "a torque of (0, nan, 0) N m";
+    CHECK(sentence_of([&] { world.step(); }).find(lost + "broken joint gives " + gave) == 0);
+  }
+}
+
+TEST_CASE_TEMPLATE("The news name three causes and count the others", Real, EVERY_PRECISION) {
+  const auto news_after = [](int changes) {
+    World<Real> world;
+    const BodyHandle box = world.add("box", box_body<Real>({0, 0, 0}));
+    world.plan();
+    for (int n = 0; n < changes; ++n) world.replace(box, box_body<Real>({Real(n), 0, 0}));
+    world.set_velocity(box, {1, 0, 0});
+    std::string all;
+    for (const std::string& sentence : world.news()) all += sentence;
+    return all;
+  };
+  const std::string replaced = "'box' was replaced", moved = "'box' got its first velocity";
+  CHECK(news_after(2).find(replaced + ", " + replaced + ", " + moved) != std::string::npos);
+  CHECK(news_after(2).find(" more") == std::string::npos);
+  CHECK(news_after(5).find(replaced + ", " + replaced + ", " + replaced + " and 3 more") !=
+        std::string::npos);
+}
+
+TEST_CASE_TEMPLATE("Two springs and two weights store the sum of their energies", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  const BodyHandle a = world.add("a", make_particle<Real>(1, {0, 0, 1}));
+  const BodyHandle b = world.add("b", make_particle<Real>(2, {0, 0, 4}));
+  const BodyHandle c = world.add("c", make_particle<Real>(4, {0, 0, 8}));
+  world.add(Gravity<Real>{.gravity = {0, 0, -2}}, {a, b});
+  world.add(SpringBetween<Real>{.spring = {.stiffness = 2, .rest_length = 1}}, {a, b, b, c});
+  // m g z of two: 2 + 16; k s²/2 of stretches 2 and 3: 4 + 9. Small whole numbers round nothing.
+  CHECK(Ledger<Real>::stored(world) == 31);
+}
+
+TEST_CASE_TEMPLATE("A world of no time stands still, and one that runs backwards is refused", Real,
+                   EVERY_PRECISION) {
+  World<Real> still(StepLength{0, 1});
+  const BodyHandle ball = still.add("ball", make_particle<Real>(1, {1, 0, 0}, {2, 0, 0}));
+  still.step();
+  CHECK(still.body(ball).centre.position.x() == 1);
+  CHECK(sentence_of([] { World<Real>(StepLength{-1, 1}); }) != "nothing thrown");
+}
+
+TEST_CASE("Plans and books are tables whose columns are in line") {
+  World<double> world(steps_per_second(2));
+  world.add("stone", make_particle<double>(2, {1, 0, 8}));
+  world.add("wall", make_static_particle<double>({0, 0, 0}));
+  world.add(Gravity<double>{.gravity = {0, 0, -4}});
+  CHECK(
+      table_of(world.plan()) ==
+      R"(effect               phase    bodies  reads                writes                         why
+clear the forces     force    1 of 2                       force                          not 1: no force acts on them
+gravity              force    1 of 2  mass                 force                          not 1: nothing can move them
+kick                 kick     1 of 2  force                velocity                       not 1: nothing can move them
+drift                drift    1 of 2  velocity             position                       not 1: nothing can move them
+clear the torques    no pass  0 of 2                       torque                         not 2: points do not turn
+kick of the spin     no pass  0 of 2  torque, orientation  angular momentum               not 2: points do not turn
+steady turning       no pass  0 of 2  angular momentum     orientation                    not 2: points do not turn
+tumbling: splitting  no pass  0 of 2  angular momentum     orientation, angular momentum  not 2: points do not turn
+)");
+  Ledger<double> ledger(world);
+  ledger.step(world);
+  // Half a second of 8 N: -4 N s at a mean speed of -1 m/s, and 1 m beside the origin.
+  CHECK(table_of(ledger, world) ==
+        R"(              energy, J  momentum x, y, z, kg m/s      angular momentum x, y, z, kg m^2/s
+at the start          0          0         0         0          0         0         0
++ gravity             4          0         0        -4          0         4         0
++ drift               0          0         0         0          0         0         0
+now                   4          0         0        -4          0         4         0
+unexplained           0          0         0         0          0         0         0
+)");
+}
+
+TEST_CASE_TEMPLATE("The reference run stops where the run by plan does, and says the same", Real,
+                   EVERY_PRECISION) {
+  const auto complaint = [](bool by_plan) {
+    World<Real> world;
+    const BodyHandle a = world.add("a", box_body<Real>({0, 0, 0}));
+    const BodyHandle b = world.add("b", box_body<Real>({3, 0, 0}));
+    world.add(Gravity<Real>{.gravity = {0, 0, -1}});
+    world.add(BrokenJoint<Real>{true}, {a, b});
+    return sentence_of([&] { by_plan ? world.step() : world.step_by_reference(); });
+  };
+  CHECK(complaint(true).find("'a' at 0 s (step 0): broken joint gives ") == 0);
+  CHECK(complaint(false) == complaint(true));
+}
+
+TEST_CASE_TEMPLATE("What no effect sums any more is cleared, and a moving body goes on straight",
+                   Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(2));
+  const BodyHandle box = world.add("box", box_body<Real>({0, 0, 0}));
+  const EffectHandle pull =
+      world.add(Thruster<Real>{.force_body = {4, 0, 0}, .point = {0, 1, 0}}, {box});
+  world.step();
+  CHECK(world.body(box).centre.force.norm() > 3);  // 4 N, turned
+  world.remove(pull);
+  const Vec3<Real> velocity = world.body(box).centre.velocity;
+  world.step();
+  CHECK(same_bits(world.body(box).centre.force, Vec3<Real>(0, 0, 0)));
+  CHECK(same_bits(world.body(box).top.torque, Vec3<Real>(0, 0, 0)));
+  CHECK(same_bits(world.body(box).centre.velocity, velocity));
+}

@@ -1,0 +1,67 @@
+"""What a build folder knows: how each chapter's check files are compiled, and with what they are linked."""
+import json
+import re
+import shlex
+from pathlib import Path
+
+from mutation_list import ListError
+
+
+class Build:
+    def __init__(self, folder):
+        self.folder = Path(folder).resolve()
+        self.commands = {}  # by chapter, then by the file's name without _checks.cpp: (directory, words, file)
+        self.others = {}  # by chapter, then by file: what else its checks are linked with: (object, words, file)
+        self.main = self.main_words = None
+        path = self.folder / "compile_commands.json"
+        if not path.exists():
+            raise ListError(f"{path} does not exist; configure the build with CMAKE_EXPORT_COMPILE_COMMANDS")
+        for entry in json.loads(path.read_text()):
+            # What the course compiles once for many programs is compiled here with the mutation in it.
+            words = [word for word in shlex.split(entry["command"]) if not word.startswith("-DTUMBLE_COMPILED_")]
+            file, target = Path(entry["file"]), words.index("-o") + 1
+            if file.name == "check_main.cpp":
+                self.main, self.main_words = Path(entry["directory"], words[target]), words[:target - 1]
+            elif file.name.endswith("_checks.cpp"):
+                checks = self.commands.setdefault(file.parent.name, {})
+                checks[file.name.removesuffix("_checks.cpp")] = (entry["directory"], words[:target - 1], file)
+            elif "tumble_rungs.dir" in words[target]:
+                self.others.setdefault(file.parent.name, {})[file.stem] = (
+                    Path(entry["directory"], words[target]), words[:target - 1], file)
+        if self.main is None or not self.main.exists():
+            raise ListError(f"{self.main} does not exist; build the targets tumble_check_main and tumble_check_headers")
+
+    def chapters(self):
+        """Those with headers, in order."""
+        return sorted(name for name in self.commands if re.match(r"\d\d_", name))
+
+    def checks(self, chapter):
+        if chapter not in self.commands:
+            raise ListError(f"no chapter with checks is called {chapter}; there are {', '.join(self.commands)}")
+        return self.commands[chapter]
+
+    def header(self, chapter, name):
+        """The path of a header that the chapter's checks can include, or None."""
+        for _, words, _ in self.checks(chapter).values():
+            path = find_header(name, include_folders(words))
+            if path:
+                return path
+        return None
+
+
+def include_folders(words):
+    return [Path(word[2:]) for word in words if word.startswith("-I")]
+
+
+def find_header(name, folders):
+    return next((folder / name for folder in folders if (folder / name).exists()), None)
+
+
+def includes(file, header, folders, seen):
+    """Whether `file` includes `header`, itself or by way of others of ours."""
+    seen.add(file)
+    for name in re.findall(r"#include <((?:tumble|course)/[\w/]+\.hpp)>", file.read_text()):
+        path = find_header(name, folders)
+        if path and (path == header or (path not in seen and includes(path, header, folders, seen))):
+            return True
+    return False

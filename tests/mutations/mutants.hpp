@@ -1,0 +1,183 @@
+/// @file
+/// What the switched copies of the headers call: each computes what stood there, or, in the one
+/// mutant that was chosen, what the mutant says. Each also notes that it was reached.
+#pragma once
+
+#include <Eigen/Core>
+#include <type_traits>
+#include <utility>
+
+namespace tumble_mutants {
+
+inline constexpr int most = 1 << 16;
+/// The mutant that runs; 0 is none.
+extern int chosen_number;
+/// Of each mutant: 1 if it was reached, 2 if only where its change would not compile, as a
+/// product's division by a matrix.
+extern unsigned char seen[most];
+
+[[gnu::always_inline]] constexpr bool chosen(int number) {
+  if (std::is_constant_evaluated()) return false;
+  seen[number] = 1;
+  return number == chosen_number;
+}
+
+constexpr void note_no_such(int number) {
+  if (!std::is_constant_evaluated() && seen[number] == 0) seen[number] = 2;
+}
+
+template <class T, class = void>
+struct PlainOf {
+  using type = std::decay_t<T>;
+};
+template <class T>
+struct PlainOf<T, std::void_t<typename std::decay_t<T>::PlainObject>> {
+  using type = typename std::decay_t<T>::PlainObject;
+};
+/// A value of its own: of an expression of Eigen's, what it comes to.
+template <class T>
+using Plain = typename PlainOf<T>::type;
+
+#define TUMBLE_MUTANTS_BINARY(name, original, other)                             \
+  template <class A, class B>                                                    \
+  constexpr auto name(int number, A&& a, B&& b)->Plain<decltype(a original b)> { \
+    using Result = Plain<decltype(a original b)>;                                \
+    if constexpr (requires { Result(a other b); }) {                             \
+      if (chosen(number)) return Result(a other b);                              \
+    } else {                                                                     \
+      note_no_such(number);                                                      \
+    }                                                                            \
+    return a original b;                                                         \
+  }
+TUMBLE_MUTANTS_BINARY(plus, +, -)
+TUMBLE_MUTANTS_BINARY(minus, -, +)
+TUMBLE_MUTANTS_BINARY(times, *, /)
+TUMBLE_MUTANTS_BINARY(divided_by, /, *)
+TUMBLE_MUTANTS_BINARY(less, <, <=)
+TUMBLE_MUTANTS_BINARY(less_equal, <=, <)
+TUMBLE_MUTANTS_BINARY(greater, >, >=)
+TUMBLE_MUTANTS_BINARY(greater_equal, >=, >)
+TUMBLE_MUTANTS_BINARY(equal, ==, !=)
+TUMBLE_MUTANTS_BINARY(not_equal, !=, ==)
+
+#define TUMBLE_MUTANTS_ASSIGN(name, original, other)        \
+  template <class A, class B>                               \
+  constexpr decltype(auto) name(int number, A&& a, B&& b) { \
+    if constexpr (requires { a other b; }) {                \
+      if (chosen(number)) return a other b;                 \
+    } else {                                                \
+      note_no_such(number);                                 \
+    }                                                       \
+    return a original b;                                    \
+  }
+TUMBLE_MUTANTS_ASSIGN(take_from, -=, +=)
+TUMBLE_MUTANTS_ASSIGN(multiply, *=, /=)
+TUMBLE_MUTANTS_ASSIGN(divide, /=, *=)
+
+/// Adds; or takes away; or forgets what was there.
+template <class A, class B>
+constexpr decltype(auto) add_to(int number, A&& a, B&& b) {
+  if constexpr (requires { a -= b; }) {
+    if (chosen(number)) return a -= b;
+  } else {
+    note_no_such(number);
+  }
+  if (chosen(number + 1)) {
+    a = b;
+    using Result = decltype(a += b);
+    return static_cast<Result>(a);
+  }
+  return a += b;
+}
+
+template <class A>
+constexpr Plain<decltype(-std::declval<A>())> opposite(int number, A&& a) {
+  if (chosen(number)) return a;
+  return -a;
+}
+
+template <class A>
+constexpr auto inverse(int number, A&& a) {
+  using Result = std::decay_t<decltype(!a)>;
+  if constexpr (std::is_same_v<Result, bool>)
+    return static_cast<bool>(a) == chosen(number);
+  else
+    return chosen(number) ? Result(a) : Result(!a);
+}
+
+template <class A, class B>
+constexpr auto both(int number, A&& a, const B& b) {
+  using Result = std::decay_t<decltype(a && b())>;
+  if constexpr (std::is_same_v<Result, bool>)
+    return chosen(number) ? a || b() : a && b();
+  else
+    return chosen(number) ? Result(a || b()) : Result(a && b());
+}
+
+template <class A, class B>
+constexpr auto either_of(int number, A&& a, const B& b) {
+  using Result = std::decay_t<decltype(a || b())>;
+  if constexpr (std::is_same_v<Result, bool>)
+    return chosen(number) ? a && b() : a || b();
+  else
+    return chosen(number) ? Result(a && b()) : Result(a || b());
+}
+
+template <class A>
+constexpr bool negated_if(int number, A&& a) {
+  return static_cast<bool>(a) != chosen(number);
+}
+
+template <class A>
+constexpr bool false_if(int number, A&& a) {
+  return static_cast<bool>(a) && !chosen(number);
+}
+
+template <class A>
+constexpr bool negated_or_false_if(int number, A&& a) {
+  if (chosen(number + 1)) return false;
+  return static_cast<bool>(a) != chosen(number);
+}
+
+template <class T>
+constexpr T number(int number, T original, std::type_identity_t<T> other) {
+  return chosen(number) ? other : original;
+}
+
+template <class T>
+constexpr T number(int number, T original, std::type_identity_t<T> other,
+                   std::type_identity_t<T> third) {
+  if (chosen(number + 1)) return third;
+  return chosen(number) ? other : original;
+}
+
+/// Where the compiler must not compute the number, but the program when it starts.
+template <class T>
+[[gnu::noinline]] T late_number(int number, T original, std::type_identity_t<T> other) {
+  return chosen(number) ? other : original;
+}
+
+template <class T>
+[[gnu::noinline]] T late_number(int number, T original, std::type_identity_t<T> other,
+                                std::type_identity_t<T> third) {
+  if (chosen(number + 1)) return third;
+  return chosen(number) ? other : original;
+}
+
+/// The first of two; the second, if they are of one type.
+template <class A, class B>
+constexpr decltype(auto) first_of(int number, A&& a, B&& b) {
+  if constexpr (std::is_same_v<A, B> && std::is_lvalue_reference_v<A>) {
+    if (chosen(number)) return std::forward<B>(b);
+    return std::forward<A>(a);
+  } else if constexpr (std::is_same_v<Plain<A>, Plain<B>> &&
+                       std::is_copy_constructible_v<Plain<A>>) {
+    if (chosen(number)) return Plain<A>(b);
+    return Plain<A>(a);
+  } else {
+    note_no_such(number);
+    return std::forward<A>(a);
+  }
+}
+
+}  // namespace tumble_mutants
