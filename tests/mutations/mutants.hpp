@@ -28,15 +28,15 @@ constexpr void note_no_such(int number) {
 
 template <class T, class = void>
 struct PlainOf {
-  using type = std::decay_t<T>;
+  using Type = std::decay_t<T>;
 };
 template <class T>
 struct PlainOf<T, std::void_t<typename std::decay_t<T>::PlainObject>> {
-  using type = typename std::decay_t<T>::PlainObject;
+  using Type = typename std::decay_t<T>::PlainObject;
 };
 /// A value of its own: of an expression of Eigen's, what it comes to.
 template <class T>
-using Plain = typename PlainOf<T>::type;
+using Plain = typename PlainOf<T>::Type;
 
 #define TUMBLE_MUTANTS_BINARY(name, original, other)                             \
   template <class A, class B>                                                    \

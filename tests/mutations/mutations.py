@@ -191,7 +191,9 @@ def try_all(by_lists, made, late, build, patient, sample):
             end, check = ends.get(mutant.number, ("", ""))
             if end and not (end == "unreached" and mutant.result) and not (end == "none" and mutant.result == "survived"):
                 mutant.result, mutant.check = end, f"{chapter} {check}"
-    left = [m for m in [*by_lists, *made] if is_for_the_compiler(m) or not m.result]
+    # A mutation of a list that double does not see is compiled alone, where float has its turn.
+    left = [m for m in [*by_lists, *made]
+            if is_for_the_compiler(m) or not m.result or (m.listed and m.result == "survived" and not m.proof)]
     slow = [m for m in left if not m.listed]
     spared = set() if patient else {m.number for m in slow} - {m.number for m in random.Random(seed).sample(slow, min(len(slow), sample))}
     left = [m for m in left if m.number not in spared]

@@ -176,7 +176,9 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
         pushes = kernel_.push(state, time);
     } else {
       for (int lane = 0; lane < width; ++lane) {
-        if (!members[lane] || std::size_t{pack} * width + lane >= bodies.centres.size()) continue;
+        if (!members[lane] ||
+            std::size_t{pack} * width + static_cast<std::size_t>(lane) >= bodies.centres.size())
+          continue;
         const Particle<Real> one = lane_of(centre, lane);
         const Top<Real> top = lane_of(tops, lane);
         const Push<Real> push = this->push_on({one, top}, time);
