@@ -2,6 +2,7 @@
 /// What resists a turn: the inertia tensor, particle by particle.
 #pragma once
 
+#include <algorithm>
 #include <limits>
 #include <tumble/require.hpp>
 
@@ -48,11 +49,12 @@ Real turning_energy(const Mat3<Real>& inertia, const Vec3<Same<Real>>& angular_v
 /// the largest element, and the mirrored element as much again. So 64 units are let pass.
 template <class Real>
 void require_symmetric(std::string_view name, const Mat3<Real>& inertia) {
-  const Real largest = inertia.cwiseAbs().maxCoeff();
-  if (!inertia.allFinite())
+  if (!is_finite(inertia))
     throw std::invalid_argument(std::string(name) +
                                 ": an element of the inertia tensor is infinite or NaN; "
                                 "every element must be finite");
+  Real largest = 0;
+  for (int i = 0; i < 9; ++i) largest = std::max(largest, std::abs(inertia(i)));
   const Real slack = 64 * (std::numeric_limits<Real>::epsilon() / 2) * largest;
   const char* const axis = "xyz";
   for (int i = 0; i < 3; ++i)

@@ -4,6 +4,7 @@
 
 #include <tumble/compensated_sum.hpp>
 #include <tumble/inertia.hpp>
+#include <tumble/orthonormal.hpp>
 #include <tumble/particle.hpp>
 #include <vector>
 
@@ -66,15 +67,15 @@ Mat3<Real> in_other_axes(const Mat3<Real>& inertia, const Mat3<Same<Real>>& R) {
 /// turns is still one.
 template <class Real>
 void require_turn(std::string_view name, const Mat3<Real>& matrix) {
-  const Mat3<Real> error = matrix.transpose() * matrix - Mat3<Real>::Identity();
+  const Real error = orthonormality_error(matrix);
   const Real slack = 1024 * (std::numeric_limits<Real>::epsilon() / 2);
-  if (!(error.cwiseAbs().maxCoeff() <= slack))
+  if (!(error <= slack))
     throw std::invalid_argument(
         std::string(name) +
         " does not turn rigidly; its columns must have length 1 and be square "
         "to each other, and one product is off by " +
-        text_of(error.cwiseAbs().maxCoeff()));
-  if (matrix.col(0).cross(matrix.col(1)).dot(matrix.col(2)) < 0)
+        text_of(error));
+  if (triple_product(matrix) < 0)
     throw std::invalid_argument(std::string(name) + " mirrors; its columns must be right-handed");
 }
 

@@ -2,9 +2,10 @@
 /// The axes in which a tensor is three numbers.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <tumble/inertia.hpp>
+#include <tumble/orthonormal.hpp>
+#include <utility>
 
 namespace tumble {
 
@@ -39,9 +40,11 @@ void remove_product(Mat3<Real>& I, Mat3<Real>& axes, int p, int q) {
   I(r, p) = I(p, r) = cosine * I_rp - sine * I_rq;
   I(r, q) = I(q, r) = sine * I_rp + cosine * I_rq;
 
-  const Vec3<Real> axis_p = axes.col(p), axis_q = axes.col(q);
-  axes.col(p) = cosine * axis_p - sine * axis_q;
-  axes.col(q) = sine * axis_p + cosine * axis_q;
+  for (int i = 0; i < 3; ++i) {
+    const Real axis_p = axes(i, p), axis_q = axes(i, q);
+    axes(i, p) = cosine * axis_p - sine * axis_q;
+    axes(i, q) = sine * axis_p + cosine * axis_q;
+  }
 }
 //! [remove_product]
 
@@ -58,25 +61,28 @@ void remove_product(Mat3<Real>& I, Mat3<Real>& axes, int p, int q) {
 template <class Real>
 PrincipalAxes<Real> principal_axes(const Mat3<Real>& inertia, std::string_view name = "body") {
   require_symmetric(name, inertia);
-  Mat3<Real> I = (inertia + inertia.transpose()) / 2, axes = Mat3<Real>::Identity();
+  const std::array planes = {std::array{0, 1}, std::array{0, 2}, std::array{1, 2}};
+  Mat3<Real> I = inertia, axes = Mat3<Real>::Identity();
+  for (const auto [p, q] : planes) I(p, q) = I(q, p) = (inertia(p, q) + inertia(q, p)) / 2;
   const auto matters = [&I](int p, int q) {
     const Real smaller = std::min(std::abs(I(p, p)), std::abs(I(q, q)));
     return std::abs(I(p, q)) > std::numeric_limits<Real>::epsilon() / 2 * smaller;
   };
   const int most_sweeps = 30;  // five are usual
   for (int sweep = 0; sweep < most_sweeps; ++sweep)
-    for (const auto [p, q] : {std::array{0, 1}, std::array{0, 2}, std::array{1, 2}})
+    for (const auto [p, q] : planes)
       if (matters(p, q)) remove_product(I, axes, p, q);
 
   std::array<int, 3> order = {0, 1, 2};
-  std::stable_sort(order.begin(), order.end(), [&I](int i, int j) { return I(i, i) < I(j, j); });
+  for (const std::size_t i : {0, 1, 0})  // by swapping neighbours, so that equal ones keep order
+    if (I(order[i + 1], order[i + 1]) < I(order[i], order[i])) std::swap(order[i], order[i + 1]);
   PrincipalAxes<Real> result;
   for (int i = 0; i < 3; ++i) {
     const int from = order[static_cast<std::size_t>(i)];
     result.moments(i) = I(from, from);
     result.axes.col(i) = axes.col(from);
   }
-  if (result.axes.determinant() < 0) result.axes.col(2) *= -1;
+  if (triple_product(result.axes) < 0) result.axes.col(2) *= -1;
   return result;
 }
 //! [principal_axes]

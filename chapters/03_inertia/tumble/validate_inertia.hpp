@@ -22,8 +22,12 @@ constexpr Real element_slack = 32 * (std::numeric_limits<Real>::epsilon() / 2);
 //! [moment_slack]
 template <class Real>
 Vec3<Real> moment_slack(const Mat3<Real>& inertia, const Mat3<Real>& axes, Real slack) {
-  const Mat3<Real> v = axes.cwiseAbs();
-  return slack * (v.transpose() * inertia.cwiseAbs() * v).diagonal();
+  Vec3<Real> sum = Vec3<Real>::Zero();
+  for (int axis = 0; axis < 3; ++axis)
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        sum(axis) += std::abs(axes(i, axis) * inertia(i, j) * axes(j, axis));
+  return slack * sum;
 }
 //! [moment_slack]
 

@@ -128,7 +128,7 @@ std::string text_of(const Quaternion<Real>& q) {
 //! [checked_orientation]
 template <class Real>
 Quaternion<Real> checked_orientation(const Quaternion<Real>& q, std::string_view name) {
-  if (!std::isfinite(q.real) || !q.imaginary.allFinite())
+  if (!std::isfinite(q.real) || !is_finite(q.imaginary))
     reject(name, q, "", "every component must be finite");
   if (q.real == 0 && (q.imaginary.array() == 0).all())
     reject(name, q, "", "zero turns nothing into nothing: no turn is (1, 0, 0, 0)");

@@ -2,6 +2,9 @@
 /// Orientations as matrices, and back.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <tumble/orthonormal.hpp>
 #include <tumble/quaternion.hpp>
 
 namespace tumble {
@@ -29,13 +32,12 @@ template <class Real>
 void require_nearly_rotation(std::string_view name, const Mat3<Real>& matrix) {
   for (int column = 0; column < 3; ++column)
     require_finite<Real>("a column of " + std::string(name), matrix.col(column), "");
-  const Mat3<Real> off = matrix.transpose() * matrix - Mat3<Real>::Identity();
-  const Real largest = off.cwiseAbs().maxCoeff();
+  const Real largest = orthonormality_error(matrix);
   if (!(largest <= Real(0.01)))
     reject("the largest element of RᵀR − 1 for " + std::string(name), largest, "",
            "a rotation's columns have length 1 and are square to each other, within 0.01");
-  if (!(matrix.determinant() > 0))
-    reject("the determinant of " + std::string(name), matrix.determinant(), "",
+  if (!(triple_product(matrix) > 0))
+    reject("the determinant of " + std::string(name), triple_product(matrix), "",
            "a rotation's is +1; this is a mirror");
 }
 
@@ -51,15 +53,20 @@ void require_nearly_rotation(std::string_view name, const Mat3<Real>& matrix) {
 template <class Real>
 Quaternion<Real> quaternion_of(const Mat3<Real>& R, std::string_view name = "rotation") {
   require_nearly_rotation(name, R);
-  const Vec3<Real> differences(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
-  const Mat3<Real> sums = R + R.transpose() + (1 - R.trace()) * Mat3<Real>::Identity();
-  Eigen::Matrix<Real, 4, 4> products;
-  products << 1 + R.trace(), differences.transpose(), differences, sums;
-
-  Eigen::Index largest = 0;
-  products.diagonal().maxCoeff(&largest);
-  const Eigen::Matrix<Real, 4, 1> column = products.col(largest);
-  const Quaternion<Real> q = {.real = column(0), .imaginary = column.template tail<3>()};
+  const Real trace = R.trace(), rest = 1 - trace;
+  const Real wx = R(2, 1) - R(1, 2), wy = R(0, 2) - R(2, 0), wz = R(1, 0) - R(0, 1);
+  const Real xy = R(0, 1) + R(1, 0), yz = R(1, 2) + R(2, 1), zx = R(2, 0) + R(0, 2);
+  const std::array<Real, 4> squares = {1 + trace, 2 * R(0, 0) + rest, 2 * R(1, 1) + rest,
+                                       2 * R(2, 2) + rest};
+  const auto [ww, xx, yy, zz] = squares;
+  const std::array<Quaternion<Real>, 4> columns = {{
+      {.real = ww, .imaginary = {wx, wy, wz}},
+      {.real = wx, .imaginary = {xx, xy, zx}},
+      {.real = wy, .imaginary = {xy, yy, yz}},
+      {.real = wz, .imaginary = {zx, yz, zz}},
+  }};
+  const auto largest = std::max_element(squares.begin(), squares.end()) - squares.begin();
+  const Quaternion<Real>& q = columns[static_cast<std::size_t>(largest)];
   return normalized(q.real < 0 ? -q : q);
 }
 //! [quaternion_of]
