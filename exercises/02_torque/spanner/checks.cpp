@@ -16,7 +16,7 @@ Real pull(Real torque, Real length, Real angle) {
 
 }  // namespace
 
-EXERCISE_CHECK("Square to a spanner of 25 cm the pull is four times the torque in N m") {
+EXERCISE_CHECK("Perpendicular to a spanner of 25 cm the pull is four times the torque in N m") {
   const Real torque = Real(parameter("torque")), length = Real(0.25);
   Found("the pull for " + shown(torque) + " N m", "N", pull(torque, length, right_angle<Real>))
       .mistake(torque / 4, "that is torque times length. A longer spanner should need less")

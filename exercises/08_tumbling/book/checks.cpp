@@ -50,7 +50,7 @@ Vec3d tumbled(const Vec3d& start, double time) {
 }
 
 const std::string not_a_root =
-    "the root of a negative number is none. Look at the sign before you take the root";
+    "a negative number has no real root. Look at the sign before you take the root";
 
 }  // namespace
 

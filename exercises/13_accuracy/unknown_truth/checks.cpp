@@ -144,7 +144,7 @@ EXERCISE_CHECK(
                 "observed_order", coarse, middle, fine);
   };
   const Real one_rounding = std::numeric_limits<Real>::epsilon();
-  look(1, 2, 2, "The last two are equal: a ratio to zero is none");
+  look(1, 2, 2, "The last two are equal: there is no ratio to zero");
   look(1 + 16 * one_rounding, 1 + one_rounding, 1,
        "The last two differ by a rounding, so the ratio is noise: ask for more than 4 epsilon");
   look(1, 2, Real(1.5), "The results go up and down: a ratio below zero has no logarithm");

@@ -63,7 +63,7 @@ EXERCISE_CHECK("With half the step the error of a tumbling top is a sixteenth") 
                            ". Half the step divides it by " + shown(coarse / fine) + "; ";
   require(
       coarse / fine > 6,
-      runs + "that is a rule of second order, which pays for four looks and has the worth of two");
+      runs + "that is a rule of second order, which pays for four evaluations and is worth two");
   require(coarse / fine > 11,
           runs +
               "that is a rule of third order. Another row than the wrong one can make the sum of "

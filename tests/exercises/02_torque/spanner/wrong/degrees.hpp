@@ -1,4 +1,4 @@
-// caught by: Square to a spanner of 25 cm the pull is four times the torque in N m
+// caught by: Perpendicular to a spanner of 25 cm the pull is four times the torque in N m
 // message: the angle comes in rad already
 #pragma once
 #include <cmath>
