@@ -13,7 +13,7 @@
 namespace tumble {
 
 /// How long a step lasts, exactly: numerator/denominator nanoseconds, in lowest terms. A sixtieth
-/// of a second is no whole number of nanoseconds; 50 000 000/3 of them it is.
+/// of a second is not a whole number of nanoseconds, but 50 000 000/3 of them.
 //! [step_length]
 struct StepLength {
   std::int64_t numerator = 50'000'000;

@@ -117,7 +117,7 @@ EXERCISE_CHECK("The error that is left is estimated to a quarter, without the tr
   look("Suzuki's row", pendulum<Suzuki, Real>(8), pendulum<Suzuki, Real>(16), 4);
 }
 
-EXERCISE_CHECK("A step that is shorter by the factor said has the error that was wished") {
+EXERCISE_CHECK("A step that is shorter by the factor found has the error that was asked for") {
   for (const int order : {1, 2, 4}) {
     const double error = 16, wish = 0.0625, factor = std::pow(256.0, 1.0 / order);
     Found("to have a 256th of the error, by a method of order " + std::to_string(order) +

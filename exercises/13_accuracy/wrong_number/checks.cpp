@@ -31,7 +31,8 @@ void require_sums() {
 
 }  // namespace
 
-EXERCISE_CHECK("Looks that are led by looks are weighed as they should: the sum of chains is 1/6") {
+EXERCISE_CHECK(
+    "Stages that depend on other stages have their proper weight: the sum of chains is 1/6") {
   require_sums<Real>();
   Found("the sum of weight times look times node", "", double(ask<Real>("sum_of_chains")))
       .mistake(
