@@ -175,8 +175,8 @@ inline std::vector<BadScene> bad_scenes() {
       body(ball_with(R"("turning": "fre")"),
            "/bodies/0/turning is \"fre\"; no way of turning has that name; did you mean free?"),
       body(R"({"name": "x", "mass": 1, "inertia": [1, 1, 3]})",
-           "/bodies/0 is refused: x: the principal moments are (1, 1, 3) kg m^2; no matter has "
-           "such: the two "
+           "/bodies/0 is refused: x: the principal moments are (1, 1, 3) kg m^2; no real body has "
+           "these: the two "
            "smaller must add up to the largest or more, but I_1 + I_2 = 2 < I_3 = 3"),
       body(R"({"name": "x", "mass": 1, "inertia": [-1, 1, 1]})",
            "/bodies/0 is refused: x: the principal moments are (-1, 1, 1) kg m^2; none can be "
