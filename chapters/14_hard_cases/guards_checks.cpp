@@ -87,7 +87,7 @@ TEST_CASE_TEMPLATE("The guard lets the largest turn through, and nothing beyond 
 //! [limit]
 
 //! [own]
-TEST_CASE_TEMPLATE("A guarded rung is stopped whichever of its numbers is not finite", Real,
+TEST_CASE_TEMPLATE("A guarded rung is stopped whichever of its numbers is none", Real,
                    EVERY_PRECISION) {
   constexpr Real none = std::numeric_limits<Real>::quiet_NaN(),
                  infinite = std::numeric_limits<Real>::infinity();

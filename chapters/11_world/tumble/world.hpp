@@ -73,7 +73,7 @@ class World {
   std::size_t body_count() const { return kept_.body_count(); }
   std::size_t top_count() const { return kept_.top_count(); }
 
-  /// @throws std::invalid_argument if no body has that name.
+  /// @throws std::invalid_argument if no body is called so.
   BodyHandle find(const std::string& name) const {
     const auto found = handles_.find(name);
     if (found == handles_.end()) throw std::invalid_argument("no body is called '" + name + "'");
