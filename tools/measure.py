@@ -205,7 +205,7 @@ def main():
     parser.add_argument("--merge", type=Path, nargs="+", metavar="PART", help=argparse.SUPPRESS)
     parser.add_argument("--shard", help="the share of the items to do, such as 3/16")
     parser.add_argument("--part", type=Path, help="where results are kept as they come; measured.3-of-16.part if not given")
-    parser.add_argument("--resume", action="store_true", help="take up what was stopped")
+    parser.add_argument("--resume", action="store_true", help="continue a run that was stopped")
     occupy_standard_descriptors()
     arguments = parser.parse_args()
     try:

@@ -8,7 +8,8 @@ truth_packages="libboost-dev" # to hold the exact solutions against, and to comp
 speed_packages="ninja-build:ninja ccache:ccache" # used when present, never required
 book_packages="doxygen:doxygen doxygen-awesome-css libjs-katex libjs-lunr nodejs:node gnuplot-nox:gnuplot graphviz:dot
   python3:python3 libbenchmark-dev"
-test_packages="node-parse5 python3-jsonschema" # the tests read the book's pages and judge scene files with them
+# The tests read the book's pages, judge scene files and spell what is written with them.
+test_packages="node-parse5 python3-jsonschema hunspell:hunspell hunspell-en-gb"
 browser_packages="chromium:chromium npm:npm"
 peer_packages="libbenchmark-dev libbullet-dev libode-dev libsimbody-dev" # bench measures, and measures with, these
 all_packages="clang:clang++ libclang-rt-dev clang-format:clang-format clang-tidy:clang-tidy shellcheck:shellcheck

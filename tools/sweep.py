@@ -226,9 +226,9 @@ def main():
     parser.add_argument("words", nargs="+", metavar="FILE", help=argparse.SUPPRESS)
     parser.add_argument("--shard", help="the part of the combinations to simulate, such as 3/16")
     parser.add_argument("--part", type=Path, help="where results are kept as they come; NAME.part or NAME.3-of-16.part if not given")
-    parser.add_argument("--resume", action="store_true", help="take up what was stopped")
+    parser.add_argument("--resume", action="store_true", help="continue a run that was stopped")
     parser.add_argument("--output", type=Path, help="the file for the table, tabs between columns; the standard output if not given")
-    parser.add_argument("--digits", type=int, choices=range(1, 18), metavar="N", help="of each number, 1 to 17; all if not given")
+    parser.add_argument("--digits", type=int, choices=range(1, 18), metavar="N", help="digits of each number, 1 to 17; all if not given")
     parser.add_argument("--jobs", type=int, help="simulations at a time; one for each processor if not given")
     parser.print_help = lambda: print_text(parser.format_help())  # argparse's own is silent where it can't be written
     is_merge = False

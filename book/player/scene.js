@@ -47,7 +47,7 @@
       });
     }
 
-    /** `palette` holds colours as [red, green, blue]: paper, ink, grid, and bodies, which take them by turns. */
+    /** `palette` holds colours as [red, green, blue]: paper, ink, grid, and bodies, which take them in turn. */
     draw(painter, size, camera, time, palette, {grid_pieces = 10, grid_reach = 1.25, has_scale = true} = {}) {
       const project = player.projection(camera, size);
       const axes = player.picture_axes(camera);

@@ -17,7 +17,7 @@
   }
 
   /**
-   * A surface of revolution about z through [radius, z], from the bottom up. Its quarters are marked by turns, and where
+   * A surface of revolution about z through [radius, z], from the bottom up. Its quarters are marked alternately, and where
    * `marks_halves` those above z = 0 the other way, so that one sees a round body spin.
    */
   function revolved(profile, segments, marks_halves) {

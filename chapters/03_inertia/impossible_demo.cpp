@@ -1,4 +1,4 @@
-// What a tensor gets that no matter can have.
+// What a tensor gets that no real body can have.
 #include <course/record.hpp>
 #include <course/refusals.hpp>
 #include <tumble/solids.hpp>

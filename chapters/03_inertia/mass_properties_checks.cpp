@@ -214,7 +214,7 @@ TEST_CASE_TEMPLATE("Parts, turns and shifts that make no sense are refused", Rea
           moved(ball, 2 * upright, {0, 0, 0});
         }) ==
         "the matrix that moves a body does not turn rigidly; its columns must have length 1 and be "
-        "square to each other, and one product is off by 3");
+        "perpendicular to each other, and one product is off by 3");
   CHECK(complaint_of([&] {
           moved(ball, -upright, {0, 0, 0});
         }) ==

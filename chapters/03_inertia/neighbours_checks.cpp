@@ -1,4 +1,4 @@
-// Solids that turn into each other: the same body, reached on two ways.
+// Solids that turn into each other: the same body, reached in two ways.
 #include <course/checks.hpp>
 #include <course/mesh_shapes.hpp>
 #include <course/quadrature.hpp>

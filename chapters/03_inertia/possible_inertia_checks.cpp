@@ -45,9 +45,10 @@ TEST_CASE_TEMPLATE("Every solid of this chapter is possible, the flat and the th
 //! [triangle_inequality]
 TEST_CASE_TEMPLATE("A tensor that breaks I_1 + I_2 >= I_3 is refused with its three moments", Real,
                    EVERY_PRECISION) {
-  CHECK(complaint_about(diagonal<Real>(1, 4, 2)) ==
-        "hammer: the principal moments are (1, 2, 4) kg m^2; no matter has such: the two smaller "
-        "must add up to the largest or more, but I_1 + I_2 = 3 < I_3 = 4");
+  CHECK(
+      complaint_about(diagonal<Real>(1, 4, 2)) ==
+      "hammer: the principal moments are (1, 2, 4) kg m^2; no real body has these: the two smaller "
+      "must add up to the largest or more, but I_1 + I_2 = 3 < I_3 = 4");
   Dice dice(32);
   for (int n = 0; n < 20; ++n) {
     const Mat3<Real> R = random_turn<Real>(dice);
@@ -80,7 +81,7 @@ TEST_CASE_TEMPLATE(
   // Two particles at ±(1, 1, 1): moments 0, 6 and 6 become 2, 2 and 8.
   const Mat3<Real> rod = 2 * inertia_of_particle(Real(1), Vec3<Real>(1, 1, 1));
   CHECK(complaint_about<Real>(rod) == "nothing thrown");
-  CHECK(complaint_about<Real>(misread(rod)).find("no matter has such") != std::string::npos);
+  CHECK(complaint_about<Real>(misread(rod)).find("no real body has these") != std::string::npos);
 }
 
 TEST_CASE_TEMPLATE("The slack is a few roundings of the moments: a little more is refused", Real,

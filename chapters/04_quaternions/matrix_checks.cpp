@@ -92,7 +92,7 @@ TEST_CASE_TEMPLATE("A matrix that is no rotation is refused: stretched, mirrored
   };
   CHECK(complaint(2 * Mat3<Real>::Identity()) ==
         "the largest element of RᵀR − 1 for orientation is 3; "
-        "a rotation's columns have length 1 and are square to each other, within 0.01");
+        "a rotation's columns have length 1 and are perpendicular to each other, within 0.01");
   CHECK(complaint(-Mat3<Real>::Identity()) ==
         "the determinant of orientation is -1; a rotation's is +1; this is a mirror");
   Mat3<Real> sheared = Mat3<Real>::Identity();

@@ -198,7 +198,7 @@ TEST_CASE_TEMPLATE("A body that cannot be is refused by name, value, unit and ru
   MassProperties<Real> impossible = brick<Real>();
   impossible.inertia.diagonal() = Vec3<Real>(1, 2, 4);
   CHECK(complaint(impossible)
-            .find("kite: the principal moments are (1, 2, 4) kg m^2; no matter has such") == 0);
+            .find("kite: the principal moments are (1, 2, 4) kg m^2; no real body has these") == 0);
   MassProperties<Real> skew = brick<Real>();
   skew.inertia(0, 1) = 1;
   CHECK(complaint(skew).find("kite: I_xy is 1 and I_yx is 0 kg m^2") == 0);

@@ -36,7 +36,7 @@ int main() {
   refused += try_scene("A spring to nobody", drop,
                        R"({"kind": "spring", "bodies": ["dorp"],)"
                        R"( "stiffness": 1, "anchor": [0, 0, 0]})");
-  refused += try_scene("Inertia that no matter has",
+  refused += try_scene("Inertia that no real body has",
                        R"({"name": "brick", "mass": 1, "inertia": [1, 1, 3]})");
   course::expect(refused == 7, "each of these scenes is refused");
 }

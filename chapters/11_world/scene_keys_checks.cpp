@@ -340,7 +340,7 @@ TEST_CASE("A spring has the stiffness, damper, rest length, anchor and attachmen
   pulls(R"(, "stiffness": 10, "damping": 4, "rest_length": 3)", -10 + 4 * 3);
   pulls(R"(, "stiffness": 10, "rest_length": 3, "only_pulls": true)", 0);
   pulls(R"(, "stiffness": 10, "rest_length": 3, "only_pulls": false)", -10);
-  // Without an attachment it holds the centre of mass, and its arm is none.
+  // Without an attachment it holds the centre of mass, and has no arm.
   const Scene<double> central = odd_with(
       "spring", R"("bodies": ["odd"], "stiffness": 10, "anchor": [1, 2.5, 5], "name": "rope")");
   CHECK(close(push_of(central).force, {0, 0, 20}));

@@ -50,7 +50,7 @@ Recording plate_after_minutes(const char* title, Turn turn) {
   return recording;
 }
 
-/// Forty beads on springs. In one step, one of them is given a force that is no number.
+/// Forty beads on springs. In one step, one of them is given a force that is not a number.
 //! [beads]
 int beads_lost(std::vector<Particlef>& beads, float stiffness, float time_step) {
   for (std::size_t n = 0; n + 1 < beads.size(); ++n) {

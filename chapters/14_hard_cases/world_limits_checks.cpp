@@ -52,8 +52,9 @@ TEST_CASE_TEMPLATE("Down to the slowest speed the turn of a box makes no number 
 //! [underflow]
 
 //! [step]
-TEST_CASE_TEMPLATE("A step of no time moves nothing; a negative one, or one over an hour, is none",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "A step of no time moves nothing; a negative one, or one over an hour, is refused", Real,
+    EVERY_PRECISION) {
   World<Real> still(StepLength{.numerator = 0, .denominator = 1});
   const BodyHandle body =
       still.add("brick", make_rigid_body<Real>("brick", mass_properties(Box<Real>{{1, 2, 3}}, 2),

@@ -187,7 +187,7 @@ TEST_CASE_TEMPLATE("The heavy top's energy and both its momenta stay, for as lon
     CHECK(std::abs(angular_momentum_world(now).z() - angular_momentum_world(start).z()) <=
           size * rounding_of_heavy_top<Real>(0));
     CHECK(std::abs(energy(now) - energy(start)) <=
-          2 * energy(start) * rounding_of_heavy_top<Real>(0));  // it is square to L
+          2 * energy(start) * rounding_of_heavy_top<Real>(0));  // it is perpendicular to L
   }
 }
 

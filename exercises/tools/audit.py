@@ -197,7 +197,7 @@ def audit(root, toolchain, folders, jobs=1, quick=False):
 def main(words):
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--root", type=Path, required=True)
-    parser.add_argument("--toolchain", type=Path, help="without it, only what needs no compiler is looked at")
+    parser.add_argument("--toolchain", type=Path, help="without it, only what needs no compiler is checked")
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--only", default="", help="an exercise, such as hammer")

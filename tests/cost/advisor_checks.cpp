@@ -29,7 +29,8 @@ Verdict asked(const std::vector<Candidate>& candidates, double angle) {
 
 }  // namespace
 
-TEST_CASE("The advisor takes the cheap method for a coarse wish and the dear one for a fine wish") {
+TEST_CASE(
+    "The advisor takes the cheap method for a coarse tolerance and the dear one for a fine one") {
   const std::vector<Candidate> list = {method("first order", 1, 1, 10),
                                        method("fourth order", 4, 0.1, 100)};
   const Verdict coarse = asked(list, 1), fine = asked(list, 1e-8);
@@ -47,7 +48,7 @@ TEST_CASE("The advisor's steps are as few as will do, and what it expects is wha
     const auto steps = static_cast<double>(verdict.winner->steps_per_frame);
     CHECK(verdict.winner->errors.angle == 1 / (steps * steps));
     CHECK(verdict.winner->errors.angle <= wish / 2);
-    // Half of the wish is aimed at; a twentieth of the steps, and one, may be too many.
+    // Half of the tolerance is aimed at; a twentieth of the steps, and one, may be too many.
     const double fewer = steps / 1.06 - 1;
     CHECK(1 / (fewer * fewer) >= wish / 2);
     CHECK(verdict.winner->nanoseconds == doctest::Approx(10 * 10 * steps));
@@ -55,7 +56,8 @@ TEST_CASE("The advisor's steps are as few as will do, and what it expects is wha
 }
 
 TEST_CASE(
-    "Where rounding stops every method above the wish, the advisor refuses and says how near it "
+    "Where rounding stops every method above the tolerance, the advisor refuses and says how near "
+    "it "
     "came") {
   const std::vector<Candidate> list = {method("float", 4, 0.1, 10, 1e-5),
                                        method("double", 4, 0.1, 20, 1e-13)};
@@ -142,7 +144,7 @@ TEST_CASE("A solution that takes no steps is asked once a frame, or not at all")
   CHECK(!asked(list, 1e-15).winner.has_value());
 }
 
-TEST_CASE("A wish for places counts places, and one for both counts both") {
+TEST_CASE("A tolerance for places counts places, and one for both counts both") {
   Candidate body = method("body", 2, 1, 10);
   body.errors = [](long steps, int) {
     const auto n = static_cast<double>(steps);

@@ -10,7 +10,7 @@
 namespace tumble_mutants {
 
 inline constexpr int most = 1 << 16;
-/// The mutant that runs; 0 is none.
+/// The mutant that runs; 0 if none does.
 extern int chosen_number;
 /// Of each mutant: 1 if it was reached, 2 if only where its change would not compile, as a
 /// product's division by a matrix.

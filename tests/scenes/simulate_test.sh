@@ -79,7 +79,7 @@ run turning.json --method steady
 verify "--method overrules the scene" says "tumbling: steady"
 turning dormand_prince_8
 run turning.json
-verify "a rung that worlds do not offer is refused" complains '/turning_method is "dormand_prince_8"; no method is called so'
+verify "a rung that worlds do not offer is refused" complains '/turning_method is "dormand_prince_8"; no method has that name'
 rm turning.json
 run t_handle --dt 3 --until 10
 verify "a time that is no whole number of steps is told" says "10 s are no whole number of steps: the last one ends at 9 s"

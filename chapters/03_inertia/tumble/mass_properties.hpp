@@ -62,19 +62,18 @@ Mat3<Real> in_other_axes(const Mat3<Real>& inertia, const Mat3<Same<Real>>& R) {
 }
 //! [in_other_axes]
 
-/// Throws unless `matrix` turns a body and does nothing else to it: columns of length 1, square to
-/// each other, right-handed. 1024 units of roundoff are let pass, so that a product of hundreds of
-/// turns is still one.
+/// Throws unless `matrix` turns a body and does nothing else to it: columns of length 1,
+/// perpendicular to each other, right-handed. 1024 units of roundoff are let pass, so that a
+/// product of hundreds of turns is still one.
 template <class Real>
 void require_turn(std::string_view name, const Mat3<Real>& matrix) {
   const Real error = orthonormality_error(matrix);
   const Real slack = 1024 * (std::numeric_limits<Real>::epsilon() / 2);
   if (!(error <= slack))
-    throw std::invalid_argument(
-        std::string(name) +
-        " does not turn rigidly; its columns must have length 1 and be square "
-        "to each other, and one product is off by " +
-        text_of(error));
+    throw std::invalid_argument(std::string(name) +
+                                " does not turn rigidly; its columns must have length 1 and be "
+                                "perpendicular to each other, and one product is off by " +
+                                text_of(error));
   if (triple_product(matrix) < 0)
     throw std::invalid_argument(std::string(name) + " mirrors; its columns must be right-handed");
 }

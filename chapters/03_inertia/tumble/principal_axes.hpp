@@ -15,7 +15,7 @@ namespace tumble {
 template <class Real>
 struct PrincipalAxes {
   Vec3<Real> moments;  ///< kg m², ascending
-  Mat3<Real> axes;     ///< in its columns: length 1, square to each other, right-handed
+  Mat3<Real> axes;     ///< in its columns: length 1, perpendicular to each other, right-handed
 };
 //! [principal_axes_struct]
 

@@ -45,10 +45,11 @@ PrincipalAxes<Real> require_possible_inertia(std::string_view name, const Mat3<R
       std::string(name) + ": the principal moments are " + text_of(I) + " kg m^2; ";
   if (I(0) < -allowed(0)) throw std::invalid_argument(found + "none can be negative");
   if (I(0) + I(1) < I(2) - allowed.sum())
-    throw std::invalid_argument(found +
-                                "no matter has such: the two smaller must add up to the largest "
-                                "or more, but I_1 + I_2 = " +
-                                text_of(I(0) + I(1)) + " < I_3 = " + text_of(I(2)));
+    throw std::invalid_argument(
+        found +
+        "no real body has these: the two smaller must add up to the largest "
+        "or more, but I_1 + I_2 = " +
+        text_of(I(0) + I(1)) + " < I_3 = " + text_of(I(2)));
   return principal;
 }
 //! [require_possible_inertia]

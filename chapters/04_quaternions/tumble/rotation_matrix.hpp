@@ -26,8 +26,8 @@ Mat3<Real> matrix_of(const Quaternion<Real>& q) {
 }
 //! [matrix_of]
 
-/// @throws std::invalid_argument unless the columns of `matrix` have length 1 and are square to
-/// each other, within 0.01, and right-handed.
+/// @throws std::invalid_argument unless the columns of `matrix` have length 1 and are perpendicular
+/// to each other, within 0.01, and right-handed.
 template <class Real>
 void require_nearly_rotation(std::string_view name, const Mat3<Real>& matrix) {
   for (int column = 0; column < 3; ++column)
@@ -35,7 +35,7 @@ void require_nearly_rotation(std::string_view name, const Mat3<Real>& matrix) {
   const Real largest = orthonormality_error(matrix);
   if (!(largest <= Real(0.01)))
     reject("the largest element of RᵀR − 1 for " + std::string(name), largest, "",
-           "a rotation's columns have length 1 and are square to each other, within 0.01");
+           "a rotation's columns have length 1 and are perpendicular to each other, within 0.01");
   if (!(triple_product(matrix) > 0))
     reject("the determinant of " + std::string(name), triple_product(matrix), "",
            "a rotation's is +1; this is a mirror");

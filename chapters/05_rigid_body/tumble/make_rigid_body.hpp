@@ -78,7 +78,7 @@ void set_checked_angular_velocity(std::string_view name, Top<Real>& top,
 /// says. The centre of mass moves with `velocity` (m/s) and the body turns with `angular_velocity`
 /// (rad/s), both in world axes.
 ///
-/// @throws std::invalid_argument with a sentence about `name` if no matter has these mass
+/// @throws std::invalid_argument with a sentence about `name` if no body can have these mass
 /// properties, if an axis that should turn has no inertia, if a number is not finite, if the
 /// orientation is not nearly unit, or if the angular velocity turns about a locked axis.
 //! [make_rigid_body]

@@ -45,7 +45,7 @@ void turn_about_axis(Top<Real>& top, Same<Real> angle) {
 /// been rounded, so a correction to first order will do: v (b² − v²)/(2 v²). It is a small number
 /// to add; to multiply by a number next to 1 would round the same way every time.
 ///
-/// What is not small is no rounding: squares that have left the range of Real, or 0/0. It is left.
+/// A large correction means squares that have left the range of Real, or 0/0, and is left undone.
 //! [with_length_of]
 template <class Real>
 Vec3<Real> with_length_of(const Vec3<Real>& before, const Vec3<Real>& vector) {

@@ -13,7 +13,7 @@
 namespace tumble {
 
 /// How long a step lasts, exactly: numerator/denominator nanoseconds, in lowest terms. A sixtieth
-/// of a second is no whole number of nanoseconds; 50 000 000/3 of them it is.
+/// of a second is not a whole number of nanoseconds, but 50 000 000/3 of them.
 //! [step_length]
 struct StepLength {
   std::int64_t numerator = 50'000'000;
@@ -76,7 +76,7 @@ struct StepClock {
 //! [step_clock]
 
 /// A clock whose settings make sense.
-/// @throws std::invalid_argument if the step is none, see require_step_length(), if the longest
+/// @throws std::invalid_argument if the step is refused, see require_step_length(), if the longest
 /// frame is not between 1 ns and an hour, or the most steps of a frame not between 1 and a million.
 inline StepClock make_step_clock(const StepLength& step, std::int64_t longest_frame = 250'000'000,
                                  std::int64_t most_steps = 8) {

@@ -98,9 +98,9 @@ inline std::vector<BadScene> bad_scenes() {
             "/step/nanoseconds is 18446744073709551615 ns; it must be a whole number from 1000 to "
             "3600000000000"),
       whole(R"("turning_method": "spliting", )",
-            "/turning_method is \"spliting\"; no method is called so; did you mean splitting?"),
+            "/turning_method is \"spliting\"; no method has that name; did you mean splitting?"),
       whole(R"("turning_method": "magic", )",
-            "/turning_method is \"magic\"; no method is called so; there are splitting, "
+            "/turning_method is \"magic\"; no method has that name; there are splitting, "
             "splitting_without_sine, axis_by_axis, carrying_momentum, implicit_newton, "
             "restoring_momentum, "
             "explicit_euler, steady"),
@@ -109,7 +109,7 @@ inline std::vector<BadScene> bad_scenes() {
       body(R"({"mass": 1})", "/bodies/0 needs the key name"),
       body(R"({"name": "", "mass": 1})", "/bodies/0/name is \"\"; a name must have 1 to 200 bytes"),
       body(ball + ", " + ball,
-           "/bodies/1/name is \"ball\"; another body is called so, and names must differ"),
+           "/bodies/1/name is \"ball\"; another body has that name, and names must differ"),
       body(drop_with(R"("many": {"count": 2, "seed": 1})") + R"(, {"name": "drop 2", "mass": 1})",
            "/bodies/1 is refused: two bodies are called 'drop 2'; names must differ"),
       body(one + R"(, {"name": "x"})", "/bodies/2 needs the key mass, in kg"),
@@ -173,10 +173,10 @@ inline std::vector<BadScene> bad_scenes() {
       body(R"({"name": "x", "static": "yes"})",
            "/bodies/0/static is \"yes\"; it must be true or false"),
       body(ball_with(R"("turning": "fre")"),
-           "/bodies/0/turning is \"fre\"; no way of turning is called so; did you mean free?"),
+           "/bodies/0/turning is \"fre\"; no way of turning has that name; did you mean free?"),
       body(R"({"name": "x", "mass": 1, "inertia": [1, 1, 3]})",
-           "/bodies/0 is refused: x: the principal moments are (1, 1, 3) kg m^2; no matter has "
-           "such: the two "
+           "/bodies/0 is refused: x: the principal moments are (1, 1, 3) kg m^2; no real body has "
+           "these: the two "
            "smaller must add up to the largest or more, but I_1 + I_2 = 2 < I_3 = 3"),
       body(R"({"name": "x", "mass": 1, "inertia": [-1, 1, 1]})",
            "/bodies/0 is refused: x: the principal moments are (-1, 1, 1) kg m^2; none can be "
@@ -194,7 +194,7 @@ inline std::vector<BadScene> bad_scenes() {
       body(R"({"name": "x", "inertia": [1, 1, 1]})", "/bodies/0 needs the key mass, in kg"),
       // Solids.
       body(with_solid(R"({"shape": "spere", "radius": 1})"),
-           "/bodies/0/solid/shape is \"spere\"; no solid is called so; did you mean sphere?"),
+           "/bodies/0/solid/shape is \"spere\"; no solid has that name; did you mean sphere?"),
       body(with_solid(R"({"radius": 1})"),
            "/bodies/0/solid needs the key shape: which solid is it?"),
       body(with_solid(R"({"shape": "sphere"})"), "/bodies/0/solid needs the key radius, in m"),
@@ -248,7 +248,7 @@ inline std::vector<BadScene> bad_scenes() {
       on_both("3", "/effects/0 is 3; it must be an object: an effect"),
       on_both("{}", "/effects/0 needs the key kind: which effect is it?"),
       on_both(R"({"kind": "gravty"})",
-              "/effects/0/kind is \"gravty\"; no effect is called so; did you mean gravity?"),
+              "/effects/0/kind is \"gravty\"; no effect has that name; did you mean gravity?"),
       on_both(effect("gravity", R"("acceleration": 9.81)"),
               "/effects/0/acceleration is 9.81 m/s^2; it must be a list of three numbers, in "
               "m/s^2"),
@@ -266,7 +266,7 @@ inline std::vector<BadScene> bad_scenes() {
       on_both(effect("linear_damping", R"("rate": 1, "bodies": "drop")"),
               "/effects/0/bodies is \"drop\"; it must be a list of names of bodies"),
       on_both(effect("linear_damping", R"("rate": 1, "bodies": ["drop", "drp"])"),
-              "/effects/0/bodies/1 is \"drp\"; no body is called so; did you mean drop?"),
+              "/effects/0/bodies/1 is \"drp\"; no body has that name; did you mean drop?"),
       on_both(effect("linear_damping", R"("rate": 1, "bodies": ["drop", "drop"])"),
               "/effects/0/bodies/1 is \"drop\"; 'drop' is in the list twice"),
       on_both(effect("angular_damping", R"("rate": 1, "bodies": ["drop"])"),
@@ -280,7 +280,7 @@ inline std::vector<BadScene> bad_scenes() {
       on_both(effect("spring", R"("anchor": [0, 0, 0], "stiffness": 5)"),
               "/effects/0 needs the key bodies"),
       on_both(effect("spring_between", R"("first": "ball", "second": "bal", "stiffness": 5)"),
-              "/effects/0/second is \"bal\"; no body is called so; did you mean ball?"),
+              "/effects/0/second is \"bal\"; no body has that name; did you mean ball?"),
       on_both(effect("spring_between", R"("first": "ball", "second": "ball", "stiffness": 5)"),
               "/effects/0 is refused: 'spring between bodies' joins 'ball' to itself"),
       {scene_of(ball + ", " + drop_with(R"("many": {"count": 3, "seed": 1})"),

@@ -12,8 +12,8 @@ namespace tumble::simulate {
 
 /// The passes of the plan run in their order on a copy of the bodies, with a look at the clock
 /// before and after each, and beside them whole steps on a copy of the world. So all lines come
-/// from one run. Each round takes a few milliseconds and begins where the world is now; what is
-/// told is the median of the rounds, less what looking at the clock takes.
+/// from one run. Each round takes a few milliseconds and begins where the world is now. We
+/// report the median of the rounds, less what reading the clock costs.
 template <class Real, class Keeping>
 class Bill {
   using Clock = std::chrono::steady_clock;

@@ -19,11 +19,11 @@ SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or t
 
   --plan              print the plan and do nothing else
   --dt SECONDS        another time step, 1e-6 to 3600; rounded to whole nanoseconds
-  --until SECONDS     simulate so long, in place of the scene's duration; as many whole steps as come nearest
-  --method METHOD     turn by another rule of chapter 8, or by a rung of chapter 13; a METHOD that does not exist is
-                      answered with those that do
+  --until SECONDS     simulate this long instead of the scene's duration, to the nearest whole number of steps
+  --method METHOD     turn by another rule of chapter 8, or by a rung of chapter 13; for a METHOD that does not exist
+                      the answer lists those that do
   --precision KIND    double (the default) or float
-  --seed N            draw the scene's random bodies anew: N, 0 to 2^53, is added to each seed of the file
+  --seed N            draw other random bodies: N, 0 to 2^53, is added to each seed of the file
   --threads N         let N threads share the work, 1 to 1024; by default one for each processor. No bit depends on it
 
   --csv FILE          write the trajectory: time, body, position and velocity of the centre of mass, orientation of the
@@ -31,17 +31,17 @@ SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or t
   --jsonl FILE        the same, an object of JSON in each line
   --plot FILE.svg     draw paths and energies
   --view FILE.html    write a page that replays the motion
-  --books FILE.json   write the books of energy and momentum with all their digits
-  --every N           record each N-th step only (and the first and last moment)
+  --books FILE.json   write the books of energy and momentum with all digits
+  --every N           record only every N-th step (and the first and last moment)
 
   --no-ledger         do not keep the books of energy and momentum
   --bill              measure what each effect costs
   --help              this text
 
-Ctrl-C ends the simulation; files then hold what was computed. So do a lost terminal, SIGTERM, and the end of the program that
-reads what is printed. Ends with 0 when all was simulated, 1 if a step could not be taken, 2 if the command line or the scene is
-wrong, 3 if a file could not be written, 4 if memory or threads did not suffice, 128 and the number of the signal after one: 130
-after Ctrl-C.
+Ctrl-C ends the simulation; the files then hold what was computed. A lost terminal, SIGTERM, and the end of the program that
+reads the output do the same. The exit status is 0 if everything was simulated, 1 if a step could not be taken, 2 if the command line or
+the scene is wrong, 3 if a file could not be written, 4 if memory or threads did not suffice, and 128 plus the number of the
+signal that ended it: 130 after Ctrl-C.
 )";
 
 const std::vector<std::string> options_with_value = {"dt",    "until",   "method", "precision",

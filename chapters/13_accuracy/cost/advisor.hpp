@@ -19,7 +19,7 @@ struct Found {
   double nanoseconds = 0;  ///< for each simulated second
 };
 
-/// What became of a wish.
+/// What became of a tolerance that was asked for.
 struct Verdict {
   std::optional<Found> winner;   ///< confirmed; nothing if there is none
   std::vector<Found> others;     ///< that would do too, confirmed as well, the cheapest first
@@ -41,10 +41,11 @@ class Advisor {
         longest_run_(longest_run),
         tell_(std::move(tell)) {}
 
-  /// The candidate that fulfils the wish in the least time.
+  /// The candidate that meets the tolerance in the least time.
   Verdict cheapest(const Wish& wish) const;
 
-  /// What errs least, in terms of the wish, at no more than so many ns for each simulated second.
+  /// What errs least, in terms of the tolerance, at no more than so many ns for each simulated
+  /// second.
   std::optional<Found> best_for(double nanoseconds, const Wish& wish) const;
 
   /// What takes least at all: one step in a frame.

@@ -8,7 +8,8 @@
 namespace tumble::cost {
 namespace {
 
-/// Of the precisions that are asked for, those in which the wish is not in vain from the start.
+/// Of the precisions that are asked for, those in which the tolerance is not hopeless from the
+/// start.
 Precisions fine_enough(const Options& asked, const Rounded& rounded) {
   return {.single = asked.precisions.single && rounded.single <= asked.wish.angle,
           .twice = asked.precisions.twice && rounded.twice <= asked.wish.angle};

@@ -24,7 +24,7 @@ struct Errors {
   double energy = 0;    ///< of a free top, relative
   double momentum = 0;  ///< of a free top, in world axes, relative
 
-  /// How large they are in terms of what is wanted: at most 1 if the wish is fulfilled. A run that
+  /// How large they are in terms of what is wanted: at most 1 if the tolerance is met. A run that
   /// failed is infinitely far off.
   double of(const Wish& wish) const {
     if (!std::isfinite(angle) || !std::isfinite(place))

@@ -12,7 +12,7 @@ namespace {
 constexpr const char* help = R"(cost SCENE --for SECONDS --angle RAD | --place METRES [OPTION...]
 cost --inertia A,B,C --spin X,Y,Z --for SECONDS --angle RAD [OPTION...]
 
-Measures on this machine which method, precision and time step is the cheapest one that keeps every orientation within
+Measures on this machine which method, precision and time step is the cheapest that keeps every orientation within
 --angle and every centre of mass within --place, at each state on the way. It runs the winner again before it promises.
 
 SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or the path of a scene file.
@@ -29,7 +29,7 @@ SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or t
   --json              answer in JSON, as answer.schema.json says
   --help              this text
 
-Ends with 0 when the promise is confirmed, 1 if none can be, 2 if the command line or the scene is wrong.
+The exit status is 0 if the promise is confirmed, 1 if none can be, and 2 if the command line or the scene is wrong.
 )";
 
 const std::vector<std::string> options_with_value = {"inertia", "spin", "for",       "angle",

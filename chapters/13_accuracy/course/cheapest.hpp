@@ -11,7 +11,7 @@ namespace tumble::course {
 /// The cheapest run of each method that meets `wanted`, in double, the cheapest first.
 ///
 /// An error can be small by luck, where it changes its sign. So a run counts only if the next finer
-/// one of the same method, where there is one, meets the wish too.
+/// one of the same method, where there is one, meets the tolerance too.
 //! [cheapest]
 inline std::vector<Measurement> cheapest(const std::vector<Measurement>& all,
                                          const std::string& problem, double wanted) {

@@ -25,7 +25,8 @@ struct TopEquations {
             L2 * w0 - L0 * w2,
             L0 * w1 - L1 * w0};
     if constexpr (torque == Torque::weight) {
-      // M g l (−y, x, 0) for the axis (x, y, z), seen from the body: it is square to the axis.
+      // M g l (−y, x, 0) for the axis (x, y, z), seen from the body: it is perpendicular to the
+      // axis.
       rate[4] += parameter * 2 * (y * z + w * x);
       rate[5] += parameter * 2 * (w * y - x * z);
     }

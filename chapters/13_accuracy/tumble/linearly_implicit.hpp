@@ -9,7 +9,7 @@ namespace tumble {
 /// Euler's equations with the new ω and the old L: L' = L + h L × ω', ω' = I⁻¹ L'. That is linear
 /// in L': (1 − h [L] I⁻¹) L' = L.
 ///
-/// What is added to L is square to ω', so ω' · I (ω' − ω) = 0, and the energy falls by
+/// What is added to L is perpendicular to ω', so ω' · I (ω' − ω) = 0, and the energy falls by
 /// ½ (ω' − ω) · I (ω' − ω): this rule can only brake. First order.
 //! [turn_linearly_implicitly]
 template <class Real>

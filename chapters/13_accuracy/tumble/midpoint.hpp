@@ -31,9 +31,9 @@ Vec3<Real> newton(Vec3<Real> vector, const Correction& correction_of) {
 /// The implicit midpoint rule, L' = L + h M × ω with M = ½ (L + L') and ω = I⁻¹ M. Half of it,
 /// M = L + ½h M × I⁻¹ M, is chapter 8's implicit Euler over half a step, solved to the end here.
 ///
-/// What is added is square to M and to ω, so |L| and the energy both stay. And L' = L − h ω × M
-/// says that L is turned back by the first-order rule of chapter 7; turned by the same rule, the
-/// body keeps L in the world. All that is wrong is the phase, to second order.
+/// What is added is perpendicular to M and to ω, so |L| and the energy both stay. And L' = L − h ω
+/// × M says that L is turned back by the first-order rule of chapter 7; turned by the same rule,
+/// the body keeps L in the world. All that is wrong is the phase, to second order.
 //! [turn_by_implicit_midpoint]
 template <class Real>
 void turn_by_implicit_midpoint(Top<Real>& top, Same<Real> time_step) {

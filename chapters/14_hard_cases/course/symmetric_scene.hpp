@@ -30,8 +30,8 @@ struct TurnedFrame : SameFrame<Real> {
   Quaternion<Real> orientation(const Quaternion<Real>& q) const { return turn * q; }
 };
 
-/// The scene in a mirror that stands square to one axis, in the world and in every body. A turn
-/// keeps its part along that axis and loses the sign of the others.
+/// The scene in a mirror that stands perpendicular to one axis, in the world and in every body. A
+/// turn keeps its part along that axis and loses the sign of the others.
 template <class Real>
 struct MirroredFrame {
   int axis;

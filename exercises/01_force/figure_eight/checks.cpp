@@ -30,7 +30,7 @@ EXERCISE_CHECK("A body pulls straight towards itself, with the product of the ma
              by = make_particle(Real(4), Vector(1, 3, 0));
   Found("the pull of 4 kg on 2 kg, two metres away along y", "N", ask<Vector>("pull", on, by))
       .mistake(Vector(0, -2, 0),
-               "it pushes. The way from the one that is pulled leads to the one that pulls")
+               "it pushes. The vector must lead from the body that is pulled to the one that pulls")
       .mistake(Vector(0, 4, 0),
                "right for one metre of distance. Does the length of r count once too often? "
                "r / |r|³ falls with the square of the distance")

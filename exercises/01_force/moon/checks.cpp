@@ -25,7 +25,9 @@ EXERCISE_CHECK("The same throw rises six times as high as on Earth") {
   require(!(height >= 1000),
           "the ball passes a kilometre and flies on. Does gravity pull down, along minus z?");
   Found("the highest point of a throw with " + shown(speed) + " m/s", "m", height)
-      .mistake(earth, "so high it rises on Earth. The gravity that it feels is not yet the Moon's")
+      .mistake(
+          earth,
+          "that is how high it rises on Earth. The gravity that it feels is not yet the Moon's")
       .mistake(0, "the ball never left the ground. Does gravity pull down, along minus z?")
       .must_be(moon, speed * time_step);
 }

@@ -36,14 +36,15 @@ EXERCISE_CHECK("About the point found the torque is parallel to the force") {
         "the point is right as seen from the point that the wrench is taken about, and is not in "
         "world axes. Where does it begin?");
   Found("torque about the point, crossed with the force,", "N² m", across)
-      .not_a_number("the point that came back is no number")
+      .not_a_number("the point that came back is not a number")
       .must_be(Vec3<Real>::Zero(), tolerance);
 }
 
-EXERCISE_CHECK("It is the nearest point of the axis: the way there is perpendicular to the force") {
+EXERCISE_CHECK(
+    "It is the nearest point of the axis: the vector to it is perpendicular to the force") {
   const auto wrench = some_wrench<Real>();
   const Vec3<Real> way = axis_point(wrench) - wrench.about;
-  Found("the way to the point, along the force,", "N m", way.dot(wrench.force))
+  Found("the offset of the point, along the force,", "N m", way.dot(wrench.force))
       .must_be(0, 12 * 30 * unit_roundoff<Real>);
   require(way.norm() > Real(0.1),
           "the point is the one that the wrench is taken about. Its torque isn't parallel to the "
@@ -70,13 +71,14 @@ EXERCISE_CHECK("Twice the force with twice the torque has the same axis") {
               " m. Where do force and torque come in?");
   wrench.force *= 2;
   wrench.torque *= 2;
-  Found("the way to the point for a doubled wrench", "m",
+  Found("the offset of the point for a doubled wrench", "m",
         Vec3<Real>(axis_point(wrench) - wrench.about))
       .mistake(2 * way,
-               "it doubled. |F| stands below the line where |F|² should: force and torque both "
-               "doubled above it")
-      .mistake(4 * way, "it grew by 4. Force and torque are above the line, and nothing is below")
-      .mistake(way / 2, "it halved. There is one |F| too many below the line")
+               "it doubled. The denominator is |F| where it should be |F|²: force and torque both "
+               "doubled in the numerator")
+      .mistake(4 * way,
+               "it grew by 4. Force and torque are in the numerator, and there is no denominator")
+      .mistake(way / 2, "it halved. There is one |F| too many in the denominator")
       .must_be(way, 12 * unit_roundoff<Real> * 8);
 }
 

@@ -16,13 +16,13 @@ Real pull(Real torque, Real length, Real angle) {
 
 }  // namespace
 
-EXERCISE_CHECK("Square to a spanner of 25 cm the pull is four times the torque in N m") {
+EXERCISE_CHECK("Perpendicular to a spanner of 25 cm the pull is four times the torque in N m") {
   const Real torque = Real(parameter("torque")), length = Real(0.25);
   Found("the pull for " + shown(torque) + " N m", "N", pull(torque, length, right_angle<Real>))
       .mistake(torque / 4, "that is torque times length. A longer spanner should need less")
       .mistake(torque, "that is the torque itself. How long is the spanner?")
       .mistake(torque / (length * std::sin(right_angle<Real> * std::numbers::pi_v<Real> / 180)),
-               "the angle comes in rad already; it was turned into rad once more")
+               "the angle is in rad already; it was converted to rad once more")
       .must_be(4 * torque, 4 * torque * 8 * unit_roundoff<Real>);
 }
 
@@ -41,7 +41,8 @@ EXERCISE_CHECK("At a slant it takes a stronger pull, by one over the sine of the
             "that is one over the cosine. The cosine is the part of the pull along the spanner; "
             "what turns is the part across it")
         .mistake(square * std::cos(angle),
-                 "the cosine is the part along the spanner, and it belongs below the line")
+                 "the cosine gives the part along the spanner, and such a factor belongs in the "
+                 "denominator")
         .must_be(truth, truth * 8 * unit_roundoff<Real>);
   }
 }
@@ -73,7 +74,7 @@ EXERCISE_CHECK("A pull along the spanner is refused, and so is a spanner of no l
               Real(-0.25), right_angle<Real>);
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   ask_refusal(
-      "a length that is no number got an answer: every comparison with NaN is false, so ask "
+      "a length that is not a number got an answer: every comparison with NaN is false, so ask "
       "\"unless it is "
       "greater than 0\"; " +
           otherwise,

@@ -86,10 +86,10 @@ EXERCISE_CHECK("A blow at the sweet spot leaves the grip at rest") {
               " kg is hit at the place found, " + shown(found) + " m",
           "m/s", velocity_of_grip(found))
         .mistake(velocity_of_grip(grip),
-                 "the place mirrors the grip. Put the velocity of the grip to zero, and solve for "
+                 "the place mirrors the grip. Set the velocity of the grip to zero, and solve for "
                  "the distance")
         .mistake(velocity_of_grip(moment * mass / grip),
-                 "the mass stands above the line; it belongs below")
+                 "the mass is in the numerator; it belongs in the denominator")
         .mistake(velocity_of_grip(moment / grip), "the mass of the bat is missing")
         .mistake(velocity_of_grip(length / 6),
                  "a sixth of the length is right for a bat held at its very end")

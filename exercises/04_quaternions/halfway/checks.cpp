@@ -89,7 +89,8 @@ EXERCISE_CHECK(
                  "it went the long way round. q and -q are one orientation: take the way that is "
                  "shorter")
         .not_a_number(
-            "there is no number. Does something divide by the sine of an angle that is zero?")
+            "the result is not a number. Does something divide by the sine of an angle that is "
+            "zero?")
         .must_be(Real(0.75), 4 * roundings<Real>);
   }
 }
@@ -105,7 +106,7 @@ EXERCISE_CHECK("A tiny turn is cut as exactly as a large one") {
   Found("halfway of a turn by " + shown(whole) + " rad, the angle from the first", "rad",
         angle(p, found))
       .not_a_number(
-          "there is no number: the axis of so small a turn was divided by zero, or an "
+          "the result is not a number: the axis of so small a turn was divided by zero, or an "
           "arc cosine taken of more than 1")
       .mistake(0,
                "nothing was turned. Near zero a cosine is flat: an arc cosine of it has no "
@@ -114,6 +115,6 @@ EXERCISE_CHECK("A tiny turn is cut as exactly as a large one") {
   // The same orientation twice is no turn at all, and no division by zero.
   Found("halfway between an orientation and itself, the angle from it", "rad",
         angle(p, between(p, p, Real(0.5))))
-      .not_a_number("there is no number: a turn by nothing has no axis to divide by")
+      .not_a_number("the result is not a number: a turn by nothing has no axis to divide by")
       .must_be(0, rounded);
 }

@@ -71,10 +71,9 @@ EXERCISE_CHECK("Struck at its end a free rod feels like a quarter of itself") {
           .mistake(mass / 3,
                    "a third is the rod on a hinge, or turning alone. It also moves as a "
                    "whole")
-          .mistake(
-              mass + mass / 3,
-              "heavier than the whole rod: the masses of moving and of turning were added. Add "
-              "how easily each yields, and invert the sum")
+          .mistake(mass + mass / 3,
+                   "heavier than the whole rod: the masses of moving and of turning were added. "
+                   "Add how easily each of them yields, and invert the sum")
           .mistake(1 / (1 / mass + mass / 12 / 4),
                    "the tensor stands where its inverse belongs: a rod that is harder to turn must "
                    "feel heavier")

@@ -50,7 +50,7 @@ Vec3d tumbled(const Vec3d& start, double time) {
 }
 
 const std::string not_a_root =
-    "the root of a negative number is none. Look at the sign before you take the root";
+    "a negative number has no real root. Look at the sign before you take the root";
 
 }  // namespace
 
@@ -63,7 +63,7 @@ EXERCISE_CHECK("A small wobble grows about the middle axis, and about no other")
       const std::string where = "about the axis with " + shown(moments[axis]) +
                                 " kg m² of the moments " + shown(moments) + " ";
       require(!std::isnan(found) && !std::isnan(round),
-              where + "a rate is no number: " + not_a_root);
+              where + "a rate is not a number: " + not_a_root);
       if (order[std::size_t(axis)] == 1) {
         require(found > 0, where + "the growth rate is " + shown(found) +
                                ". It is the middle one: there a wobble grows");
@@ -95,13 +95,13 @@ EXERCISE_CHECK("It grows at the rate that Euler's equations give") {
           "1/s", growth(moments, axis, spin))
         .mistake(spin * spin / 2, "that is its square")
         .mistake(std::sqrt(Real(0.5)), "the spin is missing. A faster spin flips faster")
-        .mistake(spin * std::sqrt(Real(2)), "the moments below the line are missing")
-        .mistake(spin * std::sqrt(Real(2) / 2),
-                 "the moment of the spin's own axis stands below the line. There belong the other "
-                 "two")
-        .mistake(spin * std::sqrt(Real(2) / 8),
-                 "the moment of the spin's own axis stands below the line. There belong the other "
-                 "two")
+        .mistake(spin * std::sqrt(Real(2)), "the moments in the denominator are missing")
+        .mistake(
+            spin * std::sqrt(Real(2) / 2),
+            "the moment of the spin's own axis is in the denominator. The other two belong there")
+        .mistake(
+            spin * std::sqrt(Real(2) / 8),
+            "the moment of the spin's own axis is in the denominator. The other two belong there")
         .mistake(spin / 2, "the root goes over the whole fraction")
         .must_be(truth, truth * roundings<Real>);
     Found("the same for the spin the other way round", "1/s", growth<Real>(moments, axis, -spin))
@@ -110,7 +110,7 @@ EXERCISE_CHECK("It grows at the rate that Euler's equations give") {
   }
 }
 
-EXERCISE_CHECK("A tumbling book, step by step, grows as foretold") {
+EXERCISE_CHECK("A tumbling book, step by step, grows as predicted") {
   const double spin = parameter("spin");
   const Vec3d moments = book();
   const Real foretold = growth<Real>(moments.cast<Real>(), 1, Real(spin));
@@ -128,12 +128,12 @@ EXERCISE_CHECK("A tumbling book, step by step, grows as foretold") {
   // What is left out is of the size of the wobble's square, (1e-5 e³)², and of the step's,
   // (3/4096)².
   const double truth = std::log(grown) / time;
-  Found("the growth rate foretold for the book, which tumbled for " + shown(time) + " s,", "1/s",
+  Found("the growth rate predicted for the book, which tumbled for " + shown(time) + " s,", "1/s",
         foretold)
       .must_be(Real(truth), truth * (1e-5 + roundings<Real>));
 }
 
-EXERCISE_CHECK("About the outer axes it wobbles as foretold") {
+EXERCISE_CHECK("About the outer axes it wobbles as predicted") {
   const double spin = parameter("spin");
   const Vec3d moments = book();
   for (const int k : {0, 2}) {
@@ -146,8 +146,7 @@ EXERCISE_CHECK("About the outer axes it wobbles as foretold") {
         .mistake(
             Real(spin * std::sqrt(std::abs((moments[k] - moments[i]) * (moments[k] - moments[j])) /
                                   (moments[i] * moments[k]))),
-            "the moment of the spin's own axis stands below the line. There belong the other "
-            "two")
+            "the moment of the spin's own axis is in the denominator. The other two belong there")
         .mistake(Real(truth * truth), "that is its square")
         .mistake(Real(truth / (2 * std::numbers::pi)),
                  "that is the number of wobbles in a second. The rate is in rad/s")

@@ -59,10 +59,10 @@ EXERCISE_CHECK("A rod wobbles less often than it turns, and a slanting axis goes
         .mistake(about / across,
                  "right without a tilt. The spin is only the part of the motion along the axis: "
                  "L₃ = |L| cos(tilt)")
-        .mistake(about / across * std::cos(tilt), "the cosine belongs below the line")
+        .mistake(about / across * std::cos(tilt), "the cosine belongs in the denominator")
         .mistake(across / about / std::cos(tilt), "the moments are exchanged")
         .mistake(about / across / std::cos(tilt * Real(std::numbers::pi / 180)),
-                 "the tilt comes in rad already")
+                 "the tilt is in rad already")
         .mistake((about - across) / across, "that is how often L goes round in the body")
         .must_be(truth, truth * roundings<Real>);
   }

@@ -49,16 +49,16 @@ EXERCISE_CHECK("A bead at its terminal speed F/(m k) keeps it, however long the 
     Found("after a step of " + shown(h) + " s at the terminal speed, the velocity", "m/s",
           double(end.velocity.z()))
         .mistake((terminal + h * a) * kept,
-                 "that is kicked first and damped then, as in the chapter. Here both happen all "
+                 "that is kicked first and then damped, as in the chapter. Here both happen all "
                  "the time: solve v' = F/m - k v")
         .mistake(terminal * kept + h * a,
-                 "that is damped first and kicked then, by the whole of h F/m. The honey takes "
+                 "that is damped first and then kicked, by the whole of h F/m. The honey takes "
                  "from the kick too")
-        .mistake(terminal * kept, "it only fades. Where is the force?")
+        .mistake(terminal * kept, "it only decays. Where is the force?")
         .mistake(terminal * kept + h * 2 * a * (1 - kept) / z,
                  "it falls twice as hard as it should: is the mass, 2 kg, forgotten?")
         .must_be(terminal, few_roundings<Real> * std::abs(terminal));
-    Found("and the way in that step", "m", double(end.position.z()))
+    Found("and the distance in that step", "m", double(end.position.z()))
         .must_be(terminal * h, few_roundings<Real> * std::abs(terminal * h));
   }
 }
@@ -84,14 +84,14 @@ EXERCISE_CHECK("It does not matter into how many steps the time is cut") {
     Found(when + "the velocity", "m/s", double(end.velocity.z())).must_be(velocity, tolerance);
     Found(when + "the position", "m", double(end.position.z()))
         .mistake(by_last,
-                 "that is moved with the velocity at the end of the step. The way is the integral "
-                 "of the velocity over the step")
+                 "that is moved with the velocity at the end of the step. The distance is the "
+                 "integral of the velocity over the step")
         .mistake(by_mean,
                  "that is moved with the mean of the two velocities. It was exact on a parabola; "
                  "here the velocity bends within the step")
         .mistake(by_parabola,
-                 "the way of the velocity is right, but the force's part, h² a / 2, knows nothing "
-                 "of the honey")
+                 "the distance that comes from the velocity is right, but the force's part, h² a / "
+                 "2, knows nothing of the honey")
         .must_be(position, tolerance);
   }
 }

@@ -26,7 +26,7 @@ EXERCISE_CHECK("At rest below the ground it is 4000 times the depth to the power
         .mistake(4000 * d * d, "that is the depth squared")
         .mistake(
             0, "it is as if the ball were above the ground. Which side does the condition choose?")
-        .not_a_number("the depth is -height; the root of a negative number is none")
+        .not_a_number("the depth is -height; a negative number has no real root")
         .must_be(truth, few_roundings<Real> * truth);
   }
 }
@@ -59,7 +59,7 @@ EXERCISE_CHECK("What comes is braked, what goes is pushed less, and nothing is e
                                                 : "what comes is pushed less and what goes more: "
                                                   "the ground would give energy. The sign "
                                                   "of the speed is turned round")
-        .mistake(at_rest * (1 - speed / 2), "the ground holds on to it. A push below zero is none")
+        .mistake(at_rest * (1 - speed / 2), "the ground holds on to it. A push can't be negative")
         .mistake(at_rest * (1 - speed), "the speed counts in half: 1 - s/2")
         .must_be(at_rest * factor, few_roundings<Real> * at_rest * 2);
   };

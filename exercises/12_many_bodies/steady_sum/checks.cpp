@@ -121,7 +121,7 @@ EXERCISE_CHECK("The sum is off by at most half a tick for each value, either way
               shown(std::abs(found - truth)) + "; half a tick for each allows " + shown(bound));
 }
 
-EXERCISE_CHECK("What is no number or beyond 2^40 ticks is refused, what is just within is not") {
+EXERCISE_CHECK("What is not a number or beyond 2^40 ticks is refused, what is just within is not") {
   const auto refused = [](Real value, const std::string& what) {
     ask_refusal("a summand of " + what + " was summed. " +
                     (std::isnan(value)

@@ -41,7 +41,7 @@ Vec3d truth(double time) {
 
 }  // namespace
 
-EXERCISE_CHECK("The steps make up the whole and read the same backward") {
+EXERCISE_CHECK("The steps add up to the whole and read the same backwards") {
   for (const int pairs : {1, 2, 3, 4, 8}) {
     const auto parts = weights<Real>(pairs);
     double sum = 0;
@@ -59,7 +59,7 @@ EXERCISE_CHECK("The steps make up the whole and read the same backward") {
   }
 }
 
-EXERCISE_CHECK("Their cubes make up nothing, for every number of pairs") {
+EXERCISE_CHECK("Their cubes add up to zero, for every number of pairs") {
   for (const int pairs : {1, 2, 3, 4, 8}) {
     const auto parts = weights<Real>(pairs);
     const double m2 = 2 * pairs;

@@ -117,7 +117,7 @@ EXERCISE_CHECK("The error that is left is estimated to a quarter, without the tr
   look("Suzuki's row", pendulum<Suzuki, Real>(8), pendulum<Suzuki, Real>(16), 4);
 }
 
-EXERCISE_CHECK("A step that is shorter by the factor said has the error that was wished") {
+EXERCISE_CHECK("A step that is shorter by the factor found has the error that was asked for") {
   for (const int order : {1, 2, 4}) {
     const double error = 16, wish = 0.0625, factor = std::pow(256.0, 1.0 / order);
     Found("to have a 256th of the error, by a method of order " + std::to_string(order) +
@@ -144,7 +144,7 @@ EXERCISE_CHECK(
                 "observed_order", coarse, middle, fine);
   };
   const Real one_rounding = std::numeric_limits<Real>::epsilon();
-  look(1, 2, 2, "The last two are equal: a ratio to zero is none");
+  look(1, 2, 2, "The last two are equal: there is no ratio to zero");
   look(1 + 16 * one_rounding, 1 + one_rounding, 1,
        "The last two differ by a rounding, so the ratio is noise: ask for more than 4 epsilon");
   look(1, 2, Real(1.5), "The results go up and down: a ratio below zero has no logarithm");

@@ -31,7 +31,8 @@ void require_sums() {
 
 }  // namespace
 
-EXERCISE_CHECK("Looks that are led by looks are weighed as they should: the sum of chains is 1/6") {
+EXERCISE_CHECK(
+    "Stages that depend on other stages have their proper weight: the sum of chains is 1/6") {
   require_sums<Real>();
   Found("the sum of weight times look times node", "", double(ask<Real>("sum_of_chains")))
       .mistake(
@@ -63,7 +64,7 @@ EXERCISE_CHECK("With half the step the error of a tumbling top is a sixteenth") 
                            ". Half the step divides it by " + shown(coarse / fine) + "; ";
   require(
       coarse / fine > 6,
-      runs + "that is a rule of second order, which pays for four looks and has the worth of two");
+      runs + "that is a rule of second order, which pays for four evaluations and is worth two");
   require(coarse / fine > 11,
           runs +
               "that is a rule of third order. Another row than the wrong one can make the sum of "

@@ -23,14 +23,14 @@ Vec3<Real> reflected(const Vec3<Real>& v, const Vec3<Real>& n) {
 
 }  // namespace
 
-EXERCISE_CHECK("A mirror turns round what is square to it and leaves the rest") {
+EXERCISE_CHECK("A mirror turns round what is perpendicular to it and leaves the rest") {
   using Vector = Vec3<Real>;
   const Vector arrow(1, 2, 3);
   Found("a mirror across the x axis shows the arrow (1, 2, 3) as one that", "m",
         ask<Vector>("mirrored", arrow, Vector(1, 0, 0)))
       .mistake(Vector(1, -2, -3),
                "that is what happens to a spin, or half a turn about x. Of an arrow the part "
-               "square to the mirror turns round")
+               "perpendicular to the mirror turns round")
       .mistake(Vector(0, 2, 3),
                "that is its shadow on the mirror. The image is as far behind it: take the part "
                "away twice")
@@ -116,7 +116,7 @@ EXERCISE_CHECK(
                "must be mirrored "
                "as a spin")
       .mistake(2 * 0.75 * std::abs(double(n.dot(spin))),
-               "the law was asked about one and the same body on both ways. Ask it about the "
+               "the law was asked about one and the same body both times. Ask it about the "
                "mirrored one, with "
                "its velocity and its spin")
       .mistake(along_axis * along_axis, "the square of the distance; take the root")

@@ -5,11 +5,11 @@
 #include <exercise/todo.hpp>
 #include <tumble/quaternion.hpp>
 
-/// A place, velocity or force as a mirror through the origin shows it. `normal` is square to the
-/// mirror and has the length 1.
+/// A place, velocity or force as a mirror through the origin shows it. `normal` is perpendicular to
+/// the mirror and has the length 1.
 template <class Real>
 tumble::Vec3<Real> mirrored(const tumble::Vec3<Real>& arrow, const tumble::Vec3<Real>& normal) {
-  todo("turn round the part that is square to the mirror");
+  todo("turn round the part that is perpendicular to the mirror");
 }
 
 /// The spin, angular momentum or torque that the mirrored body has.

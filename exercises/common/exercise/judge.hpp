@@ -154,7 +154,7 @@ class Found {
   }
 
  private:
-  std::string what_, unit_, nan_message_ = "that is no number";
+  std::string what_, unit_, nan_message_ = "that is not a number";
   Value value_;
   std::vector<std::pair<Value, std::string>> mistakes_;
 };

@@ -121,7 +121,7 @@ class Way(FixtureCourse):
                 ("Eigen::VectorXd v(2); return Real(v(3));", "failed assertion"),
                 ("std::vector<double> v(1ul << 40); return Real(v.size());", "bad_alloc"),
                 ("return number / 0;", "twice 2 m is inf m; it must be 4 m"),
-                ("return std::numeric_limits<Real>::quiet_NaN();", "twice 2 m is nan m: that is no number")):
+                ("return std::numeric_limits<Real>::quiet_NaN();", "twice 2 m is nan m: that is not a number")):
             with self.subTest(code):
                 self.write(SOLVED.replace("return number + number;", code))
                 text = " ".join(self.says("check", code=1).split())

@@ -101,7 +101,7 @@ class HeavyTop {
     const Quaternion<Real> body_to_up = normalized(turned);
     top.orientation = normalized(up_to_world_ * body_to_up);
 
-    // L across the axis: along the part of up that is square to it, L_z − L₃ z; and I₁ θ'.
+    // L across the axis: along the part of up that is perpendicular to it, L_z − L₃ z; and I₁ θ'.
     const Real gap = std::sqrt(lower(now) * upper(now));  // sin θ
     const Vec3<Real> up = rotate_back(body_to_up, Vec3<Real>(0, 0, 1));
     const Real direction = std::atan2(up.y(), up.x());

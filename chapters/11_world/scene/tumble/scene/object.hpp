@@ -132,7 +132,7 @@ class Value {
     std::string all;
     for (const std::string_view candidate : candidates)
       all.append(all.empty() ? "" : ", ").append(candidate);
-    reject("no " + what + " is called so" + (nearest.empty() ? "; there are " + all : nearest));
+    reject("no " + what + " has that name" + (nearest.empty() ? "; there are " + all : nearest));
   }
 
  private:

@@ -44,7 +44,7 @@ Targets find_targets(const Value& name, const Scene<Real, Keeping>& scene) {
     }
     if (!targets.bodies.empty()) return targets;
   }
-  name.reject("no body is called so" + did_you_mean(word, known));
+  name.reject("no body has that name" + did_you_mean(word, known));
 }
 
 /// What "bodies" names.

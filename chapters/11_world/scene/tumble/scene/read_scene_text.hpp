@@ -42,7 +42,7 @@ Scene<Real, Keeping> read_scene_text(std::string_view text, const std::string& f
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const Object body = object_called(bodies.at(i), "body");
     if (!names.insert(body["name"].text()).second)
-      body["name"].reject("another body is called so, and names must differ");
+      body["name"].reject("another body has that name, and names must differ");
     read_body(body, scene, changes);
     is_random = is_random || body.has("many");
   }

@@ -1,5 +1,5 @@
 // caught by: The same throw rises six times as high as on Earth
-// message: so high it rises on Earth
+// message: that is how high it rises on Earth
 #pragma once
 #include <tumble/force.hpp>
 

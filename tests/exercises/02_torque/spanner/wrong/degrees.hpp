@@ -1,5 +1,5 @@
-// caught by: Square to a spanner of 25 cm the pull is four times the torque in N m
-// message: the angle comes in rad already
+// caught by: Perpendicular to a spanner of 25 cm the pull is four times the torque in N m
+// message: the angle is in rad already
 #pragma once
 #include <cmath>
 #include <tumble/require.hpp>

@@ -1,5 +1,5 @@
 // caught by: A blow at the sweet spot leaves the grip at rest
-// message: the mass stands above the line
+// message: the mass is in the numerator
 #pragma once
 #include <tumble/mass_properties.hpp>
 #include <tumble/torque.hpp>

@@ -1,5 +1,5 @@
 // caught by: It grows at the rate that Euler's equations give
-// message: the moment of the spin's own axis stands below the line
+// message: the moment of the spin's own axis is in the denominator
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // caught by: A bead at its terminal speed F/(m k) keeps it, however long the step
-// message: damped first and kicked then
+// message: damped first and then kicked
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // caught by: A bead at its terminal speed F/(m k) keeps it, however long the step
-// message: kicked first and damped then
+// message: kicked first and then damped
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // caught by: What comes is braked, what goes is pushed less, and nothing is ever pulled
-// message: A push below zero is none
+// message: A push can't be negative
 #pragma once
 
 #include <cmath>

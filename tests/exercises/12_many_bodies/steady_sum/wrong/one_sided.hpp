@@ -1,4 +1,4 @@
-// caught by: What is no number or beyond 2^40 ticks is refused, what is just within is not
+// caught by: What is not a number or beyond 2^40 ticks is refused, what is just within is not
 // message: -2^70 ticks was summed
 #pragma once
 

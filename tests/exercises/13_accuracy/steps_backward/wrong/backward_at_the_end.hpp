@@ -1,4 +1,4 @@
-// caught by: The steps make up the whole and read the same backward
+// caught by: The steps add up to the whole and read the same backwards
 // message: The backward step belongs in the middle
 #pragma once
 

@@ -1,4 +1,4 @@
-// caught by: Their cubes make up nothing, for every number of pairs
+// caught by: Their cubes add up to zero, for every number of pairs
 // message: take the third root of 2m
 #pragma once
 

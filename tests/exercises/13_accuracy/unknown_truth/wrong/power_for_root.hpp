@@ -1,4 +1,4 @@
-// caught by: A step that is shorter by the factor said has the error that was wished
+// caught by: A step that is shorter by the factor found has the error that was asked for
 // message: take the root
 #pragma once
 

@@ -1,4 +1,4 @@
-// caught by: Looks that are led by looks are weighed as they should: the sum of chains is 1/6
+// caught by: Stages that depend on other stages have their proper weight: the sum of chains is 1/6
 // message: the third look follows the second alone
 #pragma once
 

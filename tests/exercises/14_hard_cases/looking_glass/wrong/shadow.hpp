@@ -1,4 +1,4 @@
-// caught by: A mirror turns round what is square to it and leaves the rest
+// caught by: A mirror turns round what is perpendicular to it and leaves the rest
 // message: that is its shadow
 #pragma once
 
