@@ -24,6 +24,11 @@ def job_of(arguments, submissions, exercises):
                 "seconds": arguments.seconds}, list(submissions))
 
 
+def is_result(result):
+    """Whether it may be what came of a submission. Other work keeps its results in parts, too."""
+    return isinstance(result, dict) and {"student", "submission", "points", "of", "exercises"} <= result.keys()
+
+
 def grade_class(arguments, folders, exercises, part, tell):
     """Grades what the part lacks. Returns the results by submission, of those that have one, and why the others have none."""
     for name in [name for name, result in part.done.items() if result["handed_in"] != _handed_in(folders[name], exercises)]:

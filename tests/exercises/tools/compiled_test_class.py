@@ -20,6 +20,7 @@ import grade_class
 from complaint import Complaint
 from fixture import ROOT, TOOLCHAIN
 from grading import Grading
+from shards import Job, Part
 from untrusted import require_out_of_reach
 
 TOOLS = ROOT / "exercises" / "tools"
@@ -220,6 +221,13 @@ class NothingLost(AClassOfStandIns):
         self.hand_in("ada\ncourse: bob", "// breaks\n")
         _, said = self.run_to_the_end(code=3)
         self.assertIn("course: ada\\ncourse: bob has no result", said)
+
+    def test_what_other_work_has_kept_is_no_class(self):
+        part = self.place / "sweep.part"
+        with Part(part, Job({"sweep": 1}, ["t_handle"])) as kept:
+            kept.add("t_handle", ["t_handle", "splitting", 0.01])
+        _, said = self.run_to_the_end("merge", part, code=2)
+        self.assertIn("what the parts hold for t_handle is no result of grading", said)
 
     def test_a_part_is_of_one_job_alone(self):
         self.hand_in_all(ada=2, bob="breaks")
