@@ -7,6 +7,7 @@ import collections
 import csv
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -238,6 +239,20 @@ class NothingLost(AClassOfStandIns):
         _, said = self.run_to_the_end("--resume", code=2)
         self.assertIn("its job exercises 01_force/doubled is ", said)
 
+    def test_headers_that_checks_and_answers_include_belong_to_the_job(self):
+        self.hand_in_all(ada=2, bob="breaks")
+        self.run_to_the_end(code=3)
+        for place, below in ((self.root / "exercises" / "common", "exercise/judge.hpp"), (self.root / "chapters", "01_force/tumble/force.hpp")):
+            with self.subTest(below):
+                target = place.resolve()
+                place.unlink()
+                shutil.copytree(target, place)
+                self.run_to_the_end("--resume", code=3)  # a copy is the same
+                (place / below).write_bytes((place / below).read_bytes() + b"// changed\n")
+                _, said = self.run_to_the_end("--resume", code=2)
+                self.assertIn("its job exercises 01_force/doubled is ", said)
+                shutil.copyfile(target / below, place / below)
+
     def test_what_can_not_be_written_is_told_before_anything_is_graded(self):
         self.hand_in_all(ada=2, bob=1)
         (self.place / "a file").touch()
@@ -288,7 +303,7 @@ class NothingLost(AClassOfStandIns):
         checks = self.exercise_folder / "checks.cpp"
         checks.write_text(checks.read_text(encoding="utf-8") + "\n// another\n", encoding="utf-8")
         wait.unlink()
-        self.assertIn(b"the checks have changed since the grading began", process.communicate(timeout=60)[1])
+        self.assertIn(b"the checks or headers have changed since the grading began", process.communicate(timeout=60)[1])
         self.assertEqual(process.returncode, 2)
         self.assertIn("belongs to another job", self.run_to_the_end("--resume", code=2)[1])
 
