@@ -108,7 +108,9 @@ def _end(process):
 
 def _digests_of(exercises, root):
     """By exercise, of what decides on points: its checks, and the headers that these and the answers may include."""
-    folders = [root / "common", root / "exercises" / "common", *sorted((root / "chapters").glob("[0-9]*"))]
+    last = max(exercise.chapter for exercise in exercises)
+    chapters = sorted(folder for folder in (root / "chapters").glob("[0-9]*") if folder.name <= last)
+    folders = [root / "common", root / "exercises" / "common", *chapters]
     headers = [(folder.name, _digest(*(part for header in sorted(folder.rglob("*.[ch]pp"))
                                        for part in (os.fsencode(header.relative_to(folder)), header.read_bytes()))))
                for folder in folders]

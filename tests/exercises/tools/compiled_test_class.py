@@ -242,7 +242,8 @@ class NothingLost(AClassOfStandIns):
     def test_headers_that_checks_and_answers_include_belong_to_the_job(self):
         self.hand_in_all(ada=2, bob="breaks")
         self.run_to_the_end(code=3)
-        for place, below in ((self.root / "exercises" / "common", "exercise/judge.hpp"), (self.root / "chapters", "01_force/tumble/force.hpp")):
+        for place, below in ((self.root / "exercises" / "common", "exercise/judge.hpp"),
+                             (self.root / "chapters", "01_force/tumble/force.hpp")):
             with self.subTest(below):
                 target = place.resolve()
                 place.unlink()
