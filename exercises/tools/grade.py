@@ -22,7 +22,7 @@ from pathlib import Path
 
 from catalogue import find_all, read_catalogue
 from complaint import Complaint, GraderFailed
-from grade_class import grade_class, job_of
+from grade_class import grade_class, is_result, job_of
 from made import CommandFailed
 from outputs import Outputs, occupy_standard_descriptors, require_a_place_of_its_own
 from plain_text import complain, one_line, say, why_unheard
@@ -91,6 +91,15 @@ def write_outputs(arguments, outputs, by_name, missing):
     if "marks" in outputs:
         outputs["marks"](marks(results).encode())
     return NO_RESULT if missing else 0
+
+
+def merged(parts):
+    """The results in the parts of a class, and the names of those that have none."""
+    results, missing = merge(parts)
+    for name, result in results.items():
+        if not is_result(result):
+            raise Complaint(f"what the parts hold for {one_line(name)} is no result of grading")
+    return results, missing
 
 
 def opened_outputs(stack, arguments, inputs):
@@ -238,7 +247,7 @@ def main(words):
         with stoppable(), Outputs() as stack:
             if "parts" in arguments:
                 outputs = opened_outputs(stack, arguments, [("one of the parts", part) for part in arguments.parts])
-                results, missing = merge(arguments.parts)
+                results, missing = merged(arguments.parts)
                 return write_outputs(arguments, outputs, results, dict.fromkeys(missing, ""))
             arguments.shard = shard_of(arguments.shard)
             if arguments.shard != WHOLE and (arguments.output or arguments.marks):

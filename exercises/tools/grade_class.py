@@ -20,8 +20,13 @@ PATIENCE = 20  # seconds that the grader of one submission has to tidy up
 
 def job_of(arguments, submissions, exercises):
     """What must be equal in all its shards."""
-    return Job({"exercises": {exercise.path: _digest_of(exercise) for exercise in exercises}, "seed": arguments.seed,
+    return Job({"exercises": _digests_of(exercises, arguments.root), "seed": arguments.seed,
                 "seconds": arguments.seconds}, list(submissions))
+
+
+def is_result(result):
+    """Whether it may be what came of a submission. Other work keeps its results in parts, too."""
+    return isinstance(result, dict) and {"student", "submission", "points", "of", "exercises"} <= result.keys()
 
 
 def grade_class(arguments, folders, exercises, part, tell):
@@ -53,8 +58,8 @@ class _Graders:
             "exercises": [exercise.path for exercise in self.exercises], "seconds": self.arguments.seconds,
             "key": f"{self.arguments.seed}-{student}" if self.arguments.seed else "",
             "private": str(self.arguments.private) if self.arguments.private else None, "caller": os.getpid()})
-        if {exercise.path: _digest_of(exercise) for exercise in self.exercises} != self.digests:
-            raise Complaint("the checks have changed since the grading began; what was graded before is kept, and no more")
+        if _digests_of(self.exercises, self.arguments.root) != self.digests:
+            raise Complaint("the checks or headers have changed since the grading began; what was graded before is kept, and no more")
         checks = [check for exercise in graded["exercises"] for check in exercise["checks"]]
         return {"student": student, "submission": name, "points": sum(check["points"] for check in checks),
                 "of": sum(check["of"] for check in checks), "exercises": graded["exercises"], "seconds": graded["seconds"],
@@ -101,9 +106,17 @@ def _end(process):
     process.wait()
 
 
-def _digest_of(exercise):
-    """Of what decides on points."""
-    return _digest(*((exercise.folder / name).read_bytes() for name in ("exercise.json", "checks.cpp")))
+def _digests_of(exercises, root):
+    """By exercise, of what decides on points: its checks, and the headers that these and the answers may include."""
+    last = max(exercise.chapter for exercise in exercises)
+    chapters = sorted(folder for folder in (root / "chapters").glob("[0-9]*") if folder.name <= last)
+    folders = [root / "common", root / "exercises" / "common", *chapters]
+    headers = [(folder.name, _digest(*(part for header in sorted(folder.rglob("*.[ch]pp"))
+                                       for part in (os.fsencode(header.relative_to(folder)), header.read_bytes()))))
+               for folder in folders]
+    return {exercise.path: _digest(*((exercise.folder / name).read_bytes() for name in ("exercise.json", "checks.cpp")),
+                                   *(digest.encode() for name, digest in headers if name == "common" or name <= exercise.chapter))
+            for exercise in exercises}
 
 
 def _handed_in(folder, exercises):

@@ -214,7 +214,7 @@ class Workshop:
         except (OSError, subprocess.SubprocessError) as error:
             raise GraderFailed(f"the compiler does not work where it is confined: {command[0]} was not started: {error}") from None
         end_strays()
-        said = ran.output.decode("utf-8", "replace")
+        said = self._without_places(ran.output.decode("utf-8", "replace"))
         if ran.code == -signal.SIGKILL and not ran.cut:
             raise GraderFailed("the compiler was ended from outside; is there too little memory?")
         if ran.cut == "time" or "CPU time limit exceeded" in said or ran.code == -signal.SIGXCPU:
@@ -225,6 +225,15 @@ class Workshop:
             raise Ended("the compiler was ended from outside")
         if ran.code != 0:
             raise Uncompiled(said)
+
+    def _without_places(self, said):
+        """What the compiler said, the same in every run and on every machine: a folder of this run's or machine's is no part of it, nor
+        is the name that chance gave to a file of the compiler's own."""
+        made = f"{self.place}/made/"
+        said = re.sub(re.escape(made) + r"cc[0-9A-Za-z]{6}\.", "temporary.", said)
+        for folder in (made, f"{self.place}/text/", f"{shared(self.toolchain, 'serve.o').parent}/"):
+            said = said.replace(folder, "")
+        return said
 
     def _headers(self):
         return (*self.toolchain.folders_of(self.exercise.chapter), *self.toolchain.system_folders, self.toolchain.common,

@@ -60,6 +60,12 @@ EXERCISE_CHECK("Under a constant force it lands on the parabola, however long a 
                  "Which velocity "
                  "does it belong to?")
         .must_be(parabola, 2 * steps * 32 * double(unit_roundoff<Real>));
+    auto in_wind = thrown_ball<Real>();
+    in_wind.force += Vec3<Real>(-2, 4, 0);
+    Found("and where it is if a wind of (-2, 4, 0) N pushes sideways as well", "m",
+          stepped(in_wind, steps, h).position)
+        .must_be(Vec3<Real>(Real(1 + 4 * time - time * time / 2), Real(2 + time * time), parabola),
+                 2 * steps * 32 * double(unit_roundoff<Real>));
   }
 }
 

@@ -80,6 +80,13 @@ EXERCISE_CHECK("Twice the force with twice the torque has the same axis") {
                "it grew by 4. Force and torque are in the numerator, and there is no denominator")
       .mistake(way / 2, "it halved. There is one |F| too many in the denominator")
       .must_be(way, 12 * unit_roundoff<Real> * 8);
+  // A power of two rounds nothing.
+  auto faint = some_wrench<Real>();
+  faint.force *= Real(0x1p-20);
+  faint.torque *= Real(0x1p-20);
+  Found("the way to the point for a millionth of the wrench", "m",
+        Vec3<Real>(axis_point(faint) - faint.about))
+      .must_be(way, 12 * unit_roundoff<Real> * 8);
 }
 
 EXERCISE_CHECK("A couple has no force and no axis, and is refused") {

@@ -115,9 +115,13 @@ EXERCISE_CHECK("Let go, the slinky's centre falls as a stone does") {
         .mistake(place(-Slinky::gravity * (t * t - h * t) / 2),
                  "the drift came before the kick. Chapter 6 wants them the other way round")
         .must_be(place(stone), double(steps * 16 * 2) * unit_roundoff<Real>);
-    for (const Particle<Real>& bead : beads)
+    for (const Particle<Real>& bead : beads) {
       require(bead.force.isZero(0), "after a step the force " + shown(bead.force) +
                                         " N is left. It would act again in the next: clear it");
+      require(bead.position.x() == 0 && bead.position.y() == 0,
+              "a bead is at " + shown(bead.position) +
+                  " m. Nothing pulls it sideways: gravity is along minus z");
+    }
   }
 }
 

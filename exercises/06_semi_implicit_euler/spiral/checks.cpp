@@ -102,11 +102,29 @@ EXERCISE_CHECK("It still takes a year for a round, the nearer the shorter the st
   for (const int steps : {128, 256, 512}) {
     const Real time_step = Real(2 * std::numbers::pi / steps);
     require_round<Real>(1, time_step);
-    const auto body = after(planet<Real>(1), time_step, steps);
-    const Real miss = (body.position - Vec3<Real>(1, 0, 0)).norm();
-    require(body.position.allFinite() && miss < 4 * time_step,
-            "after a year in " + std::to_string(steps) + " steps the planet is " + shown(miss) +
+    const auto miss = [&](Real size, Real speed, Real longer) {
+      const Vec3<Real> start(size, 0, 0);
+      const auto body = after(make_particle<Real>(Real(0.5), start, Vec3<Real>(0, speed, 0)),
+                              longer * time_step, steps);
+      const Real distance = (body.position - start).norm();
+      return std::isfinite(distance) ? distance : std::numeric_limits<Real>::infinity();
+    };
+    const Real near = miss(1, 1, 1);
+    require(near < 4 * time_step,
+            "after a year in " + std::to_string(steps) + " steps the planet is " + shown(near) +
                 " from where it began, and may miss it by " + shown(4 * time_step) +
                 " only. Does each step kick once and drift once?");
+    // Kepler's third law: four times as wide a circle takes eight times as long. All lengths are
+    // four times those above, so is what it may miss.
+    const Real far = miss(4, Real(0.5), 8);
+    require(far < 16 * time_step,
+            "a planet four times as far away takes eight years for a round. "
+            "After them it is " +
+                shown(far) +
+                " from where it began, and "
+                "may miss it by " +
+                shown(16 * time_step) +
+                " only. Leave the pull as it was: it falls with the square of "
+                "the distance");
   }
 }

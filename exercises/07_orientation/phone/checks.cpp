@@ -46,6 +46,10 @@ EXERCISE_CHECK("A phone that turns steadily faces where its rate times the time 
                "that is the first-order rule's angle. The exponential is exact here")
       .mistake(0, "it has not turned")
       .must_be(angle, roundings<Real>(intervals));
+  const auto points = [](Real by) { return Vec3<Real>(std::cos(by), std::sin(by), 0); };
+  Found("where its x axis then points", "", rotate(found, points(0)))
+      .mistake(points(-angle), "it turns backwards: about +z, x goes towards y")
+      .must_be(points(angle), roundings<Real>(intervals));
   const auto at_once = faced(tilted<Real>(), Readings<Real>(1, spin), interval);
   Found("the angle turned at the first reading, when no time has passed", "rad",
         angle_between(tilted<Real>(), at_once))

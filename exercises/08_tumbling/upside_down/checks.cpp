@@ -106,8 +106,10 @@ EXERCISE_CHECK("The booms stay out until the satellite is upside down as far as 
   };
   require(asked(12, Real(0.125), Real(0.125), false),
           "it is upright and its booms stay in: so nothing will ever happen");
-  require(asked(8, Real(-0.5), 4, true),
-          "it is not upside down yet, L_x is positive, and the booms come in again");
+  for (const Real x : {Real(8), Real(0.125)})
+    for (const Real y : {Real(-0.5), Real(0.5)})  // L_x falls, and L_x rises
+      require(asked(x, y, 4, true),
+              "it is not upside down yet, L_x is " + shown(x) + ", and the booms come in again");
   require(
       asked(-2, -8, 4, true),
       "it is hardly past the middle, and L_x still falls; the booms come in too early, and leave "

@@ -110,6 +110,9 @@ EXERCISE_CHECK("A plan leaves it out when it stands still, and never else") {
       "it turns with 1 rad/s, and the plan leaves it out: the balls would fly straight on board. "
       "A predicate returns a reason only where nothing is to do");
   require(!skipped({-1, 0, 0}), "with -1 rad/s about x the plan leaves it out. Look at all of Ω");
+  require(!skipped({0, Real(0x1p-10), 0}),
+          "with a thousandth of a rad/s about y the plan leaves it out. However slowly it turns, "
+          "what rests on board is pushed");
   require(
       skipped({0, 0, 0}),
       "it stands still, and every body would still be asked in each step. Return a sentence that "

@@ -147,6 +147,9 @@ EXERCISE_CHECK(
   look(1, 2, 2, "The last two are equal: there is no ratio to zero");
   look(1 + 16 * one_rounding, 1 + one_rounding, 1,
        "The last two differ by a rounding, so the ratio is noise: ask for more than 4 epsilon");
+  look(1024 * (1 + 16 * one_rounding), 1024 * (1 + one_rounding), 1024,
+       "The last two differ by a rounding of a thousand, so the ratio is noise: ask for more than "
+       "4 epsilon times the last");
   look(1, 2, Real(1.5), "The results go up and down: a ratio below zero has no logarithm");
   look(1, Real(1.125), Real(1.5),
        "The differences grow: the steps are too long for an order to show");
@@ -154,4 +157,13 @@ EXERCISE_CHECK(
       double(ask<Real>("observed_order", 1 + 64 * one_rounding, 1 + 16 * one_rounding, Real(1)));
   Found("differences of 48 and 16 epsilon can be told from roundings: the order", "", order)
       .must_be(std::log2(3.0), 64 * unit_roundoff<Real>);
+  const Real small = Real(0x1p-20);
+  const double of_small = double(ask<Real>("observed_order", (1 + 64 * one_rounding) * small,
+                                           (1 + 16 * one_rounding) * small, small));
+  Found("and of a millionth of these three results", "", of_small)
+      .must_be(std::log2(3.0), 64 * unit_roundoff<Real>);
+  // As of a method at a kink of its motion.
+  Found("from differences of 1.5 and 1, the order", "",
+        double(ask<Real>("observed_order", Real(3.5), Real(2), Real(1))))
+      .must_be(std::log2(1.5), 64 * unit_roundoff<Real>);
 }

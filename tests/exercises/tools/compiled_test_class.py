@@ -7,6 +7,7 @@ import collections
 import csv
 import json
 import os
+import shutil
 import signal
 import subprocess
 import sys
@@ -20,6 +21,7 @@ import grade_class
 from complaint import Complaint
 from fixture import ROOT, TOOLCHAIN
 from grading import Grading
+from shards import Job, Part
 from untrusted import require_out_of_reach
 
 TOOLS = ROOT / "exercises" / "tools"
@@ -221,6 +223,13 @@ class NothingLost(AClassOfStandIns):
         _, said = self.run_to_the_end(code=3)
         self.assertIn("course: ada\\ncourse: bob has no result", said)
 
+    def test_what_other_work_has_kept_is_no_class(self):
+        part = self.place / "sweep.part"
+        with Part(part, Job({"sweep": 1}, ["t_handle"])) as kept:
+            kept.add("t_handle", ["t_handle", "splitting", 0.01])
+        _, said = self.run_to_the_end("merge", part, code=2)
+        self.assertIn("what the parts hold for t_handle is no result of grading", said)
+
     def test_a_part_is_of_one_job_alone(self):
         self.hand_in_all(ada=2, bob="breaks")
         self.run_to_the_end(code=3)
@@ -229,6 +238,21 @@ class NothingLost(AClassOfStandIns):
         self.change(self.exercise_folder / "checks.cpp", "that is the third power", "that is far too much")
         _, said = self.run_to_the_end("--resume", code=2)
         self.assertIn("its job exercises 01_force/doubled is ", said)
+
+    def test_headers_that_checks_and_answers_include_belong_to_the_job(self):
+        self.hand_in_all(ada=2, bob="breaks")
+        self.run_to_the_end(code=3)
+        for place, below in ((self.root / "exercises" / "common", "exercise/judge.hpp"),
+                             (self.root / "chapters", "01_force/tumble/force.hpp")):
+            with self.subTest(below):
+                target = place.resolve()
+                place.unlink()
+                shutil.copytree(target, place)
+                self.run_to_the_end("--resume", code=3)  # a copy is the same
+                (place / below).write_bytes((place / below).read_bytes() + b"// changed\n")
+                _, said = self.run_to_the_end("--resume", code=2)
+                self.assertIn("its job exercises 01_force/doubled is ", said)
+                shutil.copyfile(target / below, place / below)
 
     def test_what_can_not_be_written_is_told_before_anything_is_graded(self):
         self.hand_in_all(ada=2, bob=1)
@@ -280,7 +304,7 @@ class NothingLost(AClassOfStandIns):
         checks = self.exercise_folder / "checks.cpp"
         checks.write_text(checks.read_text(encoding="utf-8") + "\n// another\n", encoding="utf-8")
         wait.unlink()
-        self.assertIn(b"the checks have changed since the grading began", process.communicate(timeout=60)[1])
+        self.assertIn(b"the checks or headers have changed since the grading began", process.communicate(timeout=60)[1])
         self.assertEqual(process.returncode, 2)
         self.assertIn("belongs to another job", self.run_to_the_end("--resume", code=2)[1])
 

@@ -55,6 +55,19 @@ class AClass(Grading):
                          [(0, 2, "failed"), (1, 1, "passed")])
         self.assertIn("one at a time", self.grade("--format", "gradescope", code=2))
 
+    def test_what_compiler_assembler_and_linker_say_is_the_same_in_every_run(self):
+        """And on every machine: no folder is named that is one run's, or one machine's."""
+        self.hand_in("ada", RIGHT + 'asm("no such order");\n')
+        self.hand_in("bob", RIGHT.replace("{ return number / 2", "{ extern int elsewhere(); return number / Real(elsewhere())"))
+        self.hand_in("eve", RIGHT + "namespace tumble::exercise {\nstruct Offer;\n"
+                     "int serve(int, char**, std::initializer_list<Offer>) { return 0; }\n}\n")
+        once, again = self.grade("--format", "json"), self.grade("--format", "json")
+        for said in ("temporary.s:", "no such order", "undefined reference to `elsewhere()'", "multiple definition of"):
+            self.assertIn(said, once)
+        self.assertEqual(once, again)
+        self.assertNotIn("graded-", once)
+        self.assertNotIn(str((self.build / "shared").resolve()), once)
+
     def test_what_the_caller_has_preloaded_breaks_no_check(self):
         self.hand_in("ada", RIGHT)
         with mock.patch.dict(os.environ, LD_PRELOAD="/nowhere/at_all.so"):
