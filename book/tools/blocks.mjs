@@ -3,12 +3,13 @@ import {existsSync, readFileSync} from 'node:fs';
 import {dirname, join, normalize} from 'node:path';
 import {spawnSync} from 'node:child_process';
 import {map_of_chapters} from './chapter_map.mjs';
-import {check_line, failed_line} from './checks.mjs';
+import {check_line, failed_line, folded_checks, verdict_of_all} from './checks.mjs';
 import {list_of_exercises, semester, wrong_answers} from './exercise_tables.mjs';
 import {figure, graph} from './figures.mjs';
 import {player} from './players.mjs';
 import {BookError, table_in} from './results.mjs';
 import {table} from './tables.mjs';
+import {scene_keys} from './scene_keys.mjs';
 import {cell, escape, listed, typeset} from './text.mjs';
 
 /** A link to a line of a source; the address of the source's page is filled in once Doxygen has made it. */
@@ -39,6 +40,7 @@ function reading_time(pages) {
 
 export class Blocks {
   quoted = new Set(); // the checks, and the programs as CHAPTER/PROGRAM, that some page shows
+  folded = new Set(); // the chapters that show all their other checks
 
   constructor(settings, results, pages, exercises) {
     this.settings = settings;
@@ -52,9 +54,12 @@ export class Blocks {
       player: (page, argument) => this.#player(page, argument, 'player', 1),
       players: (page, argument) => this.#player(page, argument, 'players', 2),
       check: (page, argument) => this.#check(page, argument),
+      other_checks: page => this.#other_checks(page),
       costs: (page, argument) => this.#costs(page, argument),
       map: () => this.#map(),
       chapters: () => this.#chapters(),
+      headers: () => this.#headers(),
+      scene_keys: () => scene_keys(settings.source),
       exercises: () => list_of_exercises(exercises, pages),
       semester: (_, argument) => semester(argument, exercises, pages),
       wrong_answers: () => wrong_answers(exercises, pages),
@@ -194,9 +199,26 @@ export class Blocks {
     return check_line(matches[0], this.#path(matches[0].file), source_link);
   }
 
-  /** The failed checks and programs of a chapter that its pages do not quote. */
+  /** All checks of the chapter that no page of it quotes, in one line that opens. Which they are is known once every page is read. */
+  #other_checks(page) {
+    if (!page.chapter) throw new BookError('{{other_checks}} stands on a page of a chapter, whose other checks it lists');
+    const all = this.results.checks(page.chapter);
+    this.folded.add(page.chapter);
+    return () => {
+      const others = all.filter(check => !this.quoted.has(check));
+      return folded_checks(others, check => check_line(check, this.#path(check.file), source_link), file => this.#path(file));
+    };
+  }
+
+  /** The verdicts of a chapter in one line. */
+  verdict(chapter) {
+    return verdict_of_all(this.results.checks(chapter));
+  }
+
+  /** The failed checks and programs of a chapter that its pages do not show. */
   unquoted_failures(chapter) {
-    const checks = this.results.checks(chapter).filter(check => !check.passed && !this.quoted.has(check))
+    const checks = this.results.checks(chapter)
+      .filter(check => !check.passed && !this.quoted.has(check) && !this.folded.has(chapter))
       .map(check => check_line(check, this.#path(check.file), source_link));
     const programs = this.results.names(chapter, '.failed').filter(program => !this.quoted.has(`${chapter}/${program}`))
       .map(program => this.#complaint(chapter, program));
@@ -221,6 +243,18 @@ export class Blocks {
     const chapters = this.pages.chapters.filter(page => !page.further).map(page => page.name);
     const svg = graph(drawn.stdout, `A tower of chapters, from the ground up: ${listed(chapters)}. Each stands on those below it.`);
     return `<figure class="drawing map"><div class="scroll">${svg}</div></figure>`;
+  }
+
+  #headers() {
+    const {headers} = this.pages;
+    const chapters = [...new Set(headers.map(({page}) => page))];
+    const item = ({path, name, brief}) => `<li><a href="header:${escape(path)}"><code>${escape(name)}</code></a>: ${escape(brief)}</li>`;
+    return chapters
+      .map(page => {
+        const title = page ? escape(page.title) : 'What every chapter uses';
+        return `<h2>${title}</h2><ul class="headers">${headers.filter(header => header.page === page).map(item).join('')}</ul>`;
+      })
+      .join('');
   }
 
   #chapters() {

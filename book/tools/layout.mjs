@@ -5,7 +5,8 @@ function navigation(pages, current) {
   const item = page => {
     const here = page === current || page.file === current.under;
     const later = page.is_being_made ? ' <small>being made</small>' : '';
-    return `<li${page.further ? ' class="further"' : ''}><a href="${page.file}"${here ? ' aria-current="page"' : ''}>${escape(page.name)}${later}</a></li>`;
+    const own = page.exercises?.length ? ` data-exercises="${page.exercises.join(' ')}"` : '';
+    return `<li${page.further ? ' class="further"' : ''}><a href="${page.file}"${own}${here ? ' aria-current="page"' : ''}>${escape(page.name)}${later}</a></li>`;
   };
   const group = (title, list) => `<h2>${title}</h2><ul>${list.map(item).join('')}</ul>`;
   return (
@@ -63,15 +64,17 @@ ${page.is_being_made ? `<meta http-equiv="refresh" content="${seconds_until_next
 <link rel="icon" href="icon.svg">
 <link rel="stylesheet" href="doxygen.css">
 <link rel="stylesheet" href="doxygen-awesome.css">
+<link rel="stylesheet" href="fonts.css">
 <link rel="stylesheet" href="katex/katex.min.css">
 <link rel="stylesheet" href="book.css">
 <link rel="stylesheet" href="contents.css">
 <link rel="stylesheet" href="print.css" media="print">
 ${html.includes('<figure class="player') ? '<link rel="stylesheet" href="player.css">\n<script src="player.js" defer></script>\n' : ''}<script src="doxygen-awesome-darkmode-toggle.js"></script>
 <script src="book.js" defer></script>
+<script src="reading.js" defer></script>
 <script src="search.js" defer></script>
 </head>
-<body class="${kind}">
+<body class="${kind}"${page.chapter && !page.is_being_made ? ' data-kept' : ''}>
 <a class="skip" href="#text">Skip to the text</a>
 <header id="sidebar">
 <div class="brand"><a href="index.html">${escape(book.name)}</a><button id="dark" type="button" aria-pressed="false">Dark</button><button id="menu" type="button" aria-expanded="false" aria-controls="navigation">Pages</button></div>
@@ -81,7 +84,7 @@ ${navigation(pages, page)}
 <main id="text" tabindex="-1">
 ${way_here(page, reference)}
 <h1>${page.under ? escape(plain(escape(page.title))) : escape(page.title)}</h1>
-${kind === 'prose' ? table_of_contents(headings) : ''}
+${kind === 'source' ? '' : table_of_contents(headings)}
 <div class="contents">
 ${html}
 </div>
