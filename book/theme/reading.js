@@ -75,7 +75,7 @@
       rests = top === last_top;
     last_top = top;
     if (document.hidden || !rests) return;
-    const ended = sections.filter((_, number) => end_of(number) > 0 && end_of(number) <= window.innerHeight).map(({id}) => id);
+    const ended = sections.filter((_, number) => end_of(number) > 0.1 * window.innerHeight && end_of(number) <= window.innerHeight).map(({id}) => id);
     const state = kept(),
       read = state.pages[file]?.read ?? [];
     const place = {file, title, id: current?.id ?? '', section: current ? words_of(current) : ''};

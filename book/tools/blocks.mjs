@@ -31,11 +31,12 @@ const kept_tables = {
   'colophon.mutants': 'tests/mutations/caught.tsv',
 };
 
-/** How long the chapters take: prose at 120 words a minute, half as long again at the reader's own machine. */
-function reading_time(pages) {
+/** How long it takes: the chapters' prose at 120 words a minute, and the exercises' own minutes. */
+function reading_time(pages, exercises) {
   const words = pages.chapters.reduce((sum, page) => sum + page.text.split(/\s+/).length, 0);
-  const minutes = Math.max(10, Math.round(words / 120 / 10) * 10);
-  return {minutes_reading: String(minutes), hours: String(Math.ceil((minutes * 2.5) / 60))};
+  const reading = Math.max(1, Math.round(words / 120 / 60));
+  const own = Math.round(exercises.reduce((sum, {minutes}) => sum + minutes, 0) / 60);
+  return {reading_hours: String(reading), exercise_hours: String(own), hours: String(reading + own)};
 }
 
 export class Blocks {
@@ -46,7 +47,7 @@ export class Blocks {
     this.settings = settings;
     this.results = results;
     this.pages = pages;
-    this.values = {colophon: settings.colophon, reading: reading_time(pages)}; // what no program wrote
+    this.values = {colophon: settings.colophon, reading: reading_time(pages, exercises)}; // what no program wrote
     this.kinds = {
       output: (page, argument) => this.#output(page, argument),
       table: (page, argument) => this.#table(page, argument),
