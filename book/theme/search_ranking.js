@@ -12,10 +12,10 @@
   function stem(word) {
     if (word.length < 4 || /\d/.test(word)) return word;
     let bare = word
+      .replace(/(.{2})is$/, '$1')
       .replace(/ies$/, 'y')
       .replace(/(ss|x|ch|sh)es$/, '$1')
-      .replace(/([^su])s$/, '$1')
-      .replace(/(.{2})is$/, '$1');
+      .replace(/([^su])s$/, '$1');
     const shorter = bare.replace(/(?:ational|ation|ating|ion|ing|ed|ely|ly)$/, '');
     if (shorter.length >= 3 && /[aeiouy]/.test(shorter)) bare = shorter;
     return bare.replace(/([bdfgmnprt])\1$/, '$1').replace(/(.{2})(?:ate|at|e)$/, '$1');
@@ -129,7 +129,9 @@
       score += 6 * says(fields.section);
       score += 5 * Math.max(0, ...fields.terms.map(says)) + 10 * Math.max(0, ...fields.asked.map(says));
       if (first_way.length > 1 && times_in(fields.text, first_way)) score += 1.5;
-      hits.push({document, covered, score: score * covered ** 2 * document.weight});
+      // Who asks for a name of the code wants its page in the reference.
+      const is_the_name = first_way.length === 1 && first_way[0].includes('_') && fields.section.includes(first_way[0]);
+      hits.push({document, covered, score: score * covered ** 2 * (is_the_name ? 1.2 : document.weight)});
     }
     hits.sort((one, other) => other.score - one.score);
     return {hits, whole: hits.length === 0 || hits[0].covered > 0.999, ways: concepts.flatMap(({ways}) => ways)};

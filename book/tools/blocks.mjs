@@ -1,16 +1,15 @@
 // What each directive shows: code, outputs, tables, figures, checks and costs of the chapters.
 import {existsSync, readFileSync} from 'node:fs';
 import {dirname, join, normalize} from 'node:path';
-import {spawnSync} from 'node:child_process';
-import {map_of_chapters} from './chapter_map.mjs';
 import {check_line, failed_line, folded_checks, verdict_of_all} from './checks.mjs';
 import {list_of_exercises, semester, wrong_answers} from './exercise_tables.mjs';
-import {figure, graph} from './figures.mjs';
+import {figure} from './figures.mjs';
 import {player} from './players.mjs';
 import {BookError, table_in} from './results.mjs';
 import {table} from './tables.mjs';
+import {table_of_costs} from './costs.mjs';
 import {scene_keys} from './scene_keys.mjs';
-import {cell, escape, listed, typeset} from './text.mjs';
+import {cell, escape, typeset} from './text.mjs';
 
 /** A link to a line of a source; the address of the source's page is filled in once Doxygen has made it. */
 function source_link(path, line, html) {
@@ -29,6 +28,13 @@ function parted(argument) {
 const kept_tables = {
   'colophon.compilers': 'tests/compilers/tried.tsv',
   'colophon.mutants': 'tests/mutations/caught.tsv',
+};
+
+/** What times are compared with, so that one can picture them. */
+const familiar = {
+  benchmark: ['01_force', 'force_cost'],
+  row: 'gravity as an acceleration and step, double',
+  unit: "steps of chapter 1's falling particle, in double",
 };
 
 /** How long it takes: the chapters' prose at 120 words a minute, and the exercises' own minutes. */
@@ -231,19 +237,20 @@ export class Blocks {
     const link = this.#program_link(chapter, program);
     const costs = this.results.costs(chapter, program);
     if (!costs) return `<p>${link} was not run: Google Benchmark was not installed when this book was built.</p>`;
-    const time = nanoseconds => (nanoseconds < 1000
-      ? `${Number(nanoseconds.toPrecision(2))}\u00a0ns` : `${Number((nanoseconds / 1000).toPrecision(2))}\u00a0µs`);
-    return table(`Time measured by ${link} on the machine that built this book`,
-      [{text: 'what'}, {text: 'time', is_number: true}], costs.map(({name, nanoseconds}) => [name, time(nanoseconds)]),
-      'table unindexed');
+    const {columns, rows} = table_of_costs(costs, this.results.costs(...familiar.benchmark)?.find(({name}) => name === familiar.row));
+    const unit = columns.at(-1).is_unit ? `; the last column counts ${familiar.unit}` : '';
+    return table(`Time measured by ${link} on the machine that built this book${unit}`, columns, rows, 'table unindexed');
   }
 
+  /** From the top floor to the ground: each chapter with its question and the headers that it adds. */
   #map() {
-    const drawn = spawnSync(this.settings.dot, ['-Tsvg'], {input: map_of_chapters(this.settings, this.pages), encoding: 'utf8'});
-    if (drawn.status !== 0) throw new BookError(`Graphviz could not draw the map: ${drawn.stderr}`);
-    const chapters = this.pages.chapters.filter(page => !page.further).map(page => page.name);
-    const svg = graph(drawn.stdout, `A tower of chapters, from the ground up: ${listed(chapters)}. Each stands on those below it.`);
-    return `<figure class="drawing map"><div class="scroll">${svg}</div></figure>`;
+    const item = page => {
+      const own = this.pages.headers.filter(header => header.page === page);
+      const links = own.map(({path, name}) => `<a href="header:${escape(path)}"><code>${escape(name.replace('tumble/', ''))}</code></a>`);
+      const adds = links.length ? `<span class="headers">${links.join(', ')}</span>` : '';
+      return `<li><a href="${page.file}">${escape(page.name)}</a><br>${escape(page.question ?? '')}${adds}</li>`;
+    };
+    return `<ol class="map">${this.pages.chapters.filter(page => !page.further).reverse().map(item).join('')}</ol>`;
   }
 
   #headers() {

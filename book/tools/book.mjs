@@ -75,6 +75,7 @@ function source_page(file, title) {
 function weight_of(page, {address}) {
   if (page.under) return 0.4;
   if (/#exercise/.test(address)) return 0.6;
+  if (page.id === 'handbook') return 0.5;
   return page.chapter ? 1 : 0.9;
 }
 

@@ -47,7 +47,6 @@ const values = {
   katex: require(join(settings.katex, 'katex.js')).version,
   fonts: named(settings.fonts),
   gnuplot: told_by(settings.gnuplot, '--version').replace('gnuplot ', '').replace(' patchlevel ', '.'),
-  graphviz: /version ([\d.]+)/.exec(told_by('sh', '-c', `"${settings.dot}" -V 2>&1`))?.[1] ?? '',
 };
 
 const old = existsSync(settings.colophon) ? JSON.parse(readFileSync(settings.colophon, 'utf8')) : {};

@@ -74,7 +74,7 @@ ${html.includes('<figure class="player') ? '<link rel="stylesheet" href="player.
 <script src="reading.js" defer></script>
 <script src="search.js" defer></script>
 </head>
-<body class="${kind}"${page.chapter && !page.is_being_made ? ' data-kept' : ''}>
+<body class="${kind}${page.id === 'cheat_sheet' ? ' cheat-sheet' : ''}"${page.chapter && !page.is_being_made ? ' data-kept' : ''}>
 <a class="skip" href="#text">Skip to the text</a>
 <header id="sidebar">
 <div class="brand"><a href="index.html">${escape(book.name)}</a><button id="dark" type="button" aria-pressed="false">Dark</button><button id="menu" type="button" aria-expanded="false" aria-controls="navigation">Pages</button></div>

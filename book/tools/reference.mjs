@@ -82,20 +82,27 @@ export class Reference {
     const by_source = new Map(this.headers.map(header => [header.source, header]));
     for (const [file, {contents}] of Object.entries(this.written)) {
       if (!/^(namespace|struct|class|union|concept)/.test(file) || /-members/.test(file)) continue;
+      // Doxygen gives members of two structs that look alike one id, so the struct's is put before.
+      const prefix = file.startsWith('namespace') ? '' : `${this.#id_of(file)}-`;
       for (const [id, about] of descriptions_in(contents)) {
-        this.descriptions.set(id, about);
+        this.descriptions.set(prefix + id, about);
         const header = by_source.get(about.line?.replace(/#.*/, ''));
-        this.places.set(`${file}#${id}`, header ? `${header.file}#${id}` : about.line);
+        this.places.set(`${file}#${id}`, header ? `${header.file}#${prefix}${id}` : about.line);
       }
       const includes = /<p><code>#include &lt;<a class="el" href="([^"]*)"/.exec(contents)?.[1];
       const definition = [...contents.matchAll(/Definition at line <a class="el" href="([^"]*)"/g)].map(match => match[1]);
       const own_line = definition.find(line => line.startsWith(includes ?? '?')) ?? includes;
       const header = by_source.get(includes);
       if (!file.startsWith('namespace'))
-        this.places.set(file, header ? `${header.file}#${slug(this.written[file].title.replace(/<.*/, ''))}` : own_line);
+        this.places.set(file, header ? `${header.file}#${this.#id_of(file)}` : own_line);
       if (header) (header.compounds ??= []).push(file);
     }
     this.by_file = new Map(this.headers.map(header => [header.file, header]));
+  }
+
+  /** The address of a struct on its header's page. */
+  #id_of(file) {
+    return slug(this.written[file].title.replace(/ (?:Class|Struct|Union|Concept)?\s*(?:Template )?Reference$/, '').replace(/<.*/, ''));
   }
 
   /** Links to Doxygen's own pages lead to where the reference has it, or else to the source; what is nowhere is no link. */
@@ -106,7 +113,7 @@ export class Reference {
         const place = this.places.get(file + anchor) ?? this.places.get(file);
         return place ? `<a ${before}href="${place}"${after}>${text}</a>` : text;
       },
-    );
+    ).replace(/<a [^>]*href="(\w+_8[hc]pp\.html)(?:#\w+)?"[^>]*>([\s\S]*?)<\/a>/g, (link, file, text) => (this.by_file.has(file) ? link : text));
   }
 
   #given(owner, name, parameters) {
@@ -150,7 +157,7 @@ export class Reference {
   #compound(file, header, taken, headings) {
     const {title, contents} = this.written[file];
     const name = title.replace(/ (?:Class|Struct|Union|Concept)?\s*(?:Template )?Reference$/, '').replace(/< .* >/, '');
-    const id = slug(title.replace(/<.*/, ''));
+    const id = this.#id_of(file);
     headings.push({level: 2, id, html: escape(name)});
     const described =
       /<a name="details" id="details"><\/a><h2 class="groupheader">Detailed Description<\/h2>\s*<div class="textblock">([\s\S]*?)<\/div>\s*(?=<h2 class="groupheader"|$)/.exec(
@@ -160,7 +167,9 @@ export class Reference {
     const doc = described
       .replace(/<div class="compoundTemplParams">[\s\S]*?<\/div>/, '')
       .replace(/<p class="definition">[\s\S]*?<\/p>/g, '');
-    const rows = rows_of(contents).filter(({kind}) => !/^(pri|pro)-|inherit/.test(kind));
+    const rows = rows_of(contents)
+      .filter(({kind}) => !/^(pri|pro)-|inherit/.test(kind))
+      .map(row => ({...row, id: `${id}-${row.id}`}));
     const fields = rows.filter(({kind}) => /attribs/.test(kind));
     const members = rows.filter(({kind}) => !/attribs|nested/.test(kind) && kind !== 'friends');
     for (const row of members)
