@@ -19,6 +19,7 @@ import {finish_contents} from './contents.mjs';
 import {write_fonts} from './fonts.mjs';
 import {layout} from './layout.mjs';
 import {player_files} from './players.mjs';
+import {names_in, pruned} from './prune_style.mjs';
 import {read_pages} from './pages.mjs';
 import {Reference, lessons_of} from './reference.mjs';
 import {run_doxygen, write_expanded} from './doxygen.mjs';
@@ -106,6 +107,7 @@ function write_pages(folder, pages, written, directives) {
   };
   const is_ours = file => by_file.has(file) || reference.by_file.has(file) || file.endsWith('_source.html');
   const documents = [];
+  const names = new Set(['.dark-mode', '.light-mode']);
   for (const file of reachable(is_ours, [...by_file.keys()], name => finish(name).html)) {
     const {html, headings, title} = finish(file);
     const page = by_file.get(file) ?? (reference.by_file.has(file) ? {file, under: 'reference.html', title, name: title} : source_page(file, title));
@@ -124,19 +126,20 @@ function write_pages(folder, pages, written, directives) {
         })),
       );
     const typeset_headings = headings.map(heading => ({...heading, html: formulas.in_page(heading.html, page)}));
-    writeFileSync(
-      join(folder, file),
-      layout(page, {html: formulas.in_page(whole, page), headings: typeset_headings}, pages, settings.book),
-    );
+    const laid_out = layout(page, {html: formulas.in_page(whole, page), headings: typeset_headings}, pages, settings.book);
+    names_in(laid_out, names);
+    writeFileSync(join(folder, file), laid_out);
   }
   writeFileSync(join(folder, 'search_index.js'), search_script(settings.source, documents));
   writeFileSync(
     join(folder, 'reading_order.json'),
     JSON.stringify(pages.all.map(({file, title, id}) => ({file, title, id}))),
   );
+  return names;
 }
 
-function copy_theme(folder) {
+/** The style, the scripts and the fonts; `names` are the classes and ids that the pages have. */
+function copy_theme(folder, names) {
   const own = join(settings.source, 'book/theme');
   for (const name of readdirSync(own).filter(file => /\.(css|js|svg)$/.test(file)))
     copyFileSync(join(own, name), join(folder, name));
@@ -145,10 +148,9 @@ function copy_theme(folder) {
   writeFileSync(join(folder, 'player.css'), player.style);
   // Doxygen's own style sheet draws arrows and tabs from images that our pages do not use.
   const style = readFileSync(join(settings.work, 'doxygen/html/doxygen.css'), 'utf8');
-  writeFileSync(join(folder, 'doxygen.css'), style.replace(/^.*url\(.*$\n/gm, ''));
-  for (const name of ['doxygen-awesome.css', 'doxygen-awesome-darkmode-toggle.js'])
-    copyFileSync(join(settings.awesome, name), join(folder, name));
-  write_fonts(settings, folder);
+  const awesome = readFileSync(join(settings.awesome, 'doxygen-awesome.css'), 'utf8');
+  writeFileSync(join(folder, 'doxygen.css'), pruned(style.replace(/^.*url\(.*$\n/gm, ''), names) + pruned(awesome, names));
+  write_fonts(settings, folder, names);
 }
 
 /** The finished book takes the place of the old one at once; a folder that is not a book stays as it is. */
@@ -184,8 +186,7 @@ function build() {
   const fresh = `${settings.folder}.new`;
   rmSync(fresh, {recursive: true, force: true});
   mkdirSync(fresh, {recursive: true});
-  write_pages(fresh, pages, written, directives);
-  copy_theme(fresh);
+  copy_theme(fresh, write_pages(fresh, pages, written, directives));
   publish(fresh, settings.folder);
 
   if (!made) tell_red([...new Set(pages.chapters.map(page => page.chapter))], results);

@@ -2,6 +2,7 @@
 import {cpSync, mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {spawnSync} from 'node:child_process';
+import {pruned} from './prune_style.mjs';
 import {BookError} from './results.mjs';
 
 // A family of symbols has what the family before it lacks.
@@ -35,8 +36,8 @@ export const named = ({missing}) =>
     ? `those of the reader's machine, since this was not installed: ${missing}`
     : 'Lato, JetBrains Mono and DejaVu, and those of KaTeX, cut down to the letters of the book';
 
-/** Writes fonts.css, katex/katex.min.css and all fonts that they name into the book's folder, whose pages are there already. */
-export function write_fonts({fonts, katex, source, work}, folder) {
+/** Writes fonts.css, katex/katex.min.css and all fonts that they name into the book's folder, whose pages are there already and have these `names`. */
+export function write_fonts({fonts, katex, source, work}, folder, names) {
   const style = katex_style(katex);
   const of_formulas = [...new Set([...style.matchAll(/url\(["']?fonts\/([^"')]+\.woff2)/g)].map(match => match[1]))];
   mkdirSync(join(folder, 'katex/fonts'), {recursive: true});
@@ -54,7 +55,7 @@ export function write_fonts({fonts, katex, source, work}, folder) {
     if (run.error) throw run.error;
     if (run.status !== 0) throw new BookError(`the fonts could not be cut down: ${run.stderr.trim()}`);
   }
-  writeFileSync(join(folder, 'katex/katex.min.css'), style);
+  writeFileSync(join(folder, 'katex/katex.min.css'), pruned(style, names));
   writeFileSync(
     join(folder, 'fonts.css'),
     own

@@ -63,13 +63,12 @@ export function layout(page, {html, headings}, pages, book) {
 ${page.is_being_made ? `<meta http-equiv="refresh" content="${seconds_until_next_look}">\n` : ''}<title>${escape(title)}</title>
 <link rel="icon" href="icon.svg">
 <link rel="stylesheet" href="doxygen.css">
-<link rel="stylesheet" href="doxygen-awesome.css">
 <link rel="stylesheet" href="fonts.css">
 <link rel="stylesheet" href="katex/katex.min.css">
 <link rel="stylesheet" href="book.css">
 <link rel="stylesheet" href="contents.css">
 <link rel="stylesheet" href="print.css" media="print">
-${html.includes('<figure class="player') ? '<link rel="stylesheet" href="player.css">\n<script src="player.js" defer></script>\n' : ''}<script src="doxygen-awesome-darkmode-toggle.js"></script>
+${html.includes('<figure class="player') ? '<link rel="stylesheet" href="player.css">\n<script src="player.js" defer></script>\n' : ''}<script src="dark.js"></script>
 <script src="book.js" defer></script>
 <script src="reading.js" defer></script>
 <script src="search.js" defer></script>

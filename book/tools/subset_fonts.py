@@ -28,7 +28,7 @@ def main():
     folder = Path(sys.argv[1])
     letters = letters_of(folder)
     for job in json.loads(Path(sys.argv[2]).read_text(encoding="utf-8")):
-        options = Options(flavor="woff2", layout_features=["*"], hinting=False, notdef_outline=True, drop_tables=["DSIG"])
+        options = Options(flavor="woff2", layout_features=["kern", "mark", "mkmk", "ccmp", "tnum", "lnum"], hinting=False, notdef_outline=True, drop_tables=["DSIG"])
         font = load_font(job["from"], options)
         wanted = letters - (has(job["without"]) if job["without"] else set())
         subsetter = Subsetter(options=options)
