@@ -9,6 +9,7 @@ import {BookError, table_in} from './results.mjs';
 import {table} from './tables.mjs';
 import {table_of_costs} from './costs.mjs';
 import {scene_keys} from './scene_keys.mjs';
+import {verdict_grid} from './verdict_grid.mjs';
 import {cell, escape, typeset} from './text.mjs';
 
 /** A link to a line of a source; the address of the source's page is filled in once Doxygen has made it. */
@@ -57,6 +58,7 @@ export class Blocks {
     this.kinds = {
       output: (page, argument) => this.#output(page, argument),
       table: (page, argument) => this.#table(page, argument),
+      verdicts: (page, argument) => this.#verdicts(page, argument),
       figure: (page, argument) => this.#figure(page, argument),
       player: (page, argument) => this.#player(page, argument, 'player', 1),
       players: (page, argument) => this.#player(page, argument, 'players', 2),
@@ -155,6 +157,16 @@ export class Blocks {
     const is_number = (_, column) => rows.every(row => /^-?[\d.]+(e[+-]?\d+)?$|^$/.test(row[column]));
     return table(escape(caption), columns.map((text, column) => ({text, is_number: is_number(text, column)})),
       rows.map(row => row.map(cell)));
+  }
+
+  #verdicts(page, argument) {
+    const [references, caption] = parted(argument);
+    const parts = references.split(',').map(part => /^\s*(\S+) as (.+?)\s*$/.exec(part)?.slice(1));
+    if (!caption || parts.some(part => !part)) {
+      throw new BookError(`{{verdicts ${argument}}} should read {{verdicts table as heading, other as its heading | caption}}`);
+    }
+    const tables = parts.map(([name]) => ({name, ...this.results.table(...this.#of(page, name))}));
+    return verdict_grid(tables, parts.map(([, heading]) => heading), caption);
   }
 
   /** [what stands before the bar, the words behind it with their values] */

@@ -18,15 +18,14 @@ function navigation(pages, current) {
 function table_of_contents(headings) {
   const listed = headings.filter(heading => heading.level <= 3);
   if (listed.length < 3) return '';
-  let html = '',
-    level = 2;
-  for (const heading of listed) {
-    if (heading.level > level) html += '<ul>';
-    if (heading.level < level) html += '</ul>';
-    level = heading.level;
-    html += `<li><a href="#${heading.id}">${heading.html.replace(/<\/?a\b[^>]*>/g, '')}</a></li>`;
-  }
-  return `<nav class="contents-table" aria-label="On this page"><h2>On this page</h2><ul>${html}${level === 3 ? '</ul>' : ''}</ul></nav>`;
+  const link = ({id, html}) => `<a href="#${id}">${html.replace(/<\/?a\b[^>]*>/g, '')}</a>`;
+  const items = [];
+  for (const heading of listed)
+    if (heading.level === 2 || !items.length) items.push({heading, below: []});
+    else items.at(-1).below.push(heading);
+  const item = ({heading, below}) =>
+    `<li>${link(heading)}${below.length ? `<ul>${below.map(each => `<li>${link(each)}</li>`).join('')}</ul>` : ''}</li>`;
+  return `<nav class="contents-table" aria-label="On this page"><h2>On this page</h2><ul>${items.map(item).join('')}</ul></nav>`;
 }
 
 function neighbours(pages, current) {

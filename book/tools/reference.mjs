@@ -137,7 +137,7 @@ export class Reference {
     taken.add(id);
     const line = about?.line ? ` <a class="line-link" href="${about.line}">source</a>` : '';
     return (
-      `<${level}${address} class="member">${escape(name)}</${level}>` +
+      `<${level}${address}>${escape(name)}</${level}>` +
       `<p class="declaration"><code>${declaration(`${left} ${right}`)}</code>${line}</p>` +
       `${about ? about.doc : ''}${this.#given(owner, name, about?.parameters ?? [])}`
     );

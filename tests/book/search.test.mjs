@@ -23,7 +23,7 @@ const questions = [
   ['energy drift', /chapter_06_semi_implicit_euler/],
   ['units', /conventions\.html#conventions_units/],
   ['dt', /conventions\.html#conventions_symbols|chapter_10_fixed_timestep/],
-  ['NaN', /gallery\.html#gallery_nan|NaN/],
+  ['NaN', /gallery\.html#gallery_nan|chapter_11_world/],
   ['gimbal lock', /chapter_04_quaternions\.html#which_numbers/],
   // Headings.
   ['parallel axis', /chapter_03_inertia\.html#inertia_parallel/],
