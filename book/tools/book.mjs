@@ -76,7 +76,7 @@ function source_page(file, title) {
 function weight_of(page, {address}) {
   if (page.under) return 0.4;
   if (/#exercise/.test(address)) return 0.6;
-  if (page.id === 'handbook') return 0.5;
+  if (['handbook', 'reference'].includes(page.id)) return 0.5; // they list what others explain
   return page.chapter ? 1 : 0.9;
 }
 

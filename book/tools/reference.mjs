@@ -66,6 +66,14 @@ export class Reference {
     this.parameters = names;
     this.parameters_of = of;
     this.#gather();
+    this.made = new Map(headers.map(header => [header.file, this.#page(header)]));
+    const anchors = ({contents}) => new Set([...contents.matchAll(/ id="([^"]*)"/g)].map(match => match[1]));
+    this.anchors = new Map([...this.made].map(([file, page]) => [file, anchors(page)]));
+  }
+
+  /** {title, contents, headings} of a header's page. */
+  page(header) {
+    return this.made.get(header.file);
   }
 
   #gather() {
@@ -110,10 +118,16 @@ export class Reference {
     return html.replace(
       /<a ([^>]*)href="((?:namespace|struct|class|union|concept)\w*\.html)(#\w+)?"([^>]*)>([\s\S]*?)<\/a>/g,
       (_, before, file, anchor = '', after, text) => {
-        const place = this.places.get(file + anchor) ?? this.places.get(file);
+        const place = this.#present(this.places.get(file + anchor) ?? this.places.get(file));
         return place ? `<a ${before}href="${place}"${after}>${text}</a>` : text;
       },
     ).replace(/<a [^>]*href="(\w+_8[hc]pp\.html)(?:#\w+)?"[^>]*>([\s\S]*?)<\/a>/g, (link, file, text) => (this.by_file.has(file) ? link : text));
+  }
+
+  /** What Doxygen describes and its lists leave out, such as what is private, is found on the page at large. */
+  #present(place) {
+    const [file, anchor] = place?.split('#') ?? [];
+    return anchor && this.anchors.has(file) && !this.anchors.get(file).has(anchor) ? file : place;
   }
 
   #given(owner, name, parameters) {
@@ -180,8 +194,7 @@ export class Reference {
     );
   }
 
-  /** {title, contents, headings} of a header's page. */
-  page(header) {
+  #page(header) {
     const {contents} = this.written[header.file];
     const headings = [],
       taken = new Set();
@@ -199,7 +212,7 @@ export class Reference {
     const compounds_headings = [];
     const compounds = (header.compounds ?? []).map(file => this.#compound(file, header, taken, compounds_headings));
     const also = aliases.length
-      ? `<p class="facts">Also: ${aliases.map(({right}) => `<code>${declaration(right)}</code>`).join(', ')}.</p>`
+      ? `<p class="facts">Also: ${aliases.map(({id, right}) => `<code id="${id}">${declaration(right)}</code>`).join(', ')}.</p>`
       : '';
     return {
       title: header.name,
