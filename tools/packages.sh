@@ -6,8 +6,8 @@ base_packages="g++:g++ make:make cmake:cmake libeigen3-dev doctest-dev"
 scene_packages="nlohmann-json3-dev libcxxopts-dev" # scene files and simulate, in chapter 11
 truth_packages="libboost-dev" # to hold the exact solutions against, and to compare with, in chapter 13
 speed_packages="ninja-build:ninja ccache:ccache" # used when present, never required
-book_packages="doxygen:doxygen doxygen-awesome-css libjs-katex libjs-lunr nodejs:node gnuplot-nox:gnuplot graphviz:dot
-  python3:python3 libbenchmark-dev"
+book_packages="doxygen:doxygen doxygen-awesome-css libjs-katex nodejs:node gnuplot-nox:gnuplot
+  python3:python3 fonts-lato fonts-jetbrains-mono fonts-dejavu-core python3-fonttools python3-brotli libbenchmark-dev"
 # The tests read the book's pages, judge scene files and spell what is written with them.
 test_packages="node-parse5 python3-jsonschema hunspell:hunspell hunspell-en-gb"
 browser_packages="chromium:chromium npm:npm"

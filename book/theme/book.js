@@ -1,17 +1,5 @@
-// The buttons of a page: dark or light, the pages' list on a narrow screen, copying code.
+// The buttons of a page: the pages' list on a narrow screen, copying code.
 (() => {
-  const dark = document.getElementById('dark');
-  const show_mode = () => {
-    dark.setAttribute('aria-pressed', String(Boolean(DoxygenAwesomeDarkModeToggle.darkModeEnabled)));
-  };
-  dark.addEventListener('click', () => {
-    DoxygenAwesomeDarkModeToggle.userPreference = !DoxygenAwesomeDarkModeToggle.darkModeEnabled;
-    show_mode();
-  });
-  window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', show_mode);
-  document.addEventListener('visibilitychange', show_mode);
-  show_mode();
-
   const menu = document.getElementById('menu'),
     sidebar = document.getElementById('sidebar');
   const open_menu = open => {

@@ -6,6 +6,8 @@
 #   linetype 7        the exact answer: thin, dashed, in the colour of the text
 #   #555555           what helps to read: frames, arrows, labels
 #   #b9c2c9           the grid
+# A line is named where it ends: title "its name" at end, in its own colour. Where lines end in one place or leave the picture,
+# a label stands beside them: set label 1 "its name" at x, y textcolor linetype 2. Letters have one size, that of the text.
 # The title states the finding. Its size marks it: the book takes it out and sets it as text above the drawing, where it
 # can break into lines. So leave its font alone. Empty paper around the drawing is cut away.
 set terminal svg size 480,400 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
@@ -28,4 +30,4 @@ set grid linecolor rgb "#b9c2c9" linewidth 0.6 dashtype solid
 set title font "sans-serif,18" textcolor rgb "#22303a"
 set xlabel offset 0,0.4 textcolor rgb "#22303a"
 set ylabel textcolor rgb "#22303a"
-set key below left Left reverse samplen 2.5 spacing 1.15 height 0.7 textcolor rgb "#22303a"
+set key below left Left reverse samplen 2.5 spacing 1.15 height 0.7 textcolor variable

@@ -6,7 +6,7 @@
   const answer = document.getElementById('answer'),
     found = document.getElementById('found');
   const most = 12;
-  let index,
+  let prepared,
     chosen = -1;
 
   const load = file =>
@@ -19,42 +19,17 @@
     });
   let loading;
   const ready = () => {
-    loading ??= Promise.all([load('lunr.js'), load('search_index.js')]).then(() => {
-      index = lunr.Index.load(window.bookIndex.index);
+    loading ??= Promise.all([load('search_ranking.js'), load('search_index.js')]).then(() => {
+      prepared = book_search.prepare(window.bookIndex.documents, window.bookIndex.same);
     });
     return loading;
   };
 
-  const words_of = text =>
-    text
-      .toLowerCase()
-      .split(/[^\p{L}\p{N}_]+/u)
-      .filter(Boolean);
-  const stem = word => lunr.stemmer(new lunr.Token(word, {})).toString();
-
-  /** Sections that hold every word, the last one perhaps only begun. */
-  function search(words) {
-    const telling = words.filter(word => lunr.stopWordFilter(new lunr.Token(word, {})) !== undefined);
-    const wanted = telling.length ? telling : words.slice(-1);
-    const hits = index.query(asked => {
-      for (const word of wanted) {
-        asked.term(stem(word), {boost: 10, usePipeline: false});
-        asked.term(word, {boost: 2, usePipeline: false, wildcard: lunr.Query.wildcard.TRAILING});
-      }
-    });
-    return hits.filter(({matchData}) => {
-      const terms = Object.keys(matchData.metadata);
-      return wanted.every(word => terms.some(term => term === stem(word) || term.startsWith(word)));
-    });
-  }
-
   /** The line of the text around the first word that was asked for, the words marked. */
-  function context(text, words) {
-    const escaped = words
-      .map(word => (stem(word).length < word.length ? stem(word) : word))
-      .map(word => word.replace(/[.*+?^${}()|[\]\\]/g, '\\$&'));
-    const pattern = new RegExp(`(?<![\\p{L}\\p{N}])(?:${escaped.join('|')})[\\p{L}\\p{N}]*`, 'giu');
-    const phrase = new RegExp(`(?<![\\p{L}\\p{N}])${escaped.join('[\\p{L}]*[^\\p{L}]+')}`, 'iu');
+  function context(text, ways) {
+    const escaped = ways.map(way => way.map(word => word.replace(/[.*+?^${}()|[\]\\]/g, '\\$&')).join('\\p{L}*[^\\p{L}\\p{N}]+'));
+    const pattern = new RegExp(`(?<![\\p{L}\\p{N}_])(?:${escaped.join('|')})[\\p{L}\\p{N}_]*`, 'giu');
+    const phrase = new RegExp(`(?<![\\p{L}\\p{N}_])${escaped[0]}\\p{L}*[^\\p{L}\\p{N}]+(?:${escaped.slice(1).join('|')})`, 'iu');
     const first = text.search(phrase) >= 0 ? text.search(phrase) : Math.max(0, text.search(pattern));
     let start = Math.max(0, first - 40);
     if (start > 0) start = text.indexOf(' ', start) + 1;
@@ -73,17 +48,16 @@
     return paragraph;
   }
 
-  function option(hit, number, words) {
-    const {address, page, section, text} = window.bookIndex.documents[hit.ref];
-    const item = document.createElement('li');
+  function option({document: {address, page, section, text}}, number, ways) {
+    const item = window.document.createElement('li');
     item.id = `found_${number}`;
     item.setAttribute('role', 'option');
     item.setAttribute('aria-selected', 'false');
     item.dataset.address = address;
-    const where = document.createElement('span');
+    const where = window.document.createElement('span');
     where.className = 'where';
     where.textContent = section ? `${page} › ${section}` : page;
-    item.append(where, context(text, words));
+    item.append(where, context(text, ways));
     item.addEventListener('mousedown', event => event.preventDefault());
     item.addEventListener('click', () => go(item));
     return item;
@@ -112,9 +86,8 @@
   }
 
   async function show() {
-    const text = query.value,
-      words = words_of(text);
-    if (!words.length) return close();
+    const text = query.value;
+    if (!/[\p{L}\p{N}]/u.test(text)) return close();
     try {
       await ready();
     } catch (error) {
@@ -123,15 +96,16 @@
       return undefined;
     }
     if (text !== query.value) return undefined;
-    const hits = search(words);
+    const {hits, whole, ways} = book_search.find(text, prepared);
     chosen = -1;
     query.removeAttribute('aria-activedescendant');
-    found.replaceChildren(...hits.slice(0, most).map((hit, number) => option(hit, number, words)));
+    found.replaceChildren(...hits.slice(0, most).map((hit, number) => option(hit, number, ways)));
     const shown =
       hits.length > most
         ? `The best ${most} of ${hits.length} places`
         : `${hits.length} place${hits.length > 1 ? 's' : ''}`;
-    answer.textContent = hits.length ? shown : `Nothing found for “${text.trim()}”.`;
+    const some = whole ? '' : 'No place holds all of these words. ';
+    answer.textContent = hits.length ? some + shown : `Nothing found for “${text.trim()}”.`;
     answers.hidden = false;
     query.setAttribute('aria-expanded', String(hits.length > 0));
     return undefined;

@@ -1,15 +1,16 @@
 // What each directive shows: code, outputs, tables, figures, checks and costs of the chapters.
 import {existsSync, readFileSync} from 'node:fs';
 import {dirname, join, normalize} from 'node:path';
-import {spawnSync} from 'node:child_process';
-import {map_of_chapters} from './chapter_map.mjs';
-import {check_line, failed_line} from './checks.mjs';
+import {check_line, failed_line, folded_checks, verdict_of_all} from './checks.mjs';
 import {list_of_exercises, semester, wrong_answers} from './exercise_tables.mjs';
-import {figure, graph} from './figures.mjs';
+import {figure} from './figures.mjs';
 import {player} from './players.mjs';
 import {BookError, table_in} from './results.mjs';
 import {table} from './tables.mjs';
-import {cell, escape, listed, typeset} from './text.mjs';
+import {table_of_costs} from './costs.mjs';
+import {scene_keys} from './scene_keys.mjs';
+import {verdict_grid} from './verdict_grid.mjs';
+import {cell, escape, typeset} from './text.mjs';
 
 /** A link to a line of a source; the address of the source's page is filled in once Doxygen has made it. */
 function source_link(path, line, html) {
@@ -30,31 +31,44 @@ const kept_tables = {
   'colophon.mutants': 'tests/mutations/caught.tsv',
 };
 
-/** How long the chapters take: prose at 120 words a minute, half as long again at the reader's own machine. */
-function reading_time(pages) {
+/** What times are compared with, so that one can picture them. */
+const familiar = {
+  benchmark: ['01_force', 'force_cost'],
+  row: 'gravity as an acceleration and step, double',
+  unit: "steps of chapter 1's falling particle, in double",
+};
+
+/** How long it takes: the chapters' prose at 120 words a minute, and the exercises' own minutes. */
+function reading_time(pages, exercises) {
   const words = pages.chapters.reduce((sum, page) => sum + page.text.split(/\s+/).length, 0);
-  const minutes = Math.max(10, Math.round(words / 120 / 10) * 10);
-  return {minutes_reading: String(minutes), hours: String(Math.ceil((minutes * 2.5) / 60))};
+  const reading = Math.max(1, Math.round(words / 120 / 60));
+  const own = Math.round(exercises.reduce((sum, {minutes}) => sum + minutes, 0) / 60);
+  return {reading_hours: String(reading), exercise_hours: String(own), hours: String(reading + own)};
 }
 
 export class Blocks {
   quoted = new Set(); // the checks, and the programs as CHAPTER/PROGRAM, that some page shows
+  folded = new Set(); // the chapters that show all their other checks
 
   constructor(settings, results, pages, exercises) {
     this.settings = settings;
     this.results = results;
     this.pages = pages;
-    this.values = {colophon: settings.colophon, reading: reading_time(pages)}; // what no program wrote
+    this.values = {colophon: settings.colophon, reading: reading_time(pages, exercises)}; // what no program wrote
     this.kinds = {
       output: (page, argument) => this.#output(page, argument),
       table: (page, argument) => this.#table(page, argument),
+      verdicts: (page, argument) => this.#verdicts(page, argument),
       figure: (page, argument) => this.#figure(page, argument),
       player: (page, argument) => this.#player(page, argument, 'player', 1),
       players: (page, argument) => this.#player(page, argument, 'players', 2),
       check: (page, argument) => this.#check(page, argument),
+      other_checks: page => this.#other_checks(page),
       costs: (page, argument) => this.#costs(page, argument),
       map: () => this.#map(),
       chapters: () => this.#chapters(),
+      headers: () => this.#headers(),
+      scene_keys: () => scene_keys(settings.source),
       exercises: () => list_of_exercises(exercises, pages),
       semester: (_, argument) => semester(argument, exercises, pages),
       wrong_answers: () => wrong_answers(exercises, pages),
@@ -145,6 +159,16 @@ export class Blocks {
       rows.map(row => row.map(cell)));
   }
 
+  #verdicts(page, argument) {
+    const [references, caption] = parted(argument);
+    const parts = references.split(',').map(part => /^\s*(\S+) as (.+?)\s*$/.exec(part)?.slice(1));
+    if (!caption || parts.some(part => !part)) {
+      throw new BookError(`{{verdicts ${argument}}} should read {{verdicts table as heading, other as its heading | caption}}`);
+    }
+    const tables = parts.map(([name]) => ({name, ...this.results.table(...this.#of(page, name))}));
+    return verdict_grid(tables, parts.map(([, heading]) => heading), caption);
+  }
+
   /** [what stands before the bar, the words behind it with their values] */
   #described(page, argument, directive, name) {
     const [reference, description] = parted(argument);
@@ -194,9 +218,26 @@ export class Blocks {
     return check_line(matches[0], this.#path(matches[0].file), source_link);
   }
 
-  /** The failed checks and programs of a chapter that its pages do not quote. */
+  /** All checks of the chapter that no page of it quotes, in one line that opens. Which they are is known once every page is read. */
+  #other_checks(page) {
+    if (!page.chapter) throw new BookError('{{other_checks}} stands on a page of a chapter, whose other checks it lists');
+    const all = this.results.checks(page.chapter);
+    this.folded.add(page.chapter);
+    return () => {
+      const others = all.filter(check => !this.quoted.has(check));
+      return folded_checks(others, check => check_line(check, this.#path(check.file), source_link), file => this.#path(file));
+    };
+  }
+
+  /** The verdicts of a chapter in one line. */
+  verdict(chapter) {
+    return verdict_of_all(this.results.checks(chapter));
+  }
+
+  /** The failed checks and programs of a chapter that its pages do not show. */
   unquoted_failures(chapter) {
-    const checks = this.results.checks(chapter).filter(check => !check.passed && !this.quoted.has(check))
+    const checks = this.results.checks(chapter)
+      .filter(check => !check.passed && !this.quoted.has(check) && !this.folded.has(chapter))
       .map(check => check_line(check, this.#path(check.file), source_link));
     const programs = this.results.names(chapter, '.failed').filter(program => !this.quoted.has(`${chapter}/${program}`))
       .map(program => this.#complaint(chapter, program));
@@ -208,19 +249,32 @@ export class Blocks {
     const link = this.#program_link(chapter, program);
     const costs = this.results.costs(chapter, program);
     if (!costs) return `<p>${link} was not run: Google Benchmark was not installed when this book was built.</p>`;
-    const time = nanoseconds => (nanoseconds < 1000
-      ? `${Number(nanoseconds.toPrecision(2))}\u00a0ns` : `${Number((nanoseconds / 1000).toPrecision(2))}\u00a0µs`);
-    return table(`Time measured by ${link} on the machine that built this book`,
-      [{text: 'what'}, {text: 'time', is_number: true}], costs.map(({name, nanoseconds}) => [name, time(nanoseconds)]),
-      'table unindexed');
+    const {columns, rows} = table_of_costs(costs, this.results.costs(...familiar.benchmark)?.find(({name}) => name === familiar.row));
+    const unit = columns.at(-1).is_unit ? `; the last column counts ${familiar.unit}` : '';
+    return table(`Time measured by ${link} on the machine that built this book${unit}`, columns, rows, 'table unindexed');
   }
 
+  /** From the top floor to the ground: each chapter with its question and the headers that it adds. */
   #map() {
-    const drawn = spawnSync(this.settings.dot, ['-Tsvg'], {input: map_of_chapters(this.settings, this.pages), encoding: 'utf8'});
-    if (drawn.status !== 0) throw new BookError(`Graphviz could not draw the map: ${drawn.stderr}`);
-    const chapters = this.pages.chapters.filter(page => !page.further).map(page => page.name);
-    const svg = graph(drawn.stdout, `A tower of chapters, from the ground up: ${listed(chapters)}. Each stands on those below it.`);
-    return `<figure class="drawing map"><div class="scroll">${svg}</div></figure>`;
+    const item = page => {
+      const own = this.pages.headers.filter(header => header.page === page);
+      const links = own.map(({path, name}) => `<a href="header:${escape(path)}"><code>${escape(name.replace('tumble/', ''))}</code></a>`);
+      const adds = links.length ? `<span class="headers">${links.join(', ')}</span>` : '';
+      return `<li><a href="${page.file}">${escape(page.name)}</a><br>${escape(page.question ?? '')}${adds}</li>`;
+    };
+    return `<ol class="map">${this.pages.chapters.filter(page => !page.further).reverse().map(item).join('')}</ol>`;
+  }
+
+  #headers() {
+    const {headers} = this.pages;
+    const chapters = [...new Set(headers.map(({page}) => page))];
+    const item = ({path, name, brief}) => `<li><a href="header:${escape(path)}"><code>${escape(name)}</code></a>: ${escape(brief)}</li>`;
+    return chapters
+      .map(page => {
+        const title = page ? escape(page.title) : 'What every chapter uses';
+        return `<h2>${title}</h2><ul class="headers">${headers.filter(header => header.page === page).map(item).join('')}</ul>`;
+      })
+      .join('');
   }
 
   #chapters() {

@@ -2,7 +2,6 @@
 // With --so-far only these chapters, a list with commas, have their results; in the others' place stands that they are being made.
 import {
   copyFileSync,
-  cpSync,
   existsSync,
   mkdirSync,
   readFileSync,
@@ -17,9 +16,12 @@ import {Directives} from './directives.mjs';
 import {Formulas} from './formulas.mjs';
 import {lines_of_section, read_exercises} from './exercises.mjs';
 import {finish_contents} from './contents.mjs';
+import {write_fonts} from './fonts.mjs';
 import {layout} from './layout.mjs';
 import {player_files} from './players.mjs';
+import {names_in, pruned} from './prune_style.mjs';
 import {read_pages} from './pages.mjs';
+import {Reference, lessons_of} from './reference.mjs';
 import {run_doxygen, write_expanded} from './doxygen.mjs';
 import {search_script, sections} from './search.mjs';
 import {counted} from './text.mjs';
@@ -52,26 +54,30 @@ function expand_pages(pages, directives) {
 }
 
 /** Pages of the reference and of the sources, as far as a reader can come by following links. */
-function reachable(written, start, links_of) {
+function reachable(is_ours, start, links_of) {
   const found = new Set(start),
     waiting = [...start];
   while (waiting.length)
     for (const [, target] of links_of(waiting.pop()).matchAll(/href="([^"#:]+\.html)/g))
-      if (written[target] && !found.has(target)) {
+      if (is_ours(target) && !found.has(target)) {
         found.add(target);
         waiting.push(target);
       }
   return found;
 }
 
-/** A page that Doxygen made on its own: of a header, a struct, the namespace or a source. */
-function reference_page(file, title) {
-  const name = title
-    .replace(/ (Source File|File Reference|(\w+ )?(Template )?Reference)$/, '')
-    .replace(/< .* >/, '')
-    .replace(/^.*\/(?=tumble\/)/, file.endsWith('_source.html') ? '$&' : '')
-    .replace(/^/, file.startsWith('namespace') ? 'Namespace ' : '');
+/** The page of a source, which Doxygen made. */
+function source_page(file, title) {
+  const name = title.replace(/ Source File$/, '');
   return {file, under: 'reference.html', title: name, name};
+}
+
+/** How much a place found there is worth: the chapters explain, their exercises ask, the reference lists. */
+function weight_of(page, {address}) {
+  if (page.under) return 0.4;
+  if (/#exercise/.test(address)) return 0.6;
+  if (['handbook', 'reference'].includes(page.id)) return 0.5; // they list what others explain
+  return page.chapter ? 1 : 0.9;
 }
 
 function write_pages(folder, pages, written, directives) {
@@ -83,41 +89,57 @@ function write_pages(folder, pages, written, directives) {
   for (const page of pages.all)
     if (!written[page.file]) throw new BookError(`${page.path}: Doxygen made no page ${page.file} of it`);
 
+  const reference = new Reference(written, pages.headers, {source: settings.source, lessons: lessons_of(pages)});
   const finished = new Map();
   const finish = file => {
-    if (!finished.has(file))
-      finished.set(
-        file,
-        finish_contents(written[file].contents, {blocks: directives.blocks, sources, is_page: by_file.has(file)}),
-      );
+    if (!finished.has(file)) {
+      const header = reference.by_file.get(file);
+      const {title, contents, headings} = header ? reference.page(header) : written[file];
+      const done = finish_contents(reference.redirect(contents), {
+        blocks: directives.blocks,
+        sources,
+        headers: reference.headers,
+        is_page: by_file.has(file),
+      });
+      finished.set(file, {...done, title, headings: headings ?? done.headings});
+    }
     return finished.get(file);
   };
+  const is_ours = file => by_file.has(file) || reference.by_file.has(file) || file.endsWith('_source.html');
   const documents = [];
-  for (const file of reachable(written, [...by_file.keys()], name => finish(name).html)) {
-    const page = by_file.get(file) ?? reference_page(file, written[file].title);
-    const {html, headings} = finish(file);
-    const more = page.chapter && !page.further && !page.is_being_made ? directives.makers.unquoted_failures(page.chapter) : '';
-    const whole = more
-      ? `${html}<h2 id="failed_checks">What failed and no page quotes</h2>${more}`
-      : html;
+  const names = new Set(['.dark-mode', '.light-mode']);
+  for (const file of reachable(is_ours, [...by_file.keys()], name => finish(name).html)) {
+    const {html, headings, title} = finish(file);
+    const page = by_file.get(file) ?? (reference.by_file.has(file) ? {file, under: 'reference.html', title, name: title} : source_page(file, title));
+    const is_chapter = page.chapter && !page.further && !page.is_being_made;
+    const more = is_chapter ? directives.makers.unquoted_failures(page.chapter) : '';
+    const whole =
+      html +
+      (more && `<h2 id="failed_checks">What failed and no page quotes</h2>${more}`) +
+      (is_chapter ? directives.makers.verdict(page.chapter) : '');
     if (!file.endsWith('_source.html'))
       documents.push(
-        ...sections(page, whole).map(section => ({...section, weight: page.chapter ? 3 : page.under ? 0.2 : 1.5})),
+        ...sections(page, whole).map(section => ({
+          ...section,
+          weight: weight_of(page, section),
+          is_being_made: page.is_being_made,
+        })),
       );
     const typeset_headings = headings.map(heading => ({...heading, html: formulas.in_page(heading.html, page)}));
-    writeFileSync(
-      join(folder, file),
-      layout(page, {html: formulas.in_page(whole, page), headings: typeset_headings}, pages, settings.book),
-    );
+    const laid_out = layout(page, {html: formulas.in_page(whole, page), headings: typeset_headings}, pages, settings.book);
+    names_in(laid_out, names);
+    writeFileSync(join(folder, file), laid_out);
   }
-  writeFileSync(join(folder, 'search_index.js'), search_script(settings.lunr, documents));
+  writeFileSync(join(folder, 'search_index.js'), search_script(settings.source, documents));
   writeFileSync(
     join(folder, 'reading_order.json'),
     JSON.stringify(pages.all.map(({file, title, id}) => ({file, title, id}))),
   );
+  return names;
 }
 
-function copy_theme(folder) {
+/** The style, the scripts and the fonts; `names` are the classes and ids that the pages have. */
+function copy_theme(folder, names) {
   const own = join(settings.source, 'book/theme');
   for (const name of readdirSync(own).filter(file => /\.(css|js|svg)$/.test(file)))
     copyFileSync(join(own, name), join(folder, name));
@@ -126,20 +148,9 @@ function copy_theme(folder) {
   writeFileSync(join(folder, 'player.css'), player.style);
   // Doxygen's own style sheet draws arrows and tabs from images that our pages do not use.
   const style = readFileSync(join(settings.work, 'doxygen/html/doxygen.css'), 'utf8');
-  writeFileSync(join(folder, 'doxygen.css'), style.replace(/^.*url\(.*$\n/gm, ''));
-  for (const name of ['doxygen-awesome.css', 'doxygen-awesome-darkmode-toggle.js'])
-    copyFileSync(join(settings.awesome, name), join(folder, name));
-  mkdirSync(join(folder, 'katex'));
-  const katex = readFileSync(join(settings.katex, 'katex.min.css'), 'utf8');
-  const fonts = [...new Set([...katex.matchAll(/url\(["']?fonts\/([^"')]+\.woff2)/g)].map(match => match[1]))];
-  writeFileSync(
-    join(folder, 'katex/katex.min.css'),
-    katex.replace(/,url\([^)]*\.(?:woff|ttf)["']?\) ?format\([^)]*\)/g, ''),
-  );
-  mkdirSync(join(folder, 'katex/fonts'));
-  for (const font of fonts)
-    cpSync(join(settings.katex, 'fonts', font), join(folder, 'katex/fonts', font), {dereference: true});
-  copyFileSync(join(settings.lunr, 'lunr.js'), join(folder, 'lunr.js'));
+  const awesome = readFileSync(join(settings.awesome, 'doxygen-awesome.css'), 'utf8');
+  writeFileSync(join(folder, 'doxygen.css'), pruned(style.replace(/^.*url\(.*$\n/gm, ''), names) + pruned(awesome, names));
+  write_fonts(settings, folder, names);
 }
 
 /** The finished book takes the place of the old one at once; a folder that is not a book stays as it is. */
@@ -163,8 +174,11 @@ function build() {
   for (const page of pages.chapters) page.is_being_made = made !== undefined && !made.has(page.chapter);
   const results = new Results(settings.results);
   const exercises = read_exercises(settings);
-  for (const page of pages.chapters)
-    if (!page.further) page.lines.push(...lines_of_section(page, exercises, pages));
+  for (const page of pages.chapters) {
+    if (page.further) continue;
+    page.exercises = exercises.filter(({chapter}) => chapter === page.chapter).map(({name}) => name);
+    page.lines.push(...lines_of_section(page, exercises, pages));
+  }
   const directives = new Directives(settings, results, pages, exercises);
   expand_pages(pages, directives);
   const written = run_doxygen(settings, pages.all, {with_gaps: made !== undefined});
@@ -172,8 +186,7 @@ function build() {
   const fresh = `${settings.folder}.new`;
   rmSync(fresh, {recursive: true, force: true});
   mkdirSync(fresh, {recursive: true});
-  write_pages(fresh, pages, written, directives);
-  copy_theme(fresh);
+  copy_theme(fresh, write_pages(fresh, pages, written, directives));
   publish(fresh, settings.folder);
 
   if (!made) tell_red([...new Set(pages.chapters.map(page => page.chapter))], results);

@@ -44,3 +44,37 @@ export function failed_line(program_link, complaint) {
     `<div>${program_link} <span class="verdict"><b>failed</b>; ${escape(complaint)}</span></div></div>`
   );
 }
+
+/** "passed in float and double", or how many failed. */
+function summary(checks) {
+  const failed = checks.filter(check => !check.passed).length;
+  const precisions = [...new Set(checks.flatMap(({runs}) => runs.map(({precision}) => precision)).filter(Boolean))];
+  const where = precisions.length ? ` in ${listed(precisions)}` : '';
+  return failed ? `<b class="red">${failed} failed</b>, ${checks.length - failed} passed${where}` : `<b>all passed</b>${where}`;
+}
+
+const comparisons = checks =>
+  checks.reduce((sum, {runs}) => sum + runs.reduce((all, {assertions}) => all + assertions, 0), 0).toLocaleString('en-GB');
+
+/** One line for many checks, which opens; it is open where one failed. They stand by the file that holds them. */
+export function folded_checks(checks, line_of, path_of) {
+  if (!checks.length) return '';
+  const files = [...new Set(checks.map(({file}) => path_of(file)))];
+  const group = file =>
+    `<p class="file"><code>${escape(file.replace(/^.*\//, ''))}</code></p>` +
+    checks.filter(check => path_of(check.file) === file).map(line_of).join('');
+  const open = checks.some(check => !check.passed) ? ' open' : '';
+  return (
+    `<details class="fold others"${open}><summary>The other ${counted(checks.length, 'check')} of this chapter: ` +
+    `<span class="verdict">${summary(checks)}</span></summary>${files.map(group).join('')}</details>`
+  );
+}
+
+/** The last line of a chapter: all its checks, and how they went. */
+export function verdict_of_all(checks) {
+  const failed = checks.filter(check => !check.passed).length;
+  return (
+    `<p class="verdict-of-all${failed ? ' failed' : ''}">${failed ? '✗' : '✓'} ${counted(checks.length, 'check')} of this chapter: ` +
+    `${summary(checks)}; ${comparisons(checks)} comparisons, made by the build of this book.</p>`
+  );
+}

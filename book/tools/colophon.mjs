@@ -4,6 +4,7 @@ import {createRequire} from 'node:module';
 import {cpus} from 'node:os';
 import {existsSync, mkdirSync, readFileSync, writeFileSync} from 'node:fs';
 import {dirname, join} from 'node:path';
+import {named} from './fonts.mjs';
 
 const settings = JSON.parse(readFileSync(process.argv[2], 'utf8'));
 
@@ -44,9 +45,8 @@ const values = {
   doxygen: told_by(settings.doxygen, '--version'),
   node: process.versions.node,
   katex: require(join(settings.katex, 'katex.js')).version,
-  lunr: require(join(settings.lunr, 'lunr.js')).version,
+  fonts: named(settings.fonts),
   gnuplot: told_by(settings.gnuplot, '--version').replace('gnuplot ', '').replace(' patchlevel ', '.'),
-  graphviz: /version ([\d.]+)/.exec(told_by('sh', '-c', `"${settings.dot}" -V 2>&1`))?.[1] ?? '',
 };
 
 const old = existsSync(settings.colophon) ? JSON.parse(readFileSync(settings.colophon, 'utf8')) : {};

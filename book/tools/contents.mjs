@@ -9,7 +9,7 @@ function with_blocks(html, blocks) {
       (_, id, fragment) => `<figure class="listing"><figcaption>${blocks[id]}</figcaption>${fragment}</figure>`,
     )
     .replace(/<p[^>]*>\s*((?:<tumble-block id="\d+"><\/tumble-block>\s*)+)<\/p>/g, '$1')
-    .replace(/<tumble-block id="(\d+)"><\/tumble-block>/g, (_, id) => blocks[id]);
+    .replace(/<tumble-block id="(\d+)"><\/tumble-block>/g, (_, id) => (typeof blocks[id] === 'function' ? blocks[id]() : blocks[id]));
 }
 
 /** Doxygen's ways with HTML that a reader or a browser would stumble over. */
@@ -61,14 +61,19 @@ function in_scrollers(html) {
     .replace(/<div class="scroll">(<table class="memname">)/g, '<div class="scroll prototype">$1');
 }
 
-/** {html, headings} of one page; `sources` leads from a file's path to the page that shows it. */
-export function finish_contents(contents, {blocks, sources, is_page}) {
+/**
+ * {html, headings} of one page; `sources` leads from a file's path to the page that shows it, `headers` are {path, file} of the
+ * reference's.
+ */
+export function finish_contents(contents, {blocks, sources, headers, is_page}) {
   const {html, headings} = with_headings(tidy(with_blocks(contents, blocks)), is_page);
   return {
     headings,
-    html: in_scrollers(html).replace(/href="source:([^"#]*)/g, (_, path) => {
-      if (!sources.has(path)) throw new Error(`no page shows the source of ${path}`);
-      return `href="${sources.get(path)}`;
-    }),
+    html: in_scrollers(html)
+      .replace(/href="header:([^"#]*)/g, (_, path) => `href="${headers.find(header => header.path === path).file}`)
+      .replace(/href="source:([^"#]*)/g, (_, path) => {
+        if (!sources.has(path)) throw new Error(`no page shows the source of ${path}`);
+        return `href="${sources.get(path)}`;
+      }),
   };
 }

@@ -1,8 +1,8 @@
-// Drawings by gnuplot and Graphviz, made part of a page: they take the page's colours and its font.
+// Drawings by gnuplot, made part of a page: they take the page's colours and its font.
 import {escape, unescape} from './text.mjs';
 import {BookError} from './results.mjs';
 
-// The colours of theme/figure.gp and of the map, by the property of the style sheet that takes their place.
+// The colours of theme/figure.gp, by the property of the style sheet that takes their place.
 const colours = {
   '#0b6aa2': '--figure-1',
   '#c2500a': '--figure-2',
@@ -109,17 +109,4 @@ export function figure(source, says, name) {
       `style="--width: ${right - left}">`,
   );
   return {title: titles.join(' '), svg: in_page_colours(with_own_names(svg))};
-}
-
-/** Graphviz' drawing, whose nodes may be links. */
-export function graph(source, label) {
-  const [, width, height] = /width="(\d+)pt" height="(\d+)pt"/.exec(source);
-  return in_page_colours(with_own_names(bare(source)))
-    .replace(/xlink:(href|title)=/g, '$1=')
-    .replace(/ title="[^"]*"/g, '')
-    .replace(
-      /<svg[^>]*?viewBox="([^"]*)"[^>]*>/s,
-      (_, box) =>
-        `<svg role="group" aria-label="${escape(label)}" viewBox="${box}" style="--width: ${Math.round((width * 4) / 3)}" data-height="${height}">`,
-    );
 }

@@ -5,7 +5,8 @@ function navigation(pages, current) {
   const item = page => {
     const here = page === current || page.file === current.under;
     const later = page.is_being_made ? ' <small>being made</small>' : '';
-    return `<li${page.further ? ' class="further"' : ''}><a href="${page.file}"${here ? ' aria-current="page"' : ''}>${escape(page.name)}${later}</a></li>`;
+    const own = page.exercises?.length ? ` data-exercises="${page.exercises.join(' ')}"` : '';
+    return `<li${page.further ? ' class="further"' : ''}><a href="${page.file}"${own}${here ? ' aria-current="page"' : ''}>${escape(page.name)}${later}</a></li>`;
   };
   const group = (title, list) => `<h2>${title}</h2><ul>${list.map(item).join('')}</ul>`;
   return (
@@ -17,15 +18,14 @@ function navigation(pages, current) {
 function table_of_contents(headings) {
   const listed = headings.filter(heading => heading.level <= 3);
   if (listed.length < 3) return '';
-  let html = '',
-    level = 2;
-  for (const heading of listed) {
-    if (heading.level > level) html += '<ul>';
-    if (heading.level < level) html += '</ul>';
-    level = heading.level;
-    html += `<li><a href="#${heading.id}">${heading.html.replace(/<\/?a\b[^>]*>/g, '')}</a></li>`;
-  }
-  return `<nav class="contents-table" aria-label="On this page"><h2>On this page</h2><ul>${html}${level === 3 ? '</ul>' : ''}</ul></nav>`;
+  const link = ({id, html}) => `<a href="#${id}">${html.replace(/<\/?a\b[^>]*>/g, '')}</a>`;
+  const items = [];
+  for (const heading of listed)
+    if (heading.level === 2 || !items.length) items.push({heading, below: []});
+    else items.at(-1).below.push(heading);
+  const item = ({heading, below}) =>
+    `<li>${link(heading)}${below.length ? `<ul>${below.map(each => `<li>${link(each)}</li>`).join('')}</ul>` : ''}</li>`;
+  return `<nav class="contents-table" aria-label="On this page"><h2>On this page</h2><ul>${items.map(item).join('')}</ul></nav>`;
 }
 
 function neighbours(pages, current) {
@@ -62,16 +62,17 @@ export function layout(page, {html, headings}, pages, book) {
 ${page.is_being_made ? `<meta http-equiv="refresh" content="${seconds_until_next_look}">\n` : ''}<title>${escape(title)}</title>
 <link rel="icon" href="icon.svg">
 <link rel="stylesheet" href="doxygen.css">
-<link rel="stylesheet" href="doxygen-awesome.css">
+<link rel="stylesheet" href="fonts.css">
 <link rel="stylesheet" href="katex/katex.min.css">
 <link rel="stylesheet" href="book.css">
 <link rel="stylesheet" href="contents.css">
 <link rel="stylesheet" href="print.css" media="print">
-${html.includes('<figure class="player') ? '<link rel="stylesheet" href="player.css">\n<script src="player.js" defer></script>\n' : ''}<script src="doxygen-awesome-darkmode-toggle.js"></script>
+${html.includes('<figure class="player') ? '<link rel="stylesheet" href="player.css">\n<script src="player.js" defer></script>\n' : ''}<script src="dark.js"></script>
 <script src="book.js" defer></script>
+<script src="reading.js" defer></script>
 <script src="search.js" defer></script>
 </head>
-<body class="${kind}">
+<body class="${kind}${page.id === 'cheat_sheet' ? ' cheat-sheet' : ''}"${page.chapter && !page.is_being_made ? ' data-kept' : ''}>
 <a class="skip" href="#text">Skip to the text</a>
 <header id="sidebar">
 <div class="brand"><a href="index.html">${escape(book.name)}</a><button id="dark" type="button" aria-pressed="false">Dark</button><button id="menu" type="button" aria-expanded="false" aria-controls="navigation">Pages</button></div>
@@ -81,7 +82,7 @@ ${navigation(pages, page)}
 <main id="text" tabindex="-1">
 ${way_here(page, reference)}
 <h1>${page.under ? escape(plain(escape(page.title))) : escape(page.title)}</h1>
-${kind === 'prose' ? table_of_contents(headings) : ''}
+${kind === 'source' ? '' : table_of_contents(headings)}
 <div class="contents">
 ${html}
 </div>

@@ -47,29 +47,22 @@ function brief(source, path) {
     : '';
 }
 
-function reference_page(source, floors, titles) {
-  const lines = [
-    '# Reference {#reference}',
-    '',
-    'What the library offers, header by header, in the order of the chapters that explain it. Everything lies in the ' +
-      'namespace \\ref tumble "tumble".',
-    '',
-  ];
-  const headers = [];
-  for (const {folder, name} of floors) {
-    const below = join(folder, 'tumble');
-    if (!existsSync(join(source, below))) continue;
-    lines.push(`## ${titles.get(name) ?? (name === 'common' ? 'What every chapter uses' : name)}`, '');
-    for (const header of readdirSync(join(source, below))
-      .filter(file => file.endsWith('.hpp'))
-      .sort()) {
-      const path = join(below, header);
-      headers.push({path, name: `tumble/${header}`});
-      lines.push(`- \\ref ${path} "tumble/${header}": ${brief(source, path)}`);
-    }
-    lines.push('');
-  }
-  return {page: make_page('(made by the book) reference', 'Reference', 'reference', lines.join('\n')), headers};
+/** What a reader's program may include: {path, name, brief, page}, `page` being that of the chapter which explains it. */
+function public_headers(source, floors, chapters) {
+  const of_chapter = name => chapters.find(page => page.chapter === name && !page.further);
+  const folders = floors.map(({folder, name}) => ({below: join(folder, 'tumble'), inside: 'tumble', page: of_chapter(name)}));
+  const scenes = chapters.find(page => page.id === 'scene_files'),
+    hard = chapters.find(page => page.id === 'chapter_13_accuracy');
+  folders.push(
+    {below: 'chapters/11_world/scene/tumble/scene', inside: 'tumble/scene', page: scenes, only: /^(scene|read_scene|read_scene_text|scene_error|solid|keys)\.hpp$/},
+    {below: 'common/exact/tumble/exact', inside: 'tumble/exact', page: hard},
+  );
+  return folders.flatMap(({below, inside, page, only = /\.hpp$/}) =>
+    (existsSync(join(source, below)) ? readdirSync(join(source, below)) : [])
+      .filter(file => only.test(file) && file.endsWith('.hpp'))
+      .sort()
+      .map(file => ({path: join(below, file), name: `${inside}/${file}`, brief: brief(source, join(below, file)), page})),
+  );
 }
 
 /** {front, chapters, back, teaching, all}: floors are {name, folder}, from the ground up. */
@@ -91,10 +84,10 @@ export function read_pages(source, floors) {
       chapters.push({...page, further: file !== 'chapter.md'});
     }
   }
-  const titles = new Map(chapters.filter(page => !page.further).map(page => [page.chapter, page.title]));
-  const {page: reference, headers} = reference_page(source, floors, titles);
-  const [exercises, colophon] = ['exercises', 'colophon'].map(name => read_page(source, `book/pages/${name}.md`));
-  const back = [exercises, reference, colophon];
+  const headers = public_headers(source, floors, chapters);
+  const back = ['exercises', 'cheat_sheet', 'scene_keys', 'reference', 'colophon'].map(name =>
+    read_page(source, `book/pages/${name}.md`),
+  );
   // A student's copy of the course has no notes for instructors.
   const notes = 'exercises/instructor.md';
   const teaching = existsSync(join(source, notes)) ? [read_page(source, notes)] : [];

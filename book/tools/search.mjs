@@ -1,7 +1,9 @@
-// The index of the search, made while the book is built. lunr finds sections by their words; a script tag loads the index,
-// since a page opened from a file may not fetch.
-import {createRequire} from 'node:module';
+// What the search looks through, gathered while the book is built: the sections with their words, the terms that each defines, and
+// the words under which readers look for what the book calls otherwise. A script tag loads it, since a page opened from a file may
+// not fetch.
+import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
+import {BookError} from './results.mjs';
 import {plain} from './text.mjs';
 import {without_formulas} from './formulas.mjs';
 
@@ -37,30 +39,39 @@ function without_unindexed(html) {
 
 const words = html => plain(without_formulas(silent.reduce((text, pattern) => text.replace(pattern, ' '), html)));
 
+/** Terms that a section sets apart where it explains them: a few words in bold, or in italics. */
+function terms_in(html) {
+  const found = [...html.matchAll(/<(b|strong|em)>([\s\S]*?)<\/\1>/g)].map(([, , inner]) => words(inner).replace(/[.,:;]$/, ''));
+  return [...new Set(found.filter(term => term && !/^\d+$/.test(term) && term.split(' ').length <= 4))];
+}
+
 /** The sections of a page: what stands before the first heading, then one for each heading. */
 export function sections(page, html) {
   const parts = without_unindexed(html).split(/<h[2-4] id="([^"]*)">([\s\S]*?)<\/h[2-4]>/);
-  const found = [{address: page.file, page: page.name, section: '', text: words(parts[0])}];
-  for (let n = 1; n < parts.length; n += 3)
-    found.push({
-      address: `${page.file}#${parts[n]}`,
-      page: page.name,
-      section: words(parts[n + 1]),
-      text: words(parts[n + 2]),
-    });
-  return found.filter(section => section.text || section.section);
+  const section = (address, heading, body) => ({
+    address,
+    page: page.name,
+    section: heading,
+    terms: terms_in(silent.reduce((text, pattern) => text.replace(pattern, ' '), body)),
+    text: words(body),
+  });
+  const found = [section(page.file, '', parts[0])];
+  for (let n = 1; n < parts.length; n += 3) found.push(section(`${page.file}#${parts[n]}`, words(parts[n + 1]), parts[n + 2]));
+  return found.filter(({text, section: heading}) => text || heading);
 }
 
+const words_file = 'book/pages/search_words.json';
+
 /** The script that a page loads when a reader begins to search. */
-export function search_script(folder, documents) {
-  const lunr = createRequire(import.meta.url)(join(folder, 'lunr.js'));
-  const index = lunr(function () {
-    this.ref('number');
-    this.field('page', {boost: 4});
-    this.field('section', {boost: 6});
-    this.field('text');
-    documents.forEach((document, number) => this.add({...document, number}, {boost: document.weight}));
-  });
-  const shown = documents.map(({address, page, section, text}) => ({address, page, section, text}));
-  return `window.bookIndex = ${JSON.stringify({index, documents: shown})};\n`;
+export function search_script(source, documents) {
+  const {same, places} = JSON.parse(readFileSync(join(source, words_file), 'utf8'));
+  for (const [address, ...asked] of places) {
+    const document = documents.find(each => each.address === address);
+    // A book that is being made lacks sections; a whole one must have them all.
+    if (document) document.asked = asked;
+    else if (!documents.some(each => each.is_being_made && each.address === address.replace(/#.*/, '')))
+      throw new BookError(`${words_file}: there is no place ${address}`);
+  }
+  const shown = documents.map(({is_being_made, ...document}) => document);
+  return `window.bookIndex = ${JSON.stringify({same, documents: shown})};\n`;
 }

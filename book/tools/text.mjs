@@ -26,11 +26,18 @@ export function counted(number, singular, plural = `${singular}s`) {
 const superscripts = {'-': '⁻', 0: '⁰', 1: '¹', 2: '²', 3: '³', 4: '⁴', 5: '⁵', 6: '⁶', 7: '⁷', 8: '⁸', 9: '⁹'};
 const number = /^(-?)(\d+(?:\.\d+)?)(?:e([+-]?\d+))?(?= |$)/;
 
+/** A small power of ten is no power: 2.9e+00 is 2.9, and 4.3e-01 is 0.43. */
+function plain_power([all, sign, digits, exponent]) {
+  if (!exponent || Math.abs(Number(exponent)) > 2) return [all, sign, digits, exponent];
+  const after = Math.max(0, (digits.split('.')[1]?.length ?? 0) - Number(exponent));
+  return [all, sign, Number(`${digits}e${exponent}`).toFixed(after), undefined];
+}
+
 /** A value as a reader wants it: "-1.5e-05 m" becomes "−1.5 × 10⁻⁵ m", which does not break over lines. */
 export function typeset(value) {
   const match = number.exec(value);
   if (!match) return value;
-  const [all, sign, digits, exponent] = match;
+  const [all, sign, digits, exponent] = plain_power(match);
   const power = exponent && ` × 10${[...String(Number(exponent))].map(c => superscripts[c]).join('')}`;
   return ((sign ? '−' : '') + digits + (power ?? '') + value.slice(all.length)).replace(/ /g, '\u00a0');
 }
@@ -39,7 +46,7 @@ export function typeset(value) {
 export function typeset_in_formula(value) {
   const match = number.exec(value);
   if (!match) return value;
-  const [all, sign, digits, exponent] = match;
+  const [all, sign, digits, exponent] = plain_power(match);
   const unit = value.slice(all.length).trim();
   return sign + digits + (exponent ? ` \\cdot 10^{${Number(exponent)}}` : '') + (unit ? `\\,\\mathrm{${unit}}` : '');
 }

@@ -41,5 +41,6 @@ void checked_force_at_a_point(benchmark::State& state) {
 
 BENCHMARK(force_at_a_point<float>)->Name("a force at a point, float");
 BENCHMARK(force_at_a_point<double>)->Name("a force at a point, double");
-BENCHMARK(checked_force_at_a_point<float>)->Name("the same, checked to be finite, float");
-BENCHMARK(checked_force_at_a_point<double>)->Name("the same, checked to be finite, double");
+BENCHMARK(checked_force_at_a_point<float>)->Name("a force at a point, checked to be finite, float");
+BENCHMARK(checked_force_at_a_point<double>)
+    ->Name("a force at a point, checked to be finite, double");

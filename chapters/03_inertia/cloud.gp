@@ -1,4 +1,4 @@
-set terminal svg size 560,360
+set terminal svg size 560,360 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
 set output name.".svg"
 unset border
 unset tics

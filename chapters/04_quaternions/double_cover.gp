@@ -4,6 +4,7 @@ set ylabel "component"
 set xtics 90
 set xrange [0:720]
 set yrange [-1.05:1.05]
-plot "double_cover.tsv" using 1:2 with lines linestyle 1 title "the arrow's x", \
-     "double_cover.tsv" using 1:3 with lines linestyle 2 title "the quaternion's real part", \
-     "double_cover.tsv" using 1:4 with lines linestyle 3 title "its part along k"
+set label 1 "the quaternion's real part" at 730, 0.72 left textcolor linetype 2
+plot "double_cover.tsv" using 1:2 with lines linestyle 1 title "  the arrow's x" at end, \
+     "double_cover.tsv" using 1:3 with lines linestyle 2 notitle, \
+     "double_cover.tsv" using 1:4 with lines linestyle 3 title "  its part along k" at end

@@ -1,4 +1,4 @@
-set terminal svg size 480,470 font "sans-serif,15"
+set terminal svg size 480,470 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
 set output name.".svg"
 set title "Explicit Euler spirals out; kick and drift goes round"
 set xlabel "place x (m)"
@@ -8,6 +8,9 @@ set xrange [-2.8:3.2]
 set yrange [-3.1:2.5]
 set trange [0:2*pi]
 set parametric
-plot cos(t), sin(t) with lines linestyle 7 title "exact", \
-     "phase_portrait.tsv" using 2:3 with linespoints linestyle 2 title "explicit Euler", \
-     "phase_portrait.tsv" using 4:5 with linespoints linestyle 1 title "kick, then drift"
+set label 1 "explicit Euler" at 1.5, 2.1 left textcolor linetype 2
+set label 2 "kick, drift;" at 0, 0.17 center textcolor linetype 1
+set label 3 "exact" at 0, -0.17 center textcolor linetype 7
+plot cos(t), sin(t) with lines linestyle 7 notitle, \
+     "phase_portrait.tsv" using 2:3 with linespoints linestyle 2 notitle, \
+     "phase_portrait.tsv" using 4:5 with linespoints linestyle 1 notitle

@@ -1,22 +1,11 @@
 // A mistake, run on purpose: an angular velocity in world axes, multiplied on the body's side.
+#include <course/on_page.hpp>
 #include <course/record.hpp>
-#include <numbers>
 #include <tumble/orientation.hpp>
 
 using namespace tumble;
+using course::on_page;
 using std::numbers::pi;
-
-namespace {
-
-/// Where a point of space lies on the page, seen from 35 degrees beside x and 20 degrees above.
-std::array<double, 2> on_page(const Vec3d& v) {
-  const double beside = 35 * pi / 180, above = 20 * pi / 180;
-  const double depth = std::cos(beside) * v.x() + std::sin(beside) * v.y();
-  return {std::cos(beside) * v.y() - std::sin(beside) * v.x(),
-          std::cos(above) * v.z() - std::sin(above) * depth};
-}
-
-}  // namespace
 
 int main(int argument_count, char** arguments) {
   course::Notebook notebook(argument_count, arguments);

@@ -6,7 +6,9 @@ set xrange [1:1e-8] reverse
 set format x "10^{%T}"
 set termoption enhanced
 set yrange [0:12]
-set key below left Left reverse maxrows 2
-plot "flip_times.tsv" using 1:4 with lines linestyle 4 title "2 ln(1/wobble)/κ", \
-     "flip_times.tsv" using 1:2 with lines linestyle 7 title "exact, elliptic", \
-     "flip_times.tsv" using 1:3 with points linestyle 1 title "stepped"
+set label 1 "2 ln(1/wobble)/κ" at 1e-4, 4.2 left textcolor linetype 4
+set label 2 "exact, elliptic" at 3e-2, 5.4 left textcolor linetype 7
+set label 3 "• stepped" at 3e-2, 6.5 left textcolor linetype 1
+plot "flip_times.tsv" using 1:4 with lines linestyle 4 notitle, \
+     "flip_times.tsv" using 1:2 with lines linestyle 7 notitle, \
+     "flip_times.tsv" using 1:3 with points linestyle 1 notitle

@@ -1,5 +1,5 @@
 set title "Damping stops a ball that air would only slow down"
 set xlabel "time (s)"
 set ylabel "speed (m/s)"
-plot "drag.tsv" using 1:2 with lines linestyle 1 title "quadratic drag", \
-     "drag.tsv" using 1:3 with lines linestyle 2 title "damping, equal at the start"
+plot "drag.tsv" using 1:2 with lines linestyle 1 title "  quadratic drag" at end, \
+     "drag.tsv" using 1:3 with lines linestyle 2 title "  damping, equal at the start" at end

@@ -9,6 +9,7 @@
 
 namespace tumble {
 
+/// What a world stores of a rigid body.
 //! [rigid_body]
 template <class Real>
 struct RigidBody {

@@ -1,5 +1,7 @@
 // Every page opens from its file: without an error, without a request that leaves the folder, set and not too wide.
 import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
+import {fileURLToPath} from 'node:url';
 import {after, before, test} from 'node:test';
 import {address, follow, launch, narrow, open_page} from './browser.mjs';
 import {reading_pages, sampled_pages} from './pages.mjs';
@@ -115,5 +117,36 @@ test('Nothing moves for a reader who asked for less motion.', async () => {
         return longest > 0.01 || scrollBehavior === 'smooth';
       }).slice(0, 5).map(element => element.outerHTML.slice(0, 80)));
     assert.deepEqual(moving, [], name);
+  }
+});
+
+/// Bytes that a page asks for, without those of its figures, which stand in it.
+async function weight_before_figures(name) {
+  const fresh = await open_page(browser), files = new Set([address(name)]);
+  fresh.on('requestfinished', request => files.add(request.url().split('#')[0]));
+  await fresh.goto(address(name), {waitUntil: 'networkidle'});
+  await fresh.context().close();
+  const sizes = [...files].map(file => readFileSync(fileURLToPath(file)).length);
+  const figures = readFileSync(fileURLToPath(address(name)), 'utf8').match(/<figure class="(?:drawing|player)[^]*?<\/figure>/g) ?? [];
+  return sizes.reduce((sum, size) => sum + size, 0) - Buffer.byteLength(figures.join(''));
+}
+
+test('The first pages weigh less than 300 kB before their figures, fonts and style and all.', async () => {
+  for (const name of ['index.html', 'how_to_read.html', 'chapter_01_force.html']) {
+    const weight = await weight_before_figures(name);
+    assert.ok(weight < 300e3, `${name} weighs ${weight} bytes`);
+  }
+});
+
+test('The letters of text, code and formulas come with the book.', async () => {
+  for (const name of reading_pages) {
+    await page.goto(address(name));
+    const strange = await page.evaluate(async () => {
+      await document.fonts.ready;
+      const wanted = selector => document.querySelector(selector);
+      const families = [wanted('main p'), wanted('main code')].filter(Boolean).map(element => getComputedStyle(element).fontFamily.split(',')[0].replace(/"/g, ''));
+      return families.filter(family => ![...document.fonts].some(font => font.family.replace(/"/g, '') === family && font.status === 'loaded'));
+    });
+    assert.deepEqual(strange, [], name);
   }
 });

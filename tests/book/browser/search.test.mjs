@@ -55,6 +55,20 @@ test('A narrow screen shows the answers whole.', async () => {
   assert.ok(x >= 0 && x + width <= narrow.width, `the answers reach from ${x} to ${x + width}`);
 });
 
+test('Nothing of the page lies above the answers.', async () => {
+  await page.setViewportSize({width: 1300, height: 900});
+  await page.goto(address('chapter_03_inertia.html'));
+  await page.evaluate(() => document.querySelector('figure.listing').scrollIntoView());
+  await page.locator('#query').fill('axes');
+  await first().waitFor();
+  const covered = await page.locator('#answers').evaluate(answers => {
+    const {left, top, width, height} = answers.getBoundingClientRect();
+    const places = [0.1, 0.3, 0.5, 0.7, 0.9].flatMap(x => [0.1, 0.3, 0.5, 0.7, 0.9].map(y => [left + x * width, top + y * height]));
+    return places.map(([x, y]) => document.elementFromPoint(x, y)).filter(element => !answers.contains(element)).length;
+  });
+  assert.equal(covered, 0);
+});
+
 test('A word of the prose that is in no heading is found too.', async () => {
   await page.locator('#query').fill('satellite');
   await first().waitFor();

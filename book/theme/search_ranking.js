@@ -1,0 +1,141 @@
+// Which places of the book answer a question best. The page's search box uses it, and the test that asks it forty questions.
+// A place counts for each word that it holds: most in its heading, then among the terms it defines, then in its text. Words that
+// mean the same find each other, and a place that lacks a word can still be the best one.
+(() => {
+  const stop_words = new Set(
+    ('a about all an and any are as at be by can cannot could did do does for from get gets had has have how i if in into is it its ' +
+      'me mine my no not of on or our should so than that the their them then there these they this to was we were what when where ' +
+      'which while who why will with would you your').split(' '),
+  );
+
+  /** What the forms of a word share: turned, turning and turns are "turn". It need be no word itself. */
+  function stem(word) {
+    if (word.length < 4 || /\d/.test(word)) return word;
+    let bare = word
+      .replace(/(.{2})is$/, '$1')
+      .replace(/ies$/, 'y')
+      .replace(/(ss|x|ch|sh)es$/, '$1')
+      .replace(/([^su])s$/, '$1');
+    const shorter = bare.replace(/(?:ational|ation|ating|ion|ing|ed|ely|ly)$/, '');
+    if (shorter.length >= 3 && /[aeiouy]/.test(shorter)) bare = shorter;
+    return bare.replace(/([bdfgmnprt])\1$/, '$1').replace(/(.{2})(?:ate|at|e)$/, '$1');
+  }
+
+  const words_of = text => text.toLowerCase().normalize('NFC').split(/[^\p{L}\p{N}_]+/u).filter(Boolean);
+  const stems_of = text => words_of(text).map(stem);
+
+  /** The documents with their words, and how many of them hold each word. `same` are groups of words and phrases. */
+  function prepare(documents, same) {
+    const cache = new Map();
+    const cached = text => words_of(text).map(word => {
+      if (!cache.has(word)) cache.set(word, stem(word));
+      return cache.get(word);
+    });
+    const counts = new Map();
+    const places = documents.map(document => {
+      const fields = {
+        section: cached(document.section || document.page),
+        page: cached(document.page),
+        terms: document.terms.map(cached),
+        asked: (document.asked ?? []).map(cached),
+        text: cached(document.text),
+      };
+      const held = new Set([...fields.section, ...fields.page, ...fields.text, ...fields.asked.flat()]);
+      for (const word of held) counts.set(word, (counts.get(word) ?? 0) + 1);
+      return {document, fields, held};
+    });
+    const groups = same.map(group => group.map(stems_of));
+    return {places, groups, counts};
+  }
+
+  const is_at = (words, phrase, start, prefix) =>
+    phrase.every((word, n) => {
+      const other = words[start + n];
+      return other !== undefined && (other === word || (prefix && n === phrase.length - 1 && other.startsWith(prefix)));
+    });
+
+  function times_in(words, phrase, prefix) {
+    let count = 0;
+    for (let start = 0; start + phrase.length <= words.length; ++start) if (is_at(words, phrase, start, prefix)) ++count;
+    return count;
+  }
+
+  /** What is looked for: of each word or phrase of the question all ways to say it. */
+  function concepts_of(question, {groups, counts, places}) {
+    const all = words_of(question);
+    const ends_inside_a_word = /[\p{L}\p{N}_]$/u.test(question);
+    const telling = all.filter(word => !stop_words.has(word));
+    const words = telling.length ? telling : all.slice(-1);
+    const stems = words.map(stem);
+    const concepts = [];
+    for (let n = 0; n < stems.length; ) {
+      const said = groups
+        .flatMap(group => group.filter(phrase => is_at(stems, phrase, n)).map(phrase => ({group, phrase})))
+        .sort((one, other) => other.phrase.length - one.phrase.length)[0];
+      const length = said?.phrase.length ?? 1;
+      const phrase = stems.slice(n, n + length);
+      const is_last = n + length === stems.length && ends_inside_a_word;
+      const longest = said ? groups.filter(group => group.some(each => each.join(' ') === said.phrase.join(' '))).flat() : [];
+      const ways = [phrase, ...longest.filter(way => way.join(' ') !== phrase.join(' '))];
+      const rarity = Math.max(
+        ...phrase.map(word => Math.log(1 + places.length / (1 + (counts.get(word) ?? 0)))),
+      );
+      const prefix = is_last && words[n + length - 1].length > 1 ? words[n + length - 1] : undefined;
+      concepts.push({ways, prefix, rarity: Math.min(rarity, 6)});
+      n += length;
+    }
+    return concepts;
+  }
+
+  /** 0 where the place lacks it; a synonym counts a little less than the reader's own word. */
+  function worth(concept, fields) {
+    let best = 0;
+    concept.ways.forEach((way, n) => {
+      const prefix = n === 0 ? concept.prefix : undefined;
+      const discount = n === 0 ? 1 : 0.85;
+      const text = times_in(fields.text, way, prefix);
+      const value =
+        Math.max(
+          times_in(fields.section, way, prefix) ? 8 : 0,
+          fields.asked.some(phrase => times_in(phrase, way, prefix)) ? 9 : 0,
+          fields.terms.some(phrase => times_in(phrase, way, prefix)) ? 5 : 0,
+          times_in(fields.page, way, prefix) ? 3 : 0,
+        ) + (text ? 1 + Math.log2(text) / 2 : 0);
+      best = Math.max(best, discount * value);
+    });
+    return best;
+  }
+
+  /** {hits: [{document, ...}], whole, ways}: `whole` says whether the best place holds every word. */
+  function find(question, prepared) {
+    const concepts = concepts_of(question, prepared);
+    if (!concepts.length) return {hits: [], whole: true, ways: []};
+    const together = concepts.reduce((sum, {rarity}) => sum + rarity, 0);
+    const first_way = concepts.flatMap(({ways}) => ways[0]);
+    const firsts = new Set(concepts.flatMap(({ways}) => ways.map(way => way[0])));
+    const prefix = concepts.at(-1).prefix;
+    const hits = [];
+    for (const {document, fields, held} of prepared.places) {
+      if (![...firsts].some(word => held.has(word)) && !(prefix && [...held].some(word => word.startsWith(prefix)))) continue;
+      const values = concepts.map(concept => worth(concept, fields));
+      const covered = concepts.reduce((sum, {rarity}, n) => sum + (values[n] ? rarity : 0), 0) / together;
+      if (!covered) continue;
+      let score = concepts.reduce((sum, {rarity}, n) => sum + rarity * values[n], 0) / together;
+      // A heading, a defined term or a question foreseen that says just this, and little else.
+      const says = phrase => {
+        const matched = concepts.filter(({ways}) => ways.some(way => times_in(phrase, way))).length;
+        return matched === concepts.length ? Math.min(1, first_way.length / phrase.length) : 0;
+      };
+      score += 6 * says(fields.section);
+      score += 5 * Math.max(0, ...fields.terms.map(says)) + 10 * Math.max(0, ...fields.asked.map(says));
+      if (first_way.length > 1 && times_in(fields.text, first_way)) score += 1.5;
+      // Who asks for a name of the code wants its page in the reference.
+      const is_the_name = first_way.length === 1 && first_way[0].includes('_') && fields.section.includes(first_way[0]);
+      hits.push({document, covered, score: score * covered ** 2 * (is_the_name ? 1.2 : document.weight)});
+    }
+    hits.sort((one, other) => other.score - one.score);
+    return {hits, whole: hits.length === 0 || hits[0].covered > 0.999, ways: concepts.flatMap(({ways}) => ways)};
+  }
+
+  globalThis.book_search = {prepare, find, stem, words_of};
+})();

@@ -1,0 +1,243 @@
+// The reference: a page for each header that a program may include, with all that it offers on it. Doxygen spreads that over pages of
+// classes, files and namespaces; here its descriptions are gathered where one would look for them, and links lead there.
+import {readFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {BookError} from './results.mjs';
+import {escape, plain, slug} from './text.mjs';
+
+/** The rows of Doxygen's lists: {id, template, left, right, brief, kind}. */
+function rows_of(html) {
+  const rows = [];
+  for (const [, list] of html.matchAll(/<table class="memberdecls">([\s\S]*?)<\/table>/g)) {
+    const kind = /<a id="([\w-]+)"/.exec(list)?.[1] ?? '';
+    for (const [, id, row] of list.matchAll(/<tr class="memitem:(\w*)">([\s\S]*?)<\/tr>(?=\n<tr class="(?:memdesc|separator|memitem:\w*"><td class="mem(?:Templ)?Item))/g)) {
+      if (/class="memTemplParams"/.test(row)) continue;
+      const left = /<td class="mem(?:Templ)?ItemLeft"[^>]*>([\s\S]*?)<\/td>/.exec(row)?.[1] ?? '';
+      const right = /<td class="mem(?:Templ)?ItemRight"[^>]*>([\s\S]*?)<\/td>/.exec(row)?.[1] ?? '';
+      rows.push({kind, id, left, right});
+    }
+  }
+  return rows;
+}
+
+/** Numbers, vectors, matrices, orientations and poses have units; a body or a text has none of its own. */
+const is_quantity = type =>
+  /\b(Vec3|Mat3|Quaternion|Pose|Real|double|float|int|int64_t|size_t|Time|Nanoseconds)\b/i.test(type) &&
+  !/\b(Particle|Top|RigidBody|Bod(y|ies)\w*|Wrench|Mesh|Array|vector|span|string\w*)\b/.test(type);
+
+/** What Doxygen says of each member at length: id to {doc, line}; `line` is the address of its source. */
+function descriptions_in(html) {
+  const found = new Map();
+  for (const [, id, block] of html.matchAll(
+    /<a id="(\w+)" name="\w+"><\/a>\n<h2 class="memtitle">([\s\S]*?)(?=<a id="\w+" name="\w+"><\/a>\n<h2 class="memtitle">|<h2 class="groupheader|$)/g,
+  )) {
+    const doc = /<div class="memdoc">([\s\S]*)<\/div>\s*<\/div>\s*(?:<\/div>)?\s*$/.exec(block)?.[1] ?? '';
+    const line = /Definition at line <a class="el" href="([^"]*)"/.exec(doc)?.[1];
+    const parameters = [...block.matchAll(/<td class="paramtype">([\s\S]*?)<\/td>\s*<td class="paramname"><em>(\w+)<\/em>/g)]
+      .filter(([, type]) => is_quantity(plain(type)))
+      .map(([, , name]) => name);
+    found.set(id, {doc: doc.replace(/<p class="definition">[\s\S]*?<\/p>/g, '').trim(), line, parameters});
+  }
+  return found;
+}
+
+/** A declaration as a reader wants it: no blanks inside <>, and Real for what takes a number of the same kind. */
+const declaration = html =>
+  html
+    .replace(/&#160;/g, ' ')
+    .replace(/(?:<a [^>]*>)?Same(?:<\/a>)?&lt; (\w+) &gt;/g, '$1')
+    .replace(/&lt; /g, '&lt;')
+    .replace(/ &gt;/g, '&gt;')
+    .replace(/ &amp;(?=\w|<a)/g, '&amp; ')
+    .replace(/ &amp;/g, '&amp;')
+    .replace(/ \(/g, '(')
+    .replace(/\s+/g, ' ')
+    .trim();
+
+const name_in = right => plain(/^\s*(?:<a [^>]*>)?([\w~]+|operator[^ (]+)/.exec(right)?.[1] ?? right);
+
+export class Reference {
+  /** `headers` are {path, name, page, brief}, `page` that of the chapter; `lessons` leads from a path to where it is taught. */
+  constructor(written, headers, {source, lessons}) {
+    this.written = written;
+    this.headers = headers;
+    this.lessons = lessons;
+    const {names, of} = JSON.parse(readFileSync(join(source, 'book/pages/parameters.json'), 'utf8'));
+    this.parameters = names;
+    this.parameters_of = of;
+    this.#gather();
+    this.made = new Map(headers.map(header => [header.file, this.#page(header)]));
+    const anchors = ({contents}) => new Set([...contents.matchAll(/ id="([^"]*)"/g)].map(match => match[1]));
+    this.anchors = new Map([...this.made].map(([file, page]) => [file, anchors(page)]));
+  }
+
+  /** {title, contents, headings} of a header's page. */
+  page(header) {
+    return this.made.get(header.file);
+  }
+
+  #gather() {
+    this.places = new Map(); // where a link of Doxygen's leads to in this reference
+    this.descriptions = new Map();
+    const source_pages = new Map();
+    for (const [file, {title}] of Object.entries(this.written))
+      if (file.endsWith('_source.html')) source_pages.set(title.replace(/ Source File$/, ''), file);
+    for (const header of this.headers) {
+      header.source = source_pages.get(header.path);
+      if (!header.source) throw new BookError(`Doxygen made no page of ${header.path}`);
+      header.file = header.source.replace('_source.html', '.html');
+    }
+    const by_source = new Map(this.headers.map(header => [header.source, header]));
+    for (const [file, {contents}] of Object.entries(this.written)) {
+      if (!/^(namespace|struct|class|union|concept)/.test(file) || /-members/.test(file)) continue;
+      // Doxygen gives members of two structs that look alike one id, so the struct's is put before.
+      const prefix = file.startsWith('namespace') ? '' : `${this.#id_of(file)}-`;
+      for (const [id, about] of descriptions_in(contents)) {
+        this.descriptions.set(prefix + id, about);
+        const header = by_source.get(about.line?.replace(/#.*/, ''));
+        this.places.set(`${file}#${id}`, header ? `${header.file}#${prefix}${id}` : about.line);
+      }
+      const includes = /<p><code>#include &lt;<a class="el" href="([^"]*)"/.exec(contents)?.[1];
+      const definition = [...contents.matchAll(/Definition at line <a class="el" href="([^"]*)"/g)].map(match => match[1]);
+      const own_line = definition.find(line => line.startsWith(includes ?? '?')) ?? includes;
+      const header = by_source.get(includes);
+      if (!file.startsWith('namespace'))
+        this.places.set(file, header ? `${header.file}#${this.#id_of(file)}` : own_line);
+      if (header) (header.compounds ??= []).push(file);
+    }
+    this.by_file = new Map(this.headers.map(header => [header.file, header]));
+  }
+
+  /** The address of a struct on its header's page. */
+  #id_of(file) {
+    return slug(this.written[file].title.replace(/ (?:Class|Struct|Union|Concept)?\s*(?:Template )?Reference$/, '').replace(/<.*/, ''));
+  }
+
+  /** Links to Doxygen's own pages lead to where the reference has it, or else to the source; what is nowhere is no link. */
+  redirect(html) {
+    return html.replace(
+      /<a ([^>]*)href="((?:namespace|struct|class|union|concept)\w*\.html)(#\w+)?"([^>]*)>([\s\S]*?)<\/a>/g,
+      (_, before, file, anchor = '', after, text) => {
+        const place = this.#present(this.places.get(file + anchor) ?? this.places.get(file));
+        return place ? `<a ${before}href="${place}"${after}>${text}</a>` : text;
+      },
+    ).replace(/<a [^>]*href="(\w+_8[hc]pp\.html)(?:#\w+)?"[^>]*>([\s\S]*?)<\/a>/g, (link, file, text) => (this.by_file.has(file) ? link : text));
+  }
+
+  /** What Doxygen describes and its lists leave out, such as what is private, is found on the page at large. */
+  #present(place) {
+    const [file, anchor] = place?.split('#') ?? [];
+    return anchor && this.anchors.has(file) && !this.anchors.get(file).has(anchor) ? file : place;
+  }
+
+  #given(owner, name, parameters) {
+    const rows = parameters.flatMap(parameter => {
+      const known = this.parameters_of[`${owner}/${name}`]?.[parameter] ?? this.parameters_of[name]?.[parameter] ?? this.parameters[parameter];
+      return known ? [[parameter, ...known]] : [];
+    });
+    if (!rows.length) return '';
+    const line = ([parameter, what, unit, axes]) =>
+      `<tr><td><code>${parameter}</code></td><td>${escape(what)}</td><td>${escape(unit ?? '')}</td><td>${escape(axes ?? '')}</td></tr>`;
+    return (
+      `<div class="scroll"><table class="given"><thead><tr><th scope="col">given</th><th scope="col">what</th><th scope="col">unit</th>` +
+      `<th scope="col">axes</th></tr></thead><tbody>${rows.map(line).join('')}</tbody></table></div>`
+    );
+  }
+
+  #member({id, left, right}, owner, taken, level) {
+    const about = this.descriptions.get(id);
+    const name = name_in(right);
+    const address = taken.has(id) ? '' : ` id="${id}"`;
+    taken.add(id);
+    const line = about?.line ? ` <a class="line-link" href="${about.line}">source</a>` : '';
+    return (
+      `<${level}${address}>${escape(name)}</${level}>` +
+      `<p class="declaration"><code>${declaration(`${left} ${right}`)}</code>${line}</p>` +
+      `${about ? about.doc : ''}${this.#given(owner, name, about?.parameters ?? [])}`
+    );
+  }
+
+  #fields(rows) {
+    const line = ({id, left, right}) => {
+      const doc = this.descriptions.get(id)?.doc.replace(/^<p\s*>|<\/p>\s*$/g, '') ?? '';
+      return `<tr id="${id}"><td><code>${declaration(right)}</code></td><td><code>${declaration(left)}</code></td><td>${doc}</td></tr>`;
+    };
+    return (
+      `<div class="scroll"><table class="fields"><thead><tr><th scope="col">field</th><th scope="col">type</th>` +
+      `<th scope="col">what</th></tr></thead><tbody>${rows.map(line).join('')}</tbody></table></div>`
+    );
+  }
+
+  #compound(file, header, taken, headings) {
+    const {title, contents} = this.written[file];
+    const name = title.replace(/ (?:Class|Struct|Union|Concept)?\s*(?:Template )?Reference$/, '').replace(/< .* >/, '');
+    const id = this.#id_of(file);
+    headings.push({level: 2, id, html: escape(name)});
+    const described =
+      /<a name="details" id="details"><\/a><h2 class="groupheader">Detailed Description<\/h2>\s*<div class="textblock">([\s\S]*?)<\/div>\s*(?=<h2 class="groupheader"|$)/.exec(
+        contents,
+      )?.[1] ?? '';
+    const definition = /<h2 class="groupheader">Concept definition<\/h2>\s*(<div class="fragment">[\s\S]*?<!-- fragment -->)/.exec(contents)?.[1];
+    const doc = described
+      .replace(/<div class="compoundTemplParams">[\s\S]*?<\/div>/, '')
+      .replace(/<p class="definition">[\s\S]*?<\/p>/g, '');
+    const rows = rows_of(contents)
+      .filter(({kind}) => !/^(pri|pro)-|inherit/.test(kind))
+      .map(row => ({...row, id: `${id}-${row.id}`}));
+    const fields = rows.filter(({kind}) => /attribs/.test(kind));
+    const members = rows.filter(({kind}) => !/attribs|nested/.test(kind) && kind !== 'friends');
+    for (const row of members)
+      if (!headings.some(({html}) => html === escape(name_in(row.right)))) headings.push({level: 3, id: row.id, html: escape(name_in(row.right))});
+    return (
+      `<h2 id="${id}">${escape(name)}</h2>${doc}${definition ?? ''}${fields.length ? this.#fields(fields) : ''}` +
+      members.map(row => this.#member(row, name, taken, 'h3')).join('')
+    );
+  }
+
+  #page(header) {
+    const {contents} = this.written[header.file];
+    const headings = [],
+      taken = new Set();
+    const lessons = this.lessons.get(header.path) ?? [];
+    const taught = [...(header.page ? [{address: header.page.file, name: header.page.name}] : []), ...lessons]
+      .map(({address, name}) => `<a href="${address}">${escape(name)}</a>`)
+      .join('; ');
+    const own = rows_of(contents).filter(({kind}) => !/nested|namespaces/.test(kind));
+    const shown = own.filter(({kind, id}) => kind !== 'typedef-members' || this.descriptions.get(id)?.doc);
+    const aliases = own.filter(row => !shown.includes(row));
+    const members = shown.map(row => {
+      if (!headings.some(({html}) => html === escape(name_in(row.right)))) headings.push({level: 2, id: row.id, html: escape(name_in(row.right))});
+      return this.#member(row, header.name, taken, 'h2');
+    });
+    const compounds_headings = [];
+    const compounds = (header.compounds ?? []).map(file => this.#compound(file, header, taken, compounds_headings));
+    const also = aliases.length
+      ? `<p class="facts">Also: ${aliases.map(({id, right}) => `<code id="${id}">${declaration(right)}</code>`).join(', ')}.</p>`
+      : '';
+    return {
+      title: header.name,
+      headings: [...compounds_headings, ...headings],
+      contents:
+        `<p>${escape(header.brief)}</p><p class="facts"><code>#include &lt;<a href="${header.source}">${header.name}</a>&gt;</code><br>` +
+        `${taught ? `Taught in ${taught}.` : ''}</p>${also}${compounds.join('')}${members.join('')}`,
+    };
+  }
+}
+
+/** From a header's path to the sections that quote it: {address, name}. */
+export function lessons_of(pages) {
+  const lessons = new Map();
+  for (const page of pages.all) {
+    let heading;
+    for (const {text} of page.lines) {
+      const [, title, id] = /^##+ (.*?)(?: \{#(\w+)\})?\s*$/.exec(text ?? '') ?? [];
+      if (title) heading = {address: `${page.file}#${id ?? slug(title.replace(/`/g, ''))}`, name: title.replace(/`/g, '')};
+      const [, file] = /^\{\{snippet (\S+\.hpp) /.exec(text ?? '') ?? [];
+      if (!file || !heading || !page.chapter) continue;
+      const path = join(page.path, '..', file);
+      const known = lessons.get(path) ?? [];
+      if (!known.some(({address}) => address === heading.address)) lessons.set(path, [...known, heading]);
+    }
+  }
+  return lessons;
+}

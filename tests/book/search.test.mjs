@@ -1,0 +1,86 @@
+// Forty questions as readers ask them, and where each must lead first. TUMBLE_BOOK is the folder of the book.
+import assert from 'node:assert/strict';
+import {readFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {test} from 'node:test';
+import {runInThisContext} from 'node:vm';
+import '../../book/theme/search_ranking.js';
+
+globalThis.window = globalThis;
+runInThisContext(readFileSync(join(process.env.TUMBLE_BOOK, 'search_index.js'), 'utf8'));
+const {bookIndex, book_search} = globalThis;
+const prepared = book_search.prepare(bookIndex.documents, bookIndex.same);
+const first = question => book_search.find(question, prepared).hits.slice(0, 3).map(({document}) => document.address);
+
+const questions = [
+  // What nobody found, or found late.
+  ['slerp', /chapter_10_fixed_timestep\.html#timestep_draw|interpolation_8hpp/],
+  ['why does my object spin forever', /chapter_09_damping/],
+  ['center of mass', /chapter_0[123]_|gallery/],
+  ['inverse inertia tensor world space', /chapter_05_rigid_body\.html#rigid_body_tensor/],
+  ['gyroscopic', /chapter_08_tumbling\.html#tumbling_euler/],
+  ['moment of inertia of a box', /chapter_03_inertia\.html#inertia_code_solids/],
+  ['energy drift', /chapter_06_semi_implicit_euler/],
+  ['units', /conventions\.html#conventions_units/],
+  ['dt', /conventions\.html#conventions_symbols|chapter_10_fixed_timestep/],
+  ['NaN', /gallery\.html#gallery_nan|chapter_11_world/],
+  ['gimbal lock', /chapter_04_quaternions\.html#which_numbers/],
+  // Headings.
+  ['parallel axis', /chapter_03_inertia\.html#inertia_parallel/],
+  ['parallel axes theorem', /chapter_03_inertia\.html#inertia_parallel/],
+  ['principal axes', /chapter_03_inertia\.html#inertia_code_principal/],
+  ['forgotten clear', /chapter_01_force\.html#the_forgotten_clear/],
+  ['couple', /chapter_02_torque\.html#couples/],
+  ['spiral of death', /chapter_10_fixed_timestep\.html#the_spiral_of_death/],
+  ['exponential and logarithm', /chapter_04_quaternions\.html#exponential_and_logarithm/],
+  ['arc cosine', /chapter_04_quaternions\.html#the_arc_cosine/],
+  ['degrees or radians', /conventions\.html#conventions_units|chapter_04_quaternions\.html#degrees_for_radians/],
+  ['without normalising', /chapter_07_orientation\.html#without_normalising/],
+  ['drag that explodes', /chapter_09_damping\.html#drag_that_explodes/],
+  ['how long until the next flip', /chapter_08_tumbling\.html#tumbling_wait/],
+  ['frames and axes', /conventions\.html#conventions_frames/],
+  ['precision', /conventions\.html#conventions_precision/],
+  // Words of other books and engines.
+  ['dzhanibekov effect', /chapter_08_tumbling/],
+  ['tennis racket theorem', /chapter_08_tumbling/],
+  ['steiner', /chapter_03_inertia\.html#inertia_parallel/],
+  ['quaternion multiplication order', /chapter_04_quaternions/],
+  ['symplectic integrator', /chapter_06_semi_implicit_euler/],
+  ['euler angles', /chapter_04_quaternions\.html#which_numbers/],
+  ['air resistance', /chapter_09_damping|effects/],
+  ['variable timestep', /chapter_10_fixed_timestep/],
+  ['euler equations', /chapter_08_tumbling\.html#tumbling_euler|euler__equations/],
+  ['unit roundoff', /how_to_read\.html#read_checks|conventions/],
+  // Names in code, and keys of scene files.
+  ['apply_impulse_at', /rigid__body_8hpp\.html#/],
+  ['make_rigid_body', /make__rigid__body_8hpp\.html|chapter_05_rigid_body\.html#rigid_body_make/],
+  ['turn_by_splitting', /splitting_8hpp\.html#|chapter_08_tumbling/],
+  ['spring_between', /scene_keys\.html#spring_between/],
+  ['exercise moon', /chapter_01_force\.html#exercise_moon|exercises/],
+];
+
+for (const [question, place] of questions) {
+  test(`"${question}" leads to the right place first.`, () => {
+    const found = first(question);
+    assert.match(found[0] ?? 'nowhere', place, `it leads to ${found.join(', then ') || 'nowhere'}`);
+  });
+}
+
+test('There are forty questions.', () => assert.equal(questions.length, 40));
+
+test('Where no place holds every word, the best for some of them comes, and the reader is told.', () => {
+  const {hits, whole} = book_search.find('quaternion xylophone', prepared);
+  assert.equal(whole, false);
+  assert.match(hits[0].document.address, /quaternion/);
+});
+
+test('What is nowhere in the book is found nowhere.', () => {
+  assert.deepEqual(book_search.find('xylophone quartet', prepared).hits, []);
+});
+
+test('The forms of a word share a stem, and other words do not.', () => {
+  for (const forms of [['turn', 'turns', 'turned', 'turning'], ['axis', 'axes'], ['damping', 'damped', 'damp'], ['rotation', 'rotate', 'rotating']])
+    assert.equal(new Set(forms.map(book_search.stem)).size, 1, forms.map(book_search.stem).join());
+  for (const [one, other] of [['force', 'form'], ['step', 'stem'], ['mass', 'mask']])
+    assert.notEqual(book_search.stem(one), book_search.stem(other));
+});
