@@ -48,13 +48,26 @@
       this.context.fill();
     }
 
-    line(points, colour, width, opacity) {
+    /** `dash`: lengths of strokes and gaps by turns, px; none draws it through. */
+    line(points, colour, width, opacity, dash = []) {
       if (opacity <= 0.01) return;
       this.context.beginPath();
       this.#path(points);
       this.context.strokeStyle = css(colour, opacity);
       this.context.lineWidth = width;
+      this.context.setLineDash(dash);
       this.context.stroke();
+      this.context.setLineDash([]);
+    }
+
+    /** What `draw` draws, as far as it lies in the box. */
+    clipped({left, top, width, height}, draw) {
+      this.context.save();
+      this.context.beginPath();
+      this.context.rect(left, top, width, height);
+      this.context.clip();
+      draw();
+      this.context.restore();
     }
 
     /** All polygons as one shape, its rim soft. */

@@ -18,6 +18,7 @@ import {Formulas} from './formulas.mjs';
 import {lines_of_section, read_exercises} from './exercises.mjs';
 import {finish_contents} from './contents.mjs';
 import {layout} from './layout.mjs';
+import {live_files} from './live.mjs';
 import {player_files} from './players.mjs';
 import {read_pages} from './pages.mjs';
 import {run_doxygen, write_expanded} from './doxygen.mjs';
@@ -117,13 +118,17 @@ function write_pages(folder, pages, written, directives) {
   );
 }
 
-function copy_theme(folder) {
+function copy_theme(folder, live_scripts) {
   const own = join(settings.source, 'book/theme');
   for (const name of readdirSync(own).filter(file => /\.(css|js|svg)$/.test(file)))
     copyFileSync(join(own, name), join(folder, name));
   const player = player_files(settings.source);
   writeFileSync(join(folder, 'player.js'), player.script);
   writeFileSync(join(folder, 'player.css'), player.style);
+  const live = live_files(settings.source);
+  writeFileSync(join(folder, 'live.js'), live.script);
+  writeFileSync(join(folder, 'live.css'), live.style);
+  for (const [name, script] of live_scripts) writeFileSync(join(folder, name), script);
   // Doxygen's own style sheet draws arrows and tabs from images that our pages do not use.
   const style = readFileSync(join(settings.work, 'doxygen/html/doxygen.css'), 'utf8');
   writeFileSync(join(folder, 'doxygen.css'), style.replace(/^.*url\(.*$\n/gm, ''));
@@ -173,7 +178,7 @@ function build() {
   rmSync(fresh, {recursive: true, force: true});
   mkdirSync(fresh, {recursive: true});
   write_pages(fresh, pages, written, directives);
-  copy_theme(fresh);
+  copy_theme(fresh, directives.makers.live_scripts);
   publish(fresh, settings.folder);
 
   if (!made) tell_red([...new Set(pages.chapters.map(page => page.chapter))], results);
