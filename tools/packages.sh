@@ -8,6 +8,7 @@ truth_packages="libboost-dev" # to hold the exact solutions against, and to comp
 speed_packages="ninja-build:ninja ccache:ccache" # used when present, never required
 book_packages="doxygen:doxygen doxygen-awesome-css libjs-katex libjs-lunr nodejs:node gnuplot-nox:gnuplot graphviz:dot
   python3:python3 libbenchmark-dev"
+live_packages="clang:clang++ lld:wasm-ld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32" # the book's figures that one can touch; still without
 test_packages="node-parse5 python3-jsonschema" # the tests read the book's pages and judge scene files with them
 browser_packages="chromium:chromium npm:npm"
 peer_packages="libbenchmark-dev libbullet-dev libode-dev libsimbody-dev" # bench measures, and measures with, these

@@ -32,11 +32,12 @@
       }
     }
 
-    /** Whole numbers stay whole, others have three digits that count, as they are shown. */
+    /** Whole numbers stay whole; others have no more digits than the slider's steps tell apart. */
     #value_of(part) {
       const {least, most} = this;
       const value = this.log ? least * (most / least) ** part : least + part * (most - least);
-      const rounded = this.whole ? Math.round(value) : Number(value.toPrecision(3));
+      const decimals = Math.max(0, Math.ceil(-Math.log10((most - least) / steps)));
+      const rounded = this.whole ? Math.round(value) : Number(this.log ? value.toPrecision(3) : value.toFixed(decimals));
       const near_start = Math.abs(part - this.#part_of(this.start)) < 0.5 / steps;
       return this.clamped(near_start ? this.start : rounded);
     }
@@ -58,16 +59,16 @@
         return;
       }
       this.input.value = String(Math.round(this.#part_of(value) * steps));
-      this.output.textContent = this.words ? this.words(value) : live.with_unit(value, this.unit);
+      this.output.textContent = this.words ? this.words(value) : live.with_unit(value, this.unit, 4);
       this.input.setAttribute('aria-valuetext', this.output.textContent);
     }
   }
 
   /** One picture of a figure. What turns is turned by dragging and by the arrows. */
   class Panel {
-    constructor(described, figure) {
-      Object.assign(this, described);
-      this.first_view = {...described.view};
+    constructor({draw, view, ...described}, figure) {
+      Object.assign(this, described, {draw_with: draw});
+      this.first_view = {...view};
       this.view = {...this.first_view};
       this.canvas = make('canvas', {}, {role: 'img', 'aria-label': this.label});
       this.canvas.style.aspectRatio = String(this.aspect ?? 1);
@@ -84,8 +85,7 @@
       if (!size.width || !size.height) return;
       painter.begin(size, palette.paper);
       this.picture = {painter, palette, size, view};
-      const described = live.figures[state.name].panels[this.index];
-      described.draw(this.picture, state);
+      this.draw_with(this.picture, state);
     }
 
     turn(azimuth, elevation) {
@@ -147,13 +147,12 @@
 
     get columns() { return this.run.columns; }
     get state() {
-      return {...live.state_of(this.described, this.run, this.time, this.knobs.map(({name}) => this.values[name])),
-        name: this.name, drawn: this.drawn};
+      return live.state_of(this.described, this.run, this.time, this.knobs.map(({name}) => this.values[name]));
     }
     get duration() { return this.described.duration?.(this.run) ?? 0; }
 
     #make_panels() {
-      this.panels = this.described.panels.map((panel, index) => new Panel({...panel, index}, this));
+      this.panels = this.described.panels.map(panel => new Panel(panel, this));
       this.stage = make('div', {className: 'live-panels'}, {}, this.panels.map(({canvas}) => canvas));
       this.element.querySelector('.live-picture').after(this.stage);
     }

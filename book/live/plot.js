@@ -19,21 +19,24 @@
 
   const with_unit = (value, unit, digits) => `${shown(value, digits)}${unit ? `\u00a0${unit}` : ''}`;
 
-  /** Where the lines of the grid are: five or so, 1, 2 or 5 apart; or powers of ten. */
+  /** Where the lines of the grid are, [[value, words]]: five or so, 1, 2 or 5 apart; or powers of ten. */
   function ticks_of({least, most, log}) {
     if (log) {
       const [first, last] = [Math.ceil(Math.log10(least) - 1e-9), Math.floor(Math.log10(most) + 1e-9)];
       const apart = Math.max(1, Math.ceil((last - first) / 6));
-      return Array.from({length: Math.floor((last - first) / apart) + 1}, (_, n) => 10 ** (first + n * apart));
+      return Array.from({length: Math.floor((last - first) / apart) + 1}, (_, n) => 10 ** (first + n * apart))
+        .map(value => [value, shown(value)]);
     }
     const power = 10 ** Math.floor(Math.log10((most - least) / 4));
     const apart = [1, 2, 5, 10].map(factor => factor * power).find(step => (most - least) / step <= 6);
     const first = Math.ceil(least / apart - 1e-9), last = Math.floor(most / apart + 1e-9);
-    return Array.from({length: last - first + 1}, (_, n) => (first + n) * apart);
+    const decimals = Math.max(0, -Math.floor(Math.log10(apart) + 1e-9));
+    return Array.from({length: last - first + 1}, (_, n) => (first + n) * apart)
+      .map(value => [value, Math.abs(value) < 1e6 && decimals <= 6 ? value.toFixed(decimals).replace('-', '−') : shown(value)]);
   }
 
-  /** The least and the most of numbers that are some, with a margin; at least `smallest` wide. */
-  function range_of(numbers, {smallest = 0, margin = 0.05} = {}) {
+  /** The least and the most of numbers that are some, none above `limit`, with a margin; at least `smallest` wide. */
+  function range_of(numbers, {smallest = 0, margin = 0.05, limit = Infinity} = {}) {
     let least = Infinity, most = -Infinity;
     for (const list of numbers)
       for (const value of list)
@@ -42,6 +45,7 @@
           if (value > most) most = value;
         }
     if (least > most) [least, most] = [0, 1];
+    most = Math.min(most, limit);
     const missing = Math.max(0, smallest - (most - least)) / 2;
     const wide = (most - least + 2 * missing) * margin || 1e-9;
     return {least: least - missing - wide, most: most + missing + wide};
@@ -54,7 +58,7 @@
   class Plot {
     constructor(painter, palette, {width, height}, x, y, {equal = false} = {}) {
       Object.assign(this, {painter, palette, x: {...x}, y: {...y}});
-      const label_width = Math.max(...ticks_of(y).map(tick => shown(tick).length)) * 6.6;
+      const label_width = Math.max(...ticks_of(y).map(([, words]) => painter.width_of(words)));
       this.box = {left: 14 + label_width, top: 26, width: width - label_width - 28, height: height - 66};
       if (equal) this.#make_equal();
       this.#draw_axes();
@@ -90,20 +94,20 @@
     #draw_axes() {
       const {painter, palette, box, x, y} = this;
       const bottom = box.top + box.height, right = box.left + box.width;
-      for (const tick of ticks_of(x)) {
+      for (const [tick, words] of ticks_of(x)) {
         const [at] = this.place([tick, y.least]);
         painter.line([[at, box.top], [at, bottom]], palette.grid, 1, 1);
-        painter.text(shown(tick), at, bottom + 12, 'center', palette.ink);
+        painter.text(words, at, bottom + 12, 'center', palette.ink);
       }
-      for (const tick of ticks_of(y)) {
+      for (const [tick, words] of ticks_of(y)) {
         const [, at] = this.place([x.least, tick]);
         painter.line([[box.left, at], [right, at]], palette.grid, 1, 1);
-        painter.text(shown(tick), box.left - 6, at, 'right', palette.ink);
+        painter.text(words, box.left - 6, at, 'right', palette.ink);
       }
       painter.line([[box.left, box.top], [box.left, bottom], [right, bottom]], palette.ink, 1, 1);
-      const words = ({label, unit}) => (unit ? `${label} (${unit})` : label);
-      painter.text(words(y), 4, 10, 'left', palette.ink);
-      painter.text(words(x), right, bottom + 30, 'right', palette.ink);
+      const name = ({label, unit}) => (unit ? `${label} (${unit})` : label);
+      painter.text(name(y), 4, 10, 'left', palette.ink);
+      painter.text(name(x), right, bottom + 30, 'right', palette.ink);
     }
 
     /** A line through the points; it is broken where a number is none. */
@@ -140,9 +144,9 @@
       let right = this.box.left + this.box.width;
       for (const [words, colour, dash = []] of [...entries].reverse()) {
         this.painter.text(words, right, 10, 'right', colour);
-        right -= words.length * 6.4 + 6;
+        right -= this.painter.width_of(words) + 5;
         this.painter.line([[right - 16, 10], [right, 10]], colour, 2, 1, dash);
-        right -= 30;
+        right -= 28;
       }
     }
   }

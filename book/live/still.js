@@ -42,6 +42,10 @@
       this.svg += '</svg>';
     }
 
+    width_of(words) {
+      return 6.4 * words.length; // about
+    }
+
     shadow() {} // light from above is for what moves
 
     text(words, x, y, align, colour) {

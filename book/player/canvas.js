@@ -5,6 +5,8 @@
   const css = ([red, green, blue], opacity = 1) =>
     `rgb(${Math.round(red)} ${Math.round(green)} ${Math.round(blue)} / ${Math.round(1000 * opacity) / 1000})`;
 
+  const font = '12px system-ui, sans-serif';
+
   class CanvasPainter {
     constructor(canvas) {
       this.canvas = canvas;
@@ -87,8 +89,14 @@
       context.restore();
     }
 
+    /** How wide text() writes the words, px. */
+    width_of(words) {
+      this.context.font = font;
+      return this.context.measureText(words).width;
+    }
+
     text(words, x, y, align, colour) {
-      this.context.font = '12px system-ui, sans-serif';
+      this.context.font = font;
       this.context.textAlign = align;
       this.context.textBaseline = 'middle';
       this.context.fillStyle = css(colour);

@@ -5,7 +5,7 @@
 
   live.figures.phase_portrait = {
     title: 'One order spirals out, one in, and one stays',
-    hint: 'Drag in the plane to start the weight elsewhere. The numbers on the points count steps.',
+    hint: 'Drag in the plane to start the weight elsewhere.',
     knobs: {
       rule: {label: 'Rule', choices: rules},
       h: {label: 'Time step h', log: true},
@@ -20,8 +20,11 @@
         label: 'Velocity against place: the exact circle, the curve that the rule keeps if it keeps one, and the stepped weight.',
         draw(picture, {columns, values, time}) {
           const {painter, palette, size} = picture;
-          const reach = 1.35 * Math.max(0.5, ...columns['exact place'].map(Math.abs), ...columns['exact velocity'].map(Math.abs),
-            ...columns['curve place'].map(value => Math.min(8, Math.abs(value))));
+          const largest = list => list.reduce((most, value) => (Number.isFinite(value) ? Math.max(most, Math.abs(value)) : most), 0);
+          const round = Math.max(0.5, largest(columns['exact place']), largest(columns['exact velocity']));
+          // What runs away is followed for a while.
+          const reach = 1.2 * Math.min(4 * round, Math.max(round, ...['place', 'velocity', 'curve place', 'curve velocity']
+            .map(name => largest(columns[name]))));
           const plot = new live.Plot(painter, palette, size, {label: 'place', unit: 'm', least: -reach, most: reach},
             {label: 'velocity', unit: 'm/s', least: -reach, most: reach}, {equal: true});
           picture.plot = plot;
@@ -60,16 +63,16 @@
       const {shown} = live;
       const wh = values.w * values.h, energies = columns.energy;
       if (energies[0] === 0 || (values.x === 0 && values.v === 0)) return 'A weight that rests where the spring is slack rests by every rule.';
-      const start = `w h is ${shown(wh)}. `;
+      const start = `With w h = ${shown(wh)}`;
       if (values.rule === 0)
-        return `${start}It spirals out: each step multiplies the energy by ${shown(energies[1] / energies[0], 4)}, which is 1 + (w h)².`;
+        return `${start} it spirals out: each step multiplies the energy by ${shown(energies[1] / energies[0], 4)}, which is 1 + (w h)².`;
       if (values.rule === 2)
-        return `${start}It spirals in: each step divides the energy by ${shown(energies[0] / energies[1], 4)}, which is 1 + (w h)².`;
+        return `${start} it spirals in: each step divides the energy by ${shown(energies[0] / energies[1], 4)}, which is 1 + (w h)².`;
       const most = energies.reduce((a, b) => Math.max(a, b)), least = energies.reduce((a, b) => Math.min(a, b));
       if (wh < 2)
-        return `${start}It stays on an ellipse: in 240 steps the energy goes from ${shown(least)} to ${shown(most)} of the first and always comes back.`;
-      if (wh === 2) return `${start}This is the border: the ellipse has become a pair of lines.`;
-      return `${start}Beyond w h = 2 there is no ellipse left: after 240 steps the energy is ${shown(energies.at(-1))} of the first.`;
+        return `${start} it stays on an ellipse: in 240 steps the energy goes from ${shown(least)} to ${shown(most)} of the first and always comes back.`;
+      if (wh === 2) return `${start} it stands on the border: the ellipse has become a pair of lines.`;
+      return `${start}, which is beyond 2, there is no ellipse left: after 240 steps the energy is ${shown(energies.at(-1))} of the first.`;
     },
   };
 })();

@@ -37,18 +37,18 @@ void draw_curves(course::Live& live, const Vec3d& inverse, const Vec3d& start) {
     for (const double off : {12.0, 26.0, 40.0}) {
       const auto [s, c] = sine_cosine(off * degree);
       const double level = inverse[around] * c * c + inverse[1] * s * s;
-      const auto loop = course::polhode(inverse, level, around, 96);
+      const auto loop = course::polhode(inverse, level, around, 64);
       curves.add(loop);
       curves.add(loop, -1);
     }
   Curves border(live, "separatrix");
-  for (const double sign : {1.0, -1.0}) border.add(course::separatrix(inverse, sign, 96));
+  for (const double sign : {1.0, -1.0}) border.add(course::separatrix(inverse, sign, 64));
   // The loop of this throw; none where L lies on an axis or on the border.
   Curves own(live, "own");
   const double level = start.dot(inverse.cwiseProduct(start));
   const int around = level > inverse[1] ? 0 : 2;
   if (level != inverse[1] && level != inverse[around])
-    own.add(course::polhode(inverse, level, around, 192), start[around] < 0 ? -1 : 1);
+    own.add(course::polhode(inverse, level, around, 128), start[around] < 0 ? -1 : 1);
 }
 
 }  // namespace
@@ -97,9 +97,10 @@ void tumble::course::run_live(Live& live) {
   double before = 0, widest = 0;  // since L_2 was last zero
   for (int n = 0; n <= steps; ++n) {
     const Vec3d L = in_order(top.angular_momentum_body) / size;
-    if (before * L[1] < 0 && widest > 0.5)  // a small loop around another axis is no flip
-                                            // flips.push_back((n - L[1] / (L[1] - before)) * h);
-      if (before * L[1] < 0) widest = 0;
+    const bool crosses = before * L[1] < 0;
+    // A small loop around another axis is no flip.
+    if (crosses && widest > 0.5) flips.push_back((n - L[1] / (L[1] - before)) * h);
+    if (crosses) widest = 0;
     widest = std::max(widest, std::abs(L[1]) / L.norm());
     before = L[1];
     time.push_back(n * h);

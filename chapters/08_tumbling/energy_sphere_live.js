@@ -27,15 +27,17 @@
     const camera = {target: [0, 0, 0], distance: 7.2, ...view};
     const recording = {title: '', seconds_between_frames: 1, bodies: [{name: 'body', parts: [{box: box_of(state)}]}],
       frames: [[0, 0, 0, columns['q real'][n], ...point(columns, 'q', n)]]};
-    new player.Scene(recording, 16).draw(painter, size, camera, 0, palette, {grid_reach: 0, has_scale: false});
+    const scene = new player.Scene(recording, 12);
+    scene.has_shadows = false; // it floats
+    scene.draw(painter, size, camera, 0, palette, {grid_reach: 0, has_scale: false});
     const project = player.projection(camera, size);
-    const mark = (vector, words, colour) => {
+    const mark = (vector, words, colour, beside) => {
       const end = project(player.scaled(vector, 1.35));
       live.arrow(painter, project([0, 0, 0]), end, colour);
-      painter.text(words, end[0] + 8, end[1] - 8, 'left', colour);
+      painter.text(words, end[0] + 8, end[1] + beside, 'left', colour);
     };
-    mark(point(columns, 'L', n), 'L', palette.ink);
-    mark(point(columns, 'omega', n), 'ω', palette.bodies[1]);
+    mark(point(columns, 'L', n), 'L', palette.ink, 9);
+    mark(point(columns, 'omega', n), 'ω', palette.bodies[1], -9);
     painter.text('in world axes', 10, 12, 'left', palette.ink);
   }
 
@@ -47,22 +49,25 @@
     const place = p => [size.width / 2 + scale * player.dot(p, right), size.height / 2 - scale * player.dot(p, up)];
     painter.line(Array.from({length: 91}, (_, n) => [size.width / 2 + scale * Math.cos((n * Math.PI) / 45),
       size.height / 2 - scale * Math.sin((n * Math.PI) / 45)]), palette.ink, 1, 0.8);
+    /** What lies at the back first, and faint. */
     const draw = (name, colour, width, dash, last = Infinity) => {
-      for (const in_front of [false, true]) {
-        let part = [];
-        const end = () => {
-          if (part.length > 1) painter.line(part, colour, width, in_front ? 1 : 0.25, dash);
-          part = [];
-        };
-        const count = Math.min(last + 1, columns[`${name} x`].length);
-        for (let n = 0; n < count; ++n) {
-          const p = point(columns, name, n);
-          const seen = Number.isFinite(p[0]) && (player.dot(p, back) >= 0) === in_front;
-          if (seen) part.push(place(p));
-          else end();
+      const [xs, ys, zs] = ['x', 'y', 'z'].map(letter => columns[`${name} ${letter}`]);
+      const parts = [[], []]; // at the back, in front
+      let side, part = [];
+      for (let n = 0; n < Math.min(last + 1, xs.length); ++n) {
+        const [x, y, z] = [xs[n], ys[n], zs[n]];
+        const depth = x * back[0] + y * back[1] + z * back[2];
+        const now = Number.isNaN(depth) ? undefined : depth < 0 ? 0 : 1;
+        if (now !== side) {
+          if (part.length > 1) parts[side].push(part);
+          [side, part] = [now, []];
         }
-        end();
+        if (now !== undefined)
+          part.push([size.width / 2 + scale * (x * right[0] + y * right[1] + z * right[2]),
+            size.height / 2 - scale * (x * up[0] + y * up[1] + z * up[2])]);
       }
+      if (part.length > 1) parts[side].push(part);
+      parts.forEach((lines, in_front) => lines.forEach(line => painter.line(line, colour, width, in_front ? 1 : 0.25, dash)));
     };
     draw('curve', palette.ink, 1, []);
     draw('separatrix', palette.ink, 1, [5, 4]);
@@ -86,8 +91,7 @@
   function draw_constants(picture, state) {
     const {painter, palette, size} = picture;
     const {columns} = state;
-    const {least, most} = live.range_of([columns.energy.map(value => Math.min(value, 4)), columns.momentum.map(value => Math.min(value, 4))],
-      {smallest: 0.02});
+    const {least, most} = live.range_of([columns.energy, columns.momentum], {smallest: 0.02, limit: 4});
     const plot = new live.Plot(painter, palette, size, {label: 'time', unit: 's', least: 0, most: 12},
       {label: 'part of the first', unit: '', least, most});
     picture.plot = plot;
@@ -106,7 +110,7 @@
       h: {label: 'Time step h', log: true},
       wobble: {label: 'Wobble, as a part of the spin', log: true},
       about: {label: 'Spin of 10 rad/s about', choices: axis_names},
-      middle: {label: 'Middle moment, between 1 and 1.8'},
+      middle: {label: 'Middle moment'},
     },
     duration: ({columns}) => columns.time.at(-1),
     still_time: 8,
@@ -126,7 +130,8 @@
         return 'The tip of L stands still in the body, so the body turns steadily and never flips. In the world L goes round with it, ' +
           'which no torque asked for.';
       const books = `After 12 s ${kept(momentum, '|L|')}, ` +
-        (most_off < 1e-9 ? 'and so is the energy. ' : `and the energy, off by ${with_unit(100 * most_off, '%', 2)} at most, ends at ${shown(energy, 4)}. `);
+        (most_off < 1e-9 ? 'and so is the energy. ' : `and the energy, off by ${with_unit(100 * most_off, '%', 2)} at most, ` +
+          `${Math.abs(energy - 1) < 0.3 * most_off ? 'has come back' : `ends at ${shown(energy, 4)} of what it was`}. `);
       const flips = columns.flips;
       if (values.about !== 1) {
         const along = columns[`tip ${values.about === 0 ? 'x' : 'z'}`];

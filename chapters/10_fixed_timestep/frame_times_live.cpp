@@ -13,7 +13,7 @@ void tumble::course::run_live(Live& live) {
   // A quarter of a second each, ten in all.
   std::vector<double>& costs = live.column("cost", "ms");
   for (std::size_t n = 0; n < 40; ++n) {
-    const double cost = n < live.drawn().size() ? live.drawn()[n] : n >= 4 && n < 12 ? 25 : 4;
+    const double cost = n < live.drawn().size() ? live.drawn()[n] : n >= 4 && n < 16 ? 25 : 4;
     require_between("cost of a step", cost, "ms", 0, 60);
     costs.push_back(cost);
   }
