@@ -20,7 +20,8 @@
   const with_unit = (value, unit, digits) => `${shown(value, digits)}${unit ? `\u00a0${unit}` : ''}`;
 
   /** Where the lines of the grid are, [[value, words]]: five or so, 1, 2 or 5 apart; or powers of ten. */
-  function ticks_of({least, most, log}) {
+  function ticks_of({least: one, most: other, log}) {
+    const [least, most] = [Math.min(one, other), Math.max(one, other)]; // an axis may point down
     if (log) {
       const [first, last] = [Math.ceil(Math.log10(least) - 1e-9), Math.floor(Math.log10(most) + 1e-9)];
       const apart = Math.max(1, Math.ceil((last - first) / 6));
@@ -151,6 +152,30 @@
     }
   }
 
+  const made = new WeakMap();
+
+  /** What `make` makes from these columns, made once; `name` tells it from other things. */
+  function once(columns, name, make) {
+    if (!made.has(columns)) made.set(columns, new Map());
+    const kept = made.get(columns);
+    if (!kept.has(name)) kept.set(name, make());
+    return kept.get(name);
+  }
+
+  const models = new Map();
+
+  /** A body in a pose, drawn with the player's parts; `name` tells it from other bodies. */
+  function draw_body({painter, palette, size}, camera, name, parts, orientation) {
+    if (models.get(name)?.parts !== parts) {
+      const recording = {title: '', seconds_between_frames: 1, bodies: [{name, parts}], frames: [[0, 0, 0, 1, 0, 0, 0]]};
+      models.set(name, {parts, scene: new globalThis.tumble_player.Scene(recording, 20)});
+    }
+    const {scene} = models.get(name);
+    scene.has_shadows = false; // it floats
+    scene.recording.frames[0].splice(3, 4, ...orientation);
+    scene.draw(painter, size, camera, 0, palette, {grid_reach: 0, has_scale: false});
+  }
+
   /** An arrow in the picture. */
   function arrow(painter, [x, y], [to_x, to_y], colour, width = 2.5) {
     const length = Math.hypot(to_x - x, to_y - y);
@@ -161,5 +186,5 @@
     painter.polygon([[to_x, to_y], head(1), head(-1)], colour);
   }
 
-  Object.assign(live, {Plot, range_of, shown, with_unit, arrow});
+  Object.assign(live, {Plot, range_of, shown, with_unit, arrow, draw_body, once});
 })();

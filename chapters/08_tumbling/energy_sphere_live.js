@@ -25,11 +25,8 @@
     const {columns} = state;
     const n = step_at(state);
     const camera = {target: [0, 0, 0], distance: 7.2, ...view};
-    const recording = {title: '', seconds_between_frames: 1, bodies: [{name: 'body', parts: [{box: box_of(state)}]}],
-      frames: [[0, 0, 0, columns['q real'][n], ...point(columns, 'q', n)]]};
-    const scene = new player.Scene(recording, 12);
-    scene.has_shadows = false; // it floats
-    scene.draw(painter, size, camera, 0, palette, {grid_reach: 0, has_scale: false});
+    const parts = live.once(columns, 'box', () => [{box: box_of(state)}]);
+    live.draw_body(picture, camera, 'thrown box', parts, [columns['q real'][n], ...point(columns, 'q', n)]);
     const project = player.projection(camera, size);
     const mark = (vector, words, colour, beside) => {
       const end = project(player.scaled(vector, 1.35));

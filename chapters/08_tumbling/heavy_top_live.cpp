@@ -52,6 +52,7 @@ void tumble::course::run_live(Live& live) {
   Axis imaginary(live, "q");
   const int steps = static_cast<int>(seconds / h);
   for (int n = 0; n <= steps; ++n) {
+    if (!is_finite(top.angular_momentum_body) || !is_finite(top.orientation.imaginary)) break;
     time.push_back(n * h);
     axis.push(axis_of(top));
     fine_axis.push(axis_of(fine));

@@ -4,6 +4,7 @@ with the same bits.
 
     everywhere.py BUILD            all that is here; writes a row for each into tried.tsv beside this script
     everywhere.py BUILD --quick    a few compilers, no scenes, and no row
+    everywhere.py BUILD WORD...    those whose name holds a word, such as ARM64; their rows alone are written anew
 
 BUILD is a folder for what is compiled. A machine of another kind is played by qemu-user, WebAssembly by node."""
 import os
@@ -61,7 +62,7 @@ def x86_targets():
                          is_quick=(compiler, level) in {("g++", "-O0"), ("clang++", "-O3")})
         for width in widths:
             yield Target(machine, compiler, ["-O3", *width, *gcc], is_quick=compiler == "clang++" and width is widths[-1])
-    yield Target(machine, "clang++", ["-O2", "-stdlib=libc++"], needs=["/usr/lib/llvm-14/include/c++/v1", ])
+    yield Target(machine, "clang++", ["-O2", "-stdlib=libc++"], is_quick=False)
     yield Target("x86, 32 bits", "i686-linux-gnu-g++", ["-O2", "-msse2", "-mfpmath=sse", "-fno-tree-slp-vectorize", "-static"])
 
 
@@ -144,22 +145,36 @@ def tried(target, build, known, kinds):
     return [target.machine, version_of(target), " ".join(target.flags), *cells, "; ".join(sorted(others)) or "none"]
 
 
+def keep(row):
+    """Writes the row into the table, in the place of an older one of the same compiler and flags."""
+    table = here / "tried.tsv"
+    columns = ["machine", "compiler", "flags", *programs, "others"]
+    rows = [line.split("\t") for line in table.read_text().splitlines()[1:]] if table.exists() else []
+    if row[:3] in [old[:3] for old in rows]:
+        rows = [row if old[:3] == row[:3] else old for old in rows]
+    else:
+        rows.append(row)
+    table.write_text("".join("\t".join(cells) + "\n" for cells in [columns, *rows]))
+
+
 def main():
     build, quick = Path(sys.argv[1]), "--quick" in sys.argv[2:]
+    asked = [word for word in sys.argv[2:] if word != "--quick"]
     known = known_digests()
     kinds = [kind for kind in programs if not (quick and kind == "scenes")]
-    here_now = [target for target in targets() if target.is_here() and (target.is_quick or not quick)]
-    columns = ["machine", "compiler", "flags", *programs, "others"]
+    chosen = [target for target in targets() if (target.is_quick or not quick)
+              and (not asked or any(word in target.name for word in asked))]
+    here_now = [target for target in chosen if target.is_here()]
     rows = []
     with ThreadPoolExecutor(int(os.environ.get("JOBS", "2"))) as pool:
         for row in pool.map(lambda target: tried(target, build, known, kinds), here_now):
             print(" | ".join(row), flush=True)
             rows.append(row)
-    for target in targets():
+            if not quick:
+                keep(row)
+    for target in chosen:
         if not target.is_here():
             print(f"not here: {target.name}")
-    if not quick:
-        (here / "tried.tsv").write_text("".join("\t".join(row) + "\n" for row in [columns, *rows]))
     # The exact solutions ask the C++ library, whose sines are every library's own.
     rounds_otherwise = [row for row in rows if "failed" in row or any(
         cell != "not run" and len(set(cell.split(" of "))) > 1 for cell in (row[3], row[5]))]
