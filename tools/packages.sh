@@ -9,6 +9,8 @@ speed_packages="ninja-build:ninja ccache:ccache" # used when present, never requ
 book_packages="doxygen:doxygen doxygen-awesome-css libjs-katex libjs-lunr nodejs:node gnuplot-nox:gnuplot graphviz:dot
   python3:python3 libbenchmark-dev"
 live_packages="clang:clang++ lld:wasm-ld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32" # the book's figures that one can touch; still without
+bits_packages="nodejs:node libc++-dev libc++abi-dev qemu-user:qemu-aarch64 g++-aarch64-linux-gnu:aarch64-linux-gnu-g++
+  g++-riscv64-linux-gnu:riscv64-linux-gnu-g++ g++-s390x-linux-gnu:s390x-linux-gnu-g++ g++-i686-linux-gnu:i686-linux-gnu-g++"
 test_packages="node-parse5 python3-jsonschema" # the tests read the book's pages and judge scene files with them
 browser_packages="chromium:chromium npm:npm"
 peer_packages="libbenchmark-dev libbullet-dev libode-dev libsimbody-dev" # bench measures, and measures with, these

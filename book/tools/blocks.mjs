@@ -27,6 +27,7 @@ function parted(argument) {
 
 /** Tables that the book's build does not make: what was measured elsewhere, or for long, kept in the tree by the program that did. */
 const kept_tables = {
+  'bits.tried': 'tests/bits/tried.tsv',
   'colophon.compilers': 'tests/compilers/tried.tsv',
   'colophon.mutants': 'tests/mutations/caught.tsv',
 };
