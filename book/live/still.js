@@ -55,20 +55,22 @@
     }
   }
 
-  /** A row of the figure's panels, at the figure's first picture. */
+  /** The figure's panels, up to three in a row, at the time that it names. */
   function still_of(figure, run, palette) {
     const state = live.state_of(figure, run, figure.still_time ?? 0);
     const pictures = figure.panels.map(panel => {
-      const size = {width: 330, height: Math.round(330 / (panel.aspect ?? 1))};
+      const width = figure.panels.length === 1 ? 600 : 330;
+      const size = {width, height: Math.round(width / (panel.aspect ?? 1))};
       const painter = new SvgPainter(palette);
       panel.draw({painter, palette, size, view: {...panel.view}}, state);
       return {...size, svg: painter.svg};
     });
-    const height = Math.max(...pictures.map(picture => picture.height));
-    const cells = pictures.map(({width, svg}, n) =>
-      `<svg x="${n * 345}" y="0" width="${width}" height="${height}">${svg}</svg>`);
-    return `<svg class="live-still" viewBox="0 0 ${345 * pictures.length - 15} ${height}" ` +
-      `style="--width: ${345 * pictures.length}">${cells.join('')}</svg>`;
+    const [across, down] = ['width', 'height'].map(side => Math.max(...pictures.map(picture => picture[side])) + 15);
+    const columns = pictures.length === 4 ? 2 : pictures.length;
+    const cells = pictures.map(({width, height, svg}, n) =>
+      `<svg x="${(n % columns) * across}" y="${Math.floor(n / columns) * down}" width="${width}" height="${height}">${svg}</svg>`);
+    return `<svg class="live-still" viewBox="0 0 ${columns * across - 15} ${Math.ceil(pictures.length / columns) * down - 15}" ` +
+      `style="--width: ${columns * across}">${cells.join('')}</svg>`;
   }
 
   /** What a figure draws from: the columns, the knobs' values by name, and the time shown, s. */

@@ -9,7 +9,7 @@
 using namespace tumble;
 
 void tumble::course::run_live(Live& live) {
-  const double at = live.knob("at", "m", 0.3, -0.15, 0.32);
+  const double at = live.knob("at", "m", -0.15, -0.15, 0.18);
   const double impulse = live.knob("impulse", "N s", 0.5, 0.05, 1);
   const double angle = live.knob("angle", "°", 90, -180, 180) * std::numbers::pi / 180;
   const double head = live.knob("head", "kg", 0.5, 0, 2);

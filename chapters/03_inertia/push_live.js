@@ -14,7 +14,7 @@
     title: 'The centre takes no notice of where it is pushed, and one point stands still',
     hint: 'Drag in the picture: where you begin is where it is pushed, and the push is what you draw.',
     knobs: {
-      at: {label: 'Where it is pushed, along the handle'},
+      at: {label: 'Where it is pushed'},
       impulse: {label: 'Push'},
       angle: {label: 'Direction of the push'},
       head: {label: 'Mass of the head'},

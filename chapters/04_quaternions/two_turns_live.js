@@ -9,12 +9,12 @@
 
   const draw_body = (name, words) => (picture, {columns}) => {
     const {painter, palette, size, view} = picture;
-    const camera = {target: [0, 0, 0], distance: 6.4, ...view};
+    const camera = {target: [0, 0, 0], distance: 7.2, ...view};
     live.draw_body(picture, camera, 'brick', parts, [...columns[name]]);
     const project = player.projection(camera, size);
     ['x', 'y', 'z'].forEach((letter, n) => {
       const end = [0, 0, 0];
-      end[n] = 1.6;
+      end[n] = 1.4;
       live.arrow(painter, project([0, 0, 0]), project(end), palette.ink, 1);
       const [left, top] = project(player.scaled(end, 1.1));
       painter.text(letter, left, top, 'center', palette.ink);
@@ -55,7 +55,7 @@
           const apart = columns.part.map((_, n) => angle_of(columns['apart real'][n], columns['apart size'][n]));
           const product = columns.part.map(part => (part * part * values.first * values.second) / degrees);
           const plot = new live.Plot(painter, palette, size, {label: 'part of both turns', unit: '', least: 0, most: 1},
-            {label: 'the orders end apart', unit: '°', least: 0, most: 185});
+            {label: 'apart', unit: '°', least: 0, most: 185});
           picture.plot = plot;
           plot.line(columns.part, product, palette.bodies[0], {dash: [6, 4]});
           plot.line(columns.part, apart, palette.bodies[1]);

@@ -25,7 +25,7 @@
     const {painter, palette, size, view} = picture;
     const {columns} = state;
     const n = step_at(state);
-    const camera = {target: [0, 0, 0.6], distance: 12.5, ...view};
+    const camera = {target: [0, 0, 0.8], distance: 11.5, ...view};
     live.draw_body(picture, camera, 'heavy top', parts, [columns['q real'][n], ...point(columns, 'q', n)]);
     const project = player.projection(camera, size);
     const path = Array.from({length: n + 1}, (_, m) => project(player.scaled(point(columns, 'axis', m), 2.7)));
