@@ -123,8 +123,8 @@ def json_headers(folder):
 
 
 def version_of(target):
-    said = subprocess.run([target.compiler, "--version"], capture_output=True, text=True).stdout
-    return said.splitlines()[0].replace("Debian ", "") if said else ""
+    said = subprocess.run([target.compiler, "-dumpfullversion", "-dumpversion"], capture_output=True, text=True).stdout.split()
+    return " ".join(["g++" if "g++" in target.compiler and "clang" not in target.compiler else "clang", *said[:1]])
 
 
 def tried(target, build, known, kinds):
@@ -143,14 +143,16 @@ def tried(target, build, known, kinds):
             continue
         same = [key for key in wanted if found.get(key) == wanted[key]]
         cells.append(f"{len(same)} of {len(wanted)}")
-        others += [f"{what.split(' ', 1)[1]} in {precision}" for what, precision in wanted.keys() - set(same)]
-    return [target.machine, version_of(target), " ".join(target.flags), *cells, "; ".join(sorted(others)) or "none"]
+        if kind != "exact solutions":  # which are known to be the library's
+            others += sorted({what.split(" ", 1)[1] for what, _ in wanted.keys() - set(same)})
+    flags = [flag for flag in target.flags if flag not in ("-static", "-fexceptions", "-fno-tree-slp-vectorize")]
+    return [target.machine, version_of(target), " ".join(flags), *cells, "; ".join(others) or "none"]
 
 
 def keep(row):
     """Writes the row into the table, in the place of an older one of the same compiler and flags."""
     table = here / "tried.tsv"
-    columns = ["machine", "compiler", "flags", *programs, "others"]
+    columns = ["machine", "compiler", "flags", "turning rules", "exact solutions", "scenes", "rules and scenes that differ"]
     rows = [line.split("\t") for line in table.read_text().splitlines()[1:]] if table.exists() else []
     if row[:3] in [old[:3] for old in rows]:
         rows = [row if old[:3] == row[:3] else old for old in rows]
