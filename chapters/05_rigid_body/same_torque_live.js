@@ -18,7 +18,7 @@
         label: 'A satellite with the torque on it and the angular velocity that it gets, as arrows.',
         turns: true,
         view: {azimuth: -0.9, elevation: 0.3},
-        draw(picture, {columns}) {
+        draw(picture, {columns, values}) {
           const {painter, palette, size, view} = picture;
           const camera = {target: [0, 0, 0], distance: 9, ...view};
           live.draw_body(picture, camera, 'satellite', parts, [...columns.pose]);
@@ -29,7 +29,7 @@
             painter.text(words, end[0] + 6, end[1] - 8, 'left', colour);
           };
           mark([...columns.torque], 1.9, 'torque', palette.ink);
-          mark([...columns.right], 3.2, 'ω, right', palette.bodies[0], true);
+          if (values.frame === 1) mark([...columns.right], 3.2, 'ω, right', palette.bodies[0], true);
           mark([...columns.omega], 3.2, 'ω', palette.bodies[1]);
         },
       },

@@ -2,23 +2,24 @@
 //   TUMBLE_LIVE  the figures, CHAPTER/NAME, with commas
 import assert from 'node:assert/strict';
 import {createRequire} from 'node:module';
-import {existsSync} from 'node:fs';
+import {existsSync, readFileSync, readdirSync} from 'node:fs';
 import {join} from 'node:path';
 import {after, before, test} from 'node:test';
 import {address, book, launch, narrow, open_page} from './browser.mjs';
 
 const axe = createRequire(import.meta.url)('axe-core');
-const figures = process.env.TUMBLE_LIVE.split(',').map(figure => figure.split('/'));
-const page_of = chapter => `chapter_${chapter}.html`;
+const figures = process.env.TUMBLE_LIVE.split(',').map(figure => figure.split('/')[1]);
+/** The page that shows the figure: a chapter may have several. */
+const page_of = name => readdirSync(book).find(file => file.endsWith('.html') && readFileSync(join(book, file), 'utf8').includes(`id="live_${name}"`));
 
 let browser;
 before(async () => { browser = await launch(); });
 after(() => browser.close());
 
 /** The page with its figure awake. */
-async function open_figure(chapter, name, {query = '', ...options} = {}) {
+async function open_figure(name, {query = '', ...options} = {}) {
   const page = await open_page(browser, {reducedMotion: 'reduce', ...options});
-  await page.goto(address(page_of(chapter)) + query);
+  await page.goto(address(page_of(name)) + query);
   const figure = page.locator(`#live_${name}`);
   await figure.scrollIntoViewIfNeeded();
   await page.waitForFunction(id => document.getElementById(id).live, `live_${name}`);
@@ -90,10 +91,10 @@ async function follow_sentences(page, figure, name) {
   assert.ok(findings.size > 1, 'the finding follows the knobs');
 }
 
-for (const [chapter, name] of figures) {
+for (const name of figures) {
   test(`${name}: knobs, drags, keys and the page's sentences change it, and its state is an address.`, async () => {
     assert.ok(existsSync(join(book, `live_${name}.js`)), 'the figure’s script');
-    const {page, figure} = await open_figure(chapter, name);
+    const {page, figure} = await open_figure(name);
     assert.match(await told(figure), /\.$/);
     await page.evaluate(axe.source);
     assert.deepEqual(await serious_violations(page, name), []);
@@ -104,7 +105,7 @@ for (const [chapter, name] of figures) {
     await follow_sentences(page, figure, name);
     const [link, values] = [await ask(figure, 'live.link'), await ask(figure, 'JSON.stringify(live.values)')];
     await page.goto('about:blank');
-    await page.goto(address(page_of(chapter)) + link.slice(link.indexOf('#')));
+    await page.goto(address(page_of(name)) + link.slice(link.indexOf('#')));
     await page.waitForFunction(([id, wanted]) => JSON.stringify(document.getElementById(id).live?.values) === wanted, [`live_${name}`, values]);
     await page.emulateMedia({media: 'print'});
     assert.ok(await figure.locator('svg.live-still').isVisible());
@@ -114,7 +115,7 @@ for (const [chapter, name] of figures) {
   });
 
   test(`${name}: in the dark on a phone axe finds nothing serious, and nothing is wider than the page.`, async () => {
-    const {page, figure} = await open_figure(chapter, name, {viewport: narrow, colourScheme: 'dark'});
+    const {page, figure} = await open_figure(name, {viewport: narrow, colourScheme: 'dark'});
     await told(figure);
     await page.evaluate(axe.source);
     assert.deepEqual(await serious_violations(page, name), []);
@@ -124,7 +125,7 @@ for (const [chapter, name] of figures) {
 
   test(`${name}: without scripts there is a still picture, and the prediction folds its answer.`, async () => {
     const page = await open_page(browser, {javaScriptEnabled: false});
-    await page.goto(address(page_of(chapter)));
+    await page.goto(address(page_of(name)));
     assert.ok(await page.locator(`#live_${name} svg.live-still`).isVisible());
     const fold = page.locator(`form[data-prediction="${name}"] details`);
     assert.equal(await fold.locator('p').isVisible(), false);
@@ -135,8 +136,8 @@ for (const [chapter, name] of figures) {
 }
 
 test('What a reader predicted is kept in the browser and shown beside what happens.', async () => {
-  const [[chapter, name]] = figures;
-  const {page} = await open_figure(chapter, name);
+  const [name] = figures;
+  const {page} = await open_figure(name);
   const form = page.locator(`form[data-prediction="${name}"]`);
   const choice = form.locator('input[type="radio"]').nth(1);
   await choice.check();
@@ -149,11 +150,11 @@ test('What a reader predicted is kept in the browser and shown beside what happe
 });
 
 test('Out of sight nothing moves, and a reader who wants little motion begins at rest.', async () => {
-  const moving = figures.find(([, name]) => name === 'energy_sphere') ?? figures[0];
-  const {page, figure} = await open_figure(...moving);
+  const moving = figures.find(name => name === 'energy_sphere') ?? figures[0];
+  const {page, figure} = await open_figure(moving);
   assert.equal(await ask(figure, 'live.is_playing'), false, 'at rest');
   await figure.locator('button', {hasText: 'Play'}).click();
-  await page.waitForFunction(id => document.getElementById(id).live.time > 0.05, `live_${moving[1]}`);
+  await page.waitForFunction(id => document.getElementById(id).live.time > 0.05, `live_${moving}`);
   await page.evaluate(() => scrollTo(0, 0));
   await page.waitForTimeout(300);
   const time = await ask(figure, 'live.time');
