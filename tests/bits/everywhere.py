@@ -145,8 +145,13 @@ def tried(target, build, known, kinds):
         cells.append(f"{len(same)} of {len(wanted)}")
         if kind != "exact solutions":  # which are known to be the library's
             others += sorted({what.split(" ", 1)[1] for what, _ in wanted.keys() - set(same)})
+    return [*label(target), *cells, "; ".join(others) or "none"]
+
+
+def label(target):
+    """The cells that tell a row from the others."""
     flags = [flag for flag in target.flags if flag not in ("-static", "-fexceptions", "-fno-tree-slp-vectorize")]
-    return [target.machine, version_of(target), " ".join(flags), *cells, "; ".join(others) or "none"]
+    return [target.machine, version_of(target), " ".join(flags)]
 
 
 def keep(row):
@@ -158,6 +163,8 @@ def keep(row):
         rows = [row if old[:3] == row[:3] else old for old in rows]
     else:
         rows.append(row)
+    order = {tuple(label(target)): n for n, target in enumerate(targets()) if target.is_here()}
+    rows.sort(key=lambda cells: order.get(tuple(cells[:3]), len(order)))
     table.write_text("".join("\t".join(cells) + "\n" for cells in [columns, *rows]))
 
 
