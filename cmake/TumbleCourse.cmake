@@ -6,6 +6,7 @@
 #   PROGRAM.values.tsv the numbers that the prose quotes, and any TABLE.tsv
 #   FIGURE.svg         what gnuplot drew from those tables
 #   COST.json          what Google Benchmark measured
+#   FIGURE.live.json   the first picture of a figure that one can touch, in numbers, and FIGURE.wasm, which computes the others
 
 set(TUMBLE_RESULTS ${PROJECT_BINARY_DIR}/results)
 set(TUMBLE_QUIET ${PROJECT_BINARY_DIR}/quiet)
@@ -282,4 +283,77 @@ function(tumble_add_cost chapter name)
   tumble_add_result(${chapter} measure_${name})
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${folder}/${name}.json)
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RUNS ${folder}/${name}.json)
+endfunction()
+
+# What compiles for WebAssembly: any clang++ with Debian's wasi-libc, libc++-dev-wasm32, libclang-rt-dev-wasm32 and lld.
+# Looked for again in every configuration until it is found.
+set(TUMBLE_WASM_FLAGS --target=wasm32-wasi -std=c++20 -fexceptions)
+function(tumble_find_wasm_compiler)
+  if(TUMBLE_WASM_COMPILER)
+    return()
+  endif()
+  find_program(TUMBLE_CLANG NAMES clang++ clang++-22 clang++-21 clang++-20 clang++-19 clang++-18 clang++-17 clang++-16 clang++-15
+    clang++-14)
+  if(TUMBLE_CLANG)
+    file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/wasm/tried.cpp CONTENT "#include <charconv>
+#include <vector>
+int main() { char text[32]; return std::to_chars(text, text + 32, std::vector(3, 0.1)[1]).ptr - text; }\n")
+    execute_process(COMMAND ${TUMBLE_CLANG} ${TUMBLE_WASM_FLAGS} -fno-exceptions tried.cpp -o tried.wasm
+      WORKING_DIRECTORY ${PROJECT_BINARY_DIR}/wasm RESULT_VARIABLE status OUTPUT_QUIET ERROR_FILE tried.log)
+    if(status EQUAL 0)
+      set(TUMBLE_WASM_COMPILER ${TUMBLE_CLANG} CACHE FILEPATH "The clang++ that compiles live figures")
+      return()
+    endif()
+  endif()
+  message(STATUS "No clang++ here compiles for WebAssembly, so no figure of the book moves by hand; see README.md for the packages")
+endfunction()
+tumble_find_wasm_compiler()
+
+# tumble_compile_for_wasm(OBJECT SOURCE TARGET): SOURCE with the flags and the folders of TARGET, which runs here.
+function(tumble_compile_for_wasm object source target)
+  set(folders $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
+  set(definitions $<TARGET_PROPERTY:tumble_common,INTERFACE_COMPILE_DEFINITIONS>)
+  add_custom_command(OUTPUT ${object}
+    COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} ${TUMBLE_WASM_COMPILER} ${TUMBLE_WASM_FLAGS} -Os -DNDEBUG -ffp-contract=off -fno-math-errno
+      "-D$<JOIN:${definitions},;-D>" "$<$<BOOL:${folders}>:-isystem;$<JOIN:${folders},;-isystem;>>"
+      -MD -MF ${object}.d -MT ${object} -c ${source} -o ${object}
+    DEPENDS ${source} DEPFILE ${object}.d COMMAND_EXPAND_LISTS COMMENT "Compiling ${object}" VERBATIM)
+endfunction()
+
+# tumble_add_live(CHAPTER NAME): the figure that NAME_live.cpp computes and NAME_live.js draws. It is compiled twice from the
+# same lines: as a program, whose numbers make the still picture, and as a module, whose numbers are equal to the bit.
+function(tumble_add_live chapter name)
+  set(program live_${name})
+  if(NOT TARGET live_program)
+    add_library(live_program OBJECT ${PROJECT_SOURCE_DIR}/common/course/live/live_program.cpp)
+    target_link_libraries(live_program PUBLIC tumble_program_flags)
+    target_precompile_headers(live_program REUSE_FROM tumble_program_headers)
+  endif()
+  add_executable(${program} ${name}_live.cpp)
+  target_link_libraries(${program} PRIVATE live_program tumble_${chapter})
+  target_precompile_headers(${program} REUSE_FROM tumble_program_headers)
+  set_target_properties(${program} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/live)
+  set(folder ${TUMBLE_RESULTS}/${chapter})
+  add_custom_command(OUTPUT ${folder}/${name}.live.json
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
+    COMMAND $<TARGET_FILE:${program}> > ${folder}/${name}.live.json
+    DEPENDS ${program} COMMENT "Computing the still picture of ${name}" VERBATIM)
+  set(made ${folder}/${name}.live.json)
+  if(TUMBLE_WASM_COMPILER)
+    set(objects ${PROJECT_BINARY_DIR}/wasm)
+    if(NOT TARGET live_module)
+      tumble_compile_for_wasm(${objects}/live_module.o ${PROJECT_SOURCE_DIR}/common/course/live/live_module.cpp ${program})
+      add_custom_target(live_module DEPENDS ${objects}/live_module.o)
+    endif()
+    tumble_compile_for_wasm(${objects}/${name}.o ${CMAKE_CURRENT_SOURCE_DIR}/${name}_live.cpp ${program})
+    add_custom_command(OUTPUT ${folder}/${name}.wasm
+      COMMAND ${TUMBLE_WASM_COMPILER} --target=wasm32-wasi -mexec-model=reactor -Wl,--strip-all
+        ${objects}/${name}.o ${objects}/live_module.o -o ${folder}/${name}.wasm
+      DEPENDS ${objects}/${name}.o live_module ${objects}/live_module.o COMMENT "Linking ${name} for WebAssembly" VERBATIM)
+    list(APPEND made ${folder}/${name}.wasm)
+  endif()
+  add_custom_target(live_figure_${name} DEPENDS ${made})
+  tumble_add_result(${chapter} live_figure_${name})
+  set_property(GLOBAL APPEND PROPERTY TUMBLE_RESULT_FILES ${made})
+  set_property(GLOBAL APPEND PROPERTY TUMBLE_LIVE_FIGURES ${chapter}/${name})
 endfunction()

@@ -8,6 +8,9 @@ truth_packages="libboost-dev" # to hold the exact solutions against, and to comp
 speed_packages="ninja-build:ninja ccache:ccache" # used when present, never required
 book_packages="doxygen:doxygen doxygen-awesome-css libjs-katex nodejs:node gnuplot-nox:gnuplot
   python3:python3 fonts-lato fonts-jetbrains-mono fonts-dejavu-core python3-fonttools python3-brotli libbenchmark-dev"
+live_packages="clang:clang++ lld:wasm-ld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32" # the book's figures that one can touch; still without
+bits_packages="nodejs:node libc++-dev libc++abi-dev qemu-user:qemu-aarch64 g++-aarch64-linux-gnu:aarch64-linux-gnu-g++
+  g++-riscv64-linux-gnu:riscv64-linux-gnu-g++ g++-s390x-linux-gnu:s390x-linux-gnu-g++ g++-i686-linux-gnu:i686-linux-gnu-g++"
 # The tests read the book's pages, judge scene files and spell what is written with them.
 test_packages="node-parse5 python3-jsonschema hunspell:hunspell hunspell-en-gb"
 browser_packages="chromium:chromium npm:npm"

@@ -5,6 +5,8 @@
   const css = ([red, green, blue], opacity = 1) =>
     `rgb(${Math.round(red)} ${Math.round(green)} ${Math.round(blue)} / ${Math.round(1000 * opacity) / 1000})`;
 
+  const font = '12px system-ui, sans-serif';
+
   class CanvasPainter {
     constructor(canvas) {
       this.canvas = canvas;
@@ -48,13 +50,26 @@
       this.context.fill();
     }
 
-    line(points, colour, width, opacity) {
+    /** `dash`: lengths of strokes and gaps by turns, px; none draws it through. */
+    line(points, colour, width, opacity, dash = []) {
       if (opacity <= 0.01) return;
       this.context.beginPath();
       this.#path(points);
       this.context.strokeStyle = css(colour, opacity);
       this.context.lineWidth = width;
+      this.context.setLineDash(dash);
       this.context.stroke();
+      this.context.setLineDash([]);
+    }
+
+    /** What `draw` draws, as far as it lies in the box. */
+    clipped({left, top, width, height}, draw) {
+      this.context.save();
+      this.context.beginPath();
+      this.context.rect(left, top, width, height);
+      this.context.clip();
+      draw();
+      this.context.restore();
     }
 
     /** All polygons as one shape, its rim soft. */
@@ -74,8 +89,14 @@
       context.restore();
     }
 
+    /** How wide text() writes the words, px. */
+    width_of(words) {
+      this.context.font = font;
+      return this.context.measureText(words).width;
+    }
+
     text(words, x, y, align, colour) {
-      this.context.font = '12px system-ui, sans-serif';
+      this.context.font = font;
       this.context.textAlign = align;
       this.context.textBaseline = 'middle';
       this.context.fillStyle = css(colour);

@@ -178,5 +178,5 @@
     return scenes;
   }
 
-  Object.assign(player, {scenes_of});
+  Object.assign(player, {Scene, scenes_of});
 })();

@@ -2,6 +2,7 @@
 import {existsSync, readFileSync} from 'node:fs';
 import {dirname, join, normalize} from 'node:path';
 import {check_line, failed_line, folded_checks, verdict_of_all} from './checks.mjs';
+import {live_figure, live_link, prediction} from './live.mjs';
 import {list_of_exercises, semester, wrong_answers} from './exercise_tables.mjs';
 import {figure} from './figures.mjs';
 import {player} from './players.mjs';
@@ -27,6 +28,7 @@ function parted(argument) {
 
 /** Tables that the book's build does not make: what was measured elsewhere, or for long, kept in the tree by the program that did. */
 const kept_tables = {
+  'bits.tried': 'tests/bits/tried.tsv',
   'colophon.compilers': 'tests/compilers/tried.tsv',
   'colophon.mutants': 'tests/mutations/caught.tsv',
 };
@@ -47,6 +49,7 @@ function reading_time(pages, exercises) {
 }
 
 export class Blocks {
+  live_scripts = new Map(); // what brings a figure to life: the text of a script by its file's name
   quoted = new Set(); // the checks, and the programs as CHAPTER/PROGRAM, that some page shows
   folded = new Set(); // the chapters that show all their other checks
 
@@ -62,6 +65,8 @@ export class Blocks {
       figure: (page, argument) => this.#figure(page, argument),
       player: (page, argument) => this.#player(page, argument, 'player', 1),
       players: (page, argument) => this.#player(page, argument, 'players', 2),
+      live: (page, argument) => this.#live(page, argument),
+      predict: (page, argument) => this.#predict(page, argument),
       check: (page, argument) => this.#check(page, argument),
       other_checks: page => this.#other_checks(page),
       costs: (page, argument) => this.#costs(page, argument),
@@ -201,6 +206,40 @@ export class Blocks {
     const [chapter, name] = this.#of(page, reference);
     const {title, svg} = figure(this.results.text(chapter, name, '.svg', 'figure'), says, name);
     return `<figure class="drawing"><figcaption>${escape(title)}</figcaption><div class="scroll">${svg}</div></figure>`;
+  }
+
+  #live(page, argument) {
+    const [reference, says] = this.#described(page, argument, 'live', 'name');
+    const [chapter, name] = this.#of(page, reference);
+    const {folder} = this.settings.floors.find(floor => floor.name === chapter);
+    const {html, script} = live_figure({
+      name,
+      file: join(this.settings.source, folder, `${name}_live.js`),
+      printed: this.results.text(chapter, name, '.live.json', 'live figure'),
+      module: join(this.settings.results, chapter, `${name}.wasm`),
+      says,
+      source: this.settings.source,
+    });
+    if (script) this.live_scripts.set(`live_${name}.js`, script);
+    return html;
+  }
+
+  #predict(page, argument) {
+    const [name, question, choices, answer] = argument.split('|').map(part => part.trim());
+    if (!answer || !/^\w+$/.test(name)) {
+      throw new BookError(`{{predict ${argument}}} should read {{predict name | question | choice; other choice | what happens}}, or ` +
+        '"number unit" in place of the choices');
+    }
+    const [shown, told] = [question, answer].map(text =>
+      text.replace(/\{\{value\s+([^{}]*)\}\}/g, (_, value) => typeset(this.value_of(page, value.trim()))));
+    return prediction(name, shown, choices.split(';').map(choice => choice.trim()), told);
+  }
+
+  /** {{set NAME knob=value&other=value | words}} inside a sentence. */
+  live_link(argument) {
+    const match = /^(\w+) ([^|]+=[^|\s]+) \| (.+)$/.exec(argument.trim());
+    if (!match) throw new BookError(`{{set ${argument}}} should read {{set figure knob=value&other=value | words of the link}}`);
+    return live_link(match[1], match[2], match[3]);
   }
 
   #check(page, argument) {

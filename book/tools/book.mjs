@@ -18,6 +18,7 @@ import {lines_of_section, read_exercises} from './exercises.mjs';
 import {finish_contents} from './contents.mjs';
 import {write_fonts} from './fonts.mjs';
 import {layout} from './layout.mjs';
+import {live_files} from './live.mjs';
 import {player_files} from './players.mjs';
 import {names_in, pruned} from './prune_style.mjs';
 import {read_pages} from './pages.mjs';
@@ -139,13 +140,17 @@ function write_pages(folder, pages, written, directives) {
 }
 
 /** The style, the scripts and the fonts; `names` are the classes and ids that the pages have. */
-function copy_theme(folder, names) {
+function copy_theme(folder, names, live_scripts) {
   const own = join(settings.source, 'book/theme');
   for (const name of readdirSync(own).filter(file => /\.(css|js|svg)$/.test(file)))
     copyFileSync(join(own, name), join(folder, name));
   const player = player_files(settings.source);
   writeFileSync(join(folder, 'player.js'), player.script);
   writeFileSync(join(folder, 'player.css'), player.style);
+  const live = live_files(settings.source);
+  writeFileSync(join(folder, 'live.js'), live.script);
+  writeFileSync(join(folder, 'live.css'), live.style);
+  for (const [name, script] of live_scripts) writeFileSync(join(folder, name), script);
   // Doxygen's own style sheet draws arrows and tabs from images that our pages do not use.
   const style = readFileSync(join(settings.work, 'doxygen/html/doxygen.css'), 'utf8');
   const awesome = readFileSync(join(settings.awesome, 'doxygen-awesome.css'), 'utf8');
@@ -186,7 +191,7 @@ function build() {
   const fresh = `${settings.folder}.new`;
   rmSync(fresh, {recursive: true, force: true});
   mkdirSync(fresh, {recursive: true});
-  copy_theme(fresh, write_pages(fresh, pages, written, directives));
+  copy_theme(fresh, write_pages(fresh, pages, written, directives), directives.makers.live_scripts);
   publish(fresh, settings.folder);
 
   if (!made) tell_red([...new Set(pages.chapters.map(page => page.chapter))], results);

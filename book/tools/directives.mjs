@@ -3,7 +3,7 @@
 // waits in a list until Doxygen is done.
 import {Blocks} from './blocks.mjs';
 import {BookError} from './results.mjs';
-import {escape, typeset, typeset_in_formula} from './text.mjs';
+import {escape, typeset, typeset_in_formula, unescape} from './text.mjs';
 
 export class Directives {
   blocks = []; // the HTML that each marker stands for
@@ -32,7 +32,7 @@ export class Directives {
   #expand_line(page, line, inside, folds, place) {
     if (/^\s*(```|~~~)/.test(line)) inside.code = !inside.code;
     if (inside.code) return line;
-    const block = /^(\s*)\{\{(?!value\b)(\w+)\s*(.*)\}\}\s*$/.exec(line);
+    const block = /^(\s*)\{\{(?!(?:value|set)\b)(\w+)\s*(.*)\}\}\s*$/.exec(line);
     if (block && !inside.formula) return block[1] + this.#block(page, block[2], block[3].trim(), folds, place);
     return line.split(/(\\f[$[\]])/).map(part => {
       if (part === '\\f$') inside.formula = !inside.formula;
@@ -48,11 +48,15 @@ export class Directives {
       const value = this.makers.value_of(page, name.trim());
       return in_formula ? typeset_in_formula(value) : escape(typeset(value)).replace(/\u00a0/g, '&nbsp;');
     });
+    const linked = expanded.replace(/\{\{set\s+([^{}]*)\}\}/g, (_, link) => {
+      this.blocks.push(this.makers.live_link(unescape(link)));
+      return `\\htmlonly<tumble-block id="${this.blocks.length - 1}"></tumble-block>\\endhtmlonly`;
+    });
     // A formula may hold double braces of its own, and how a task shows a number is told to whoever adds an exercise.
-    const left = !in_formula && /\{\{(?!parameter name\}\})(\w*)/.exec(expanded);
+    const left = !in_formula && /\{\{(?!parameter name\}\})(\w*)/.exec(linked);
     if (left && left[1] in this.makers.kinds) throw new BookError(`{{${left[1]} ...}} must stand alone on one line`);
     if (left) throw this.#unknown(left[1]);
-    return expanded;
+    return linked;
   }
 
   #block(page, name, argument, folds, place) {
@@ -79,7 +83,7 @@ export class Directives {
   }
 
   #unknown(name) {
-    const known = ['value', 'section', 'snippet', ...Object.keys(this.makers.kinds), 'fold', 'end'].join(', ');
+    const known = ['value', 'set', 'section', 'snippet', ...Object.keys(this.makers.kinds), 'fold', 'end'].join(', ');
     return new BookError(`unknown directive {{${name}}}; there are ${known}`);
   }
 }

@@ -49,6 +49,9 @@ function way_here(page, reference) {
 /** How often a page that is still being made asks for itself again. */
 const seconds_until_next_look = 10;
 
+const style_and_script = (name, is_needed) =>
+  is_needed ? `<link rel="stylesheet" href="${name}.css">\n<script src="${name}.js" defer></script>\n` : '';
+
 /** The whole page. `page` is one of `pages` or {name, title, file, under} for a page of the reference. */
 export function layout(page, {html, headings}, pages, book) {
   const reference = pages.all.find(each => each.id === 'reference');
@@ -67,7 +70,7 @@ ${page.is_being_made ? `<meta http-equiv="refresh" content="${seconds_until_next
 <link rel="stylesheet" href="book.css">
 <link rel="stylesheet" href="contents.css">
 <link rel="stylesheet" href="print.css" media="print">
-${html.includes('<figure class="player') ? '<link rel="stylesheet" href="player.css">\n<script src="player.js" defer></script>\n' : ''}<script src="dark.js"></script>
+${style_and_script('player', /<figure class="(?:player|live)/.test(html))}${style_and_script('live', /class="live[ -]/.test(html))}<script src="dark.js"></script>
 <script src="book.js" defer></script>
 <script src="reading.js" defer></script>
 <script src="search.js" defer></script>

@@ -12,7 +12,7 @@ import {escape} from './text.mjs';
 const {scenes_of, stills_of} = globalThis.tumble_player;
 
 /** The light colours of the book's style sheet, as the player wants them. */
-function light_palette(source) {
+export function light_palette(source) {
   const style = readFileSync(join(source, 'book/theme/book.css'), 'utf8');
   const colour = name => {
     const [, red, green, blue] = new RegExp(`--${name}: #(..)(..)(..);`).exec(style);

@@ -37,7 +37,7 @@ function whole(parts, page_numbers) {
   const line = (id, html, kind) =>
     `<li class="${kind}"><a href="#${id}"><span>${html}</span><span>${page_numbers.get(id) ?? ''}</span></a></li>`;
   return `<!DOCTYPE html><html lang="en-GB" class="light-mode"><head><meta charset="utf-8"><title>${escape(settings.book.name)}</title>
-${['doxygen.css', 'fonts.css', 'katex/katex.min.css', 'book.css', 'contents.css', 'player.css', 'print.css']
+${['doxygen.css', 'fonts.css', 'katex/katex.min.css', 'book.css', 'contents.css', 'player.css', 'live.css', 'print.css']
   .map(name => `<link rel="stylesheet" href="${name}">`)
   .join('\n')}</head><body class="prose whole">
 <main><section class="title-page"><h1>${escape(settings.book.name)}</h1><p>${escape(settings.book.brief)}</p>

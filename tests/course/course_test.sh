@@ -190,6 +190,11 @@ verify "and nothing before them" [ "${output/Running/}" = "$output" ]
 verify "bench names the log" says "log: build/log/bench.txt"
 
 fresh debian 12
+course bits ARM64
+verify "bits installs compilers for other machines" called "g++-aarch64-linux-gnu"
+verify "and one word chooses among them" says "Compiled and compared for every machine"
+
+fresh debian 12
 course check 1
 verify "the administrator gets what is missing" called "install -y --no-install-recommends g++ make"
 verify "check needs nothing of the book" [ "${called/doxygen/}" = "$called" ]

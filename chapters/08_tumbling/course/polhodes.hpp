@@ -5,7 +5,7 @@
 
 #include <cmath>
 #include <numbers>
-#include <tumble/real.hpp>
+#include <tumble/sine_cosine.hpp>
 #include <vector>
 
 namespace tumble::course {
@@ -26,10 +26,10 @@ inline std::vector<Vec3d> polhode(const Vec3d& inverse_moments, double level, in
                along = std::sqrt((level - i[x]) / (i[z] - i[x]));
   std::vector<Vec3d> loop;
   for (int n = 0; n <= points; ++n) {
-    const double angle = 2 * std::numbers::pi * n / points;
+    const auto [sine, cosine] = sine_cosine(2 * std::numbers::pi * n / points);
     Vec3d L;
-    L[y] = across * std::cos(angle);
-    L[z] = along * std::sin(angle);
+    L[y] = across * cosine;
+    L[z] = along * sine;
     L[x] = std::sqrt(std::max(0.0, 1 - L[y] * L[y] - L[z] * L[z]));
     loop.push_back(L);
   }
@@ -46,8 +46,8 @@ inline std::vector<Vec3d> separatrix(const Vec3d& inverse_moments, double sign, 
       Vec3d(std::sqrt(i[1] - i[2]), 0, sign * std::sqrt(i[0] - i[1])) / std::sqrt(i[0] - i[2]);
   std::vector<Vec3d> circle;
   for (int n = 0; n <= points; ++n) {
-    const double angle = 2 * std::numbers::pi * n / points;
-    circle.emplace_back(std::cos(angle) * Vec3d::UnitY() + std::sin(angle) * across);
+    const auto [sine, cosine] = sine_cosine(2 * std::numbers::pi * n / points);
+    circle.emplace_back(cosine * Vec3d::UnitY() + sine * across);
   }
   return circle;
 }

@@ -1,0 +1,79 @@
+// A live figure's module: knobs in, columns of numbers out. Works in a page and in node.
+(() => {
+  const live = (globalThis.tumble_live ??= {figures: {}, modules: {}});
+
+  /** Whatever a module asks of a system. There is none; what is written goes nowhere, and an end is an error. */
+  function imports_of(compiled) {
+    const imports = {};
+    for (const {module, name} of WebAssembly.Module.imports(compiled)) {
+      imports[module] ??= {};
+      imports[module][name] = name === 'proc_exit'
+        ? () => { throw new Error('the module ended itself'); }
+        : () => 8; // "no such file"
+    }
+    return imports;
+  }
+
+  class Module {
+    #compiled;
+    #exports;
+
+    /** `bytes`: the module, as node's Buffer or a Uint8Array. */
+    static async from(bytes) {
+      const module = new Module();
+      module.#compiled = await WebAssembly.compile(bytes);
+      await module.#begin();
+      return module;
+    }
+
+    async #begin() {
+      const instance = await WebAssembly.instantiate(this.#compiled, imports_of(this.#compiled));
+      this.#exports = instance.exports;
+      this.#exports._initialize?.();
+    }
+
+    #text(at) {
+      const bytes = new Uint8Array(this.#exports.memory.buffer, at);
+      return new TextDecoder().decode(bytes.subarray(0, bytes.indexOf(0)));
+    }
+
+    #write(at, numbers) {
+      new Float64Array(this.#exports.memory.buffer, at, numbers.length).set(numbers);
+    }
+
+    /**
+     * {knobs: [{name, unit, start, least, most}], columns: {NAME: Float64Array}, units: {NAME: unit}}, or {refusal} where
+     * the knobs cannot stand as they do. `values` in the order of the knobs; none: all at their start.
+     */
+    async run(values = [], drawn = []) {
+      try {
+        this.#write(this.#exports.live_knobs(values.length), values);
+        this.#write(this.#exports.live_drawn(drawn.length), drawn);
+        const {knobs, columns} = JSON.parse(this.#text(this.#exports.live_run()));
+        const {buffer} = this.#exports.memory;
+        return {
+          knobs,
+          columns: Object.fromEntries(columns.map(({name, at, length}) => [name, new Float64Array(buffer, at, length).slice()])),
+          units: Object.fromEntries(columns.map(({name, unit}) => [name, unit])),
+        };
+      } catch (error) {
+        if (!(error instanceof WebAssembly.RuntimeError)) throw error;
+        const refusal = this.#text(this.#exports.live_refusal()) || error.message;
+        await this.#begin(); // what broke off is not used again
+        return {refusal};
+      }
+    }
+  }
+
+  /** The same from what a live program printed. */
+  function run_of_program(text) {
+    const {knobs, columns} = JSON.parse(text);
+    return {
+      knobs,
+      columns: Object.fromEntries(columns.map(({name, values}) => [name, Float64Array.from(values, value => value ?? NaN)])),
+      units: Object.fromEntries(columns.map(({name, unit}) => [name, unit])),
+    };
+  }
+
+  Object.assign(live, {Module, run_of_program});
+})();

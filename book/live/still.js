@@ -1,0 +1,83 @@
+// The still picture of a live figure, for paper, without scripts, and until the module is there: SVG that takes the page's
+// colours.
+(() => {
+  const live = (globalThis.tumble_live ??= {figures: {}, modules: {}});
+
+  const css = colour => `#${colour.map(value => Math.round(Math.max(0, Math.min(255, value))).toString(16).padStart(2, '0')).join('')}`;
+  const short = value => String(Math.round(Math.max(-9999, Math.min(9999, value)) * 10) / 10);
+  const listed = points => points.map(([x, y]) => `${short(x)},${short(y)}`).join(' ');
+  const escape = text => text.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/>/g, '&gt;');
+
+  class SvgPainter {
+    svg = '';
+
+    constructor(palette) {
+      this.names = new Map([[palette.ink, 'var(--figure-frame)'], [palette.grid, 'var(--figure-grid)'],
+        [palette.paper, 'var(--figure-paper)'], ...palette.bodies.map((colour, n) => [colour, `var(--figure-${n + 1})`])]);
+    }
+
+    #colour(colour) {
+      return this.names.get(colour) ?? css(colour);
+    }
+
+    polygon(points, colour) {
+      const fill = this.#colour(colour);
+      this.svg += `<polygon points="${listed(points)}" fill="${fill}" stroke="${fill}"/>`;
+    }
+
+    disc(x, y, radius, colour) {
+      this.svg += `<circle cx="${short(x)}" cy="${short(y)}" r="${radius}" fill="${this.#colour(colour)}" stroke="none"/>`;
+    }
+
+    line(points, colour, width, opacity, dash = []) {
+      if (opacity <= 0.01) return;
+      this.svg += `<polyline points="${listed(points)}" fill="none" stroke="${this.#colour(colour)}" stroke-width="${width}"` +
+        `${opacity < 1 ? ` opacity="${opacity}"` : ''}${dash.length ? ` stroke-dasharray="${dash.join(' ')}"` : ''}/>`;
+    }
+
+    clipped({left, top, width, height}, draw) {
+      const box = [left, top, width, height].map(short);
+      this.svg += `<svg x="${box[0]}" y="${box[1]}" width="${box[2]}" height="${box[3]}" viewBox="${box.join(' ')}">`;
+      draw();
+      this.svg += '</svg>';
+    }
+
+    width_of(words) {
+      return 6.4 * words.length; // about
+    }
+
+    shadow() {} // light from above is for what moves
+
+    text(words, x, y, align, colour) {
+      const anchor = {left: 'start', center: 'middle', right: 'end'}[align];
+      this.svg += `<text x="${short(x)}" y="${short(y + 4)}" text-anchor="${anchor}" font-size="12" ` +
+        `fill="${this.#colour(colour)}">${escape(words)}</text>`;
+    }
+  }
+
+  /** The figure's panels, up to three in a row, at the time that it names. */
+  function still_of(figure, run, palette) {
+    const state = live.state_of(figure, run, figure.still_time ?? 0);
+    const pictures = figure.panels.map(panel => {
+      const width = figure.panels.length === 1 ? 600 : 330;
+      const size = {width, height: Math.round(width / (panel.aspect ?? 1))};
+      const painter = new SvgPainter(palette);
+      panel.draw({painter, palette, size, view: {...panel.view}}, state);
+      return {...size, svg: painter.svg};
+    });
+    const [across, down] = ['width', 'height'].map(side => Math.max(...pictures.map(picture => picture[side])) + 15);
+    const columns = pictures.length === 4 ? 2 : pictures.length;
+    const cells = pictures.map(({width, height, svg}, n) =>
+      `<svg x="${(n % columns) * across}" y="${Math.floor(n / columns) * down}" width="${width}" height="${height}">${svg}</svg>`);
+    return `<svg class="live-still" viewBox="0 0 ${columns * across - 15} ${Math.ceil(pictures.length / columns) * down - 15}" ` +
+      `style="--width: ${columns * across}">${cells.join('')}</svg>`;
+  }
+
+  /** What a figure draws from: the columns, the knobs' values by name, and the time shown, s. */
+  function state_of(figure, run, time, values = undefined) {
+    const by_name = Object.fromEntries(run.knobs.map(({name, start}, n) => [name, values?.[n] ?? start]));
+    return {columns: run.columns, units: run.units, values: by_name, time, figure};
+  }
+
+  Object.assign(live, {still_of, state_of});
+})();

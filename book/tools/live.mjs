@@ -1,0 +1,67 @@
+// Figures that one can touch: their files for the book, and what stands on a page.
+import {existsSync, readFileSync, readdirSync} from 'node:fs';
+import {join} from 'node:path';
+import vm from 'node:vm';
+import '../player/vectors.js';
+import '../player/solids.js';
+import '../player/camera.js';
+import '../player/scene.js';
+import '../live/module.js';
+import '../live/plot.js';
+import '../live/still.js';
+import {light_palette} from './players.mjs';
+import {BookError} from './results.mjs';
+import {escape} from './text.mjs';
+
+const live = globalThis.tumble_live;
+
+/** {script, style}: what every live figure needs, each kind as one. */
+export function live_files(source) {
+  const folder = join(source, 'book/live');
+  const text = name => readFileSync(join(folder, name), 'utf8');
+  return {script: ['module.js', 'plot.js', 'still.js', 'figure.js'].map(text).join('\n'), style: text('live.css')};
+}
+
+/** The figure's description, from its own script. */
+function described(file, name) {
+  if (!existsSync(file)) throw new BookError(`there is no file ${file}, which says how the live figure "${name}" is drawn`);
+  vm.runInThisContext(readFileSync(file, 'utf8'), {filename: file});
+  if (!live.figures[name]) throw new BookError(`${file} must set tumble_live.figures.${name}`);
+  return live.figures[name];
+}
+
+/**
+ * {html, script}: what stands on the page, and the text of the script that brings it to life, undefined without a module.
+ * `printed` is what the figure's program printed, `module` the file of its module, `says` tells what one sees.
+ */
+export function live_figure({name, file, printed, module, says, source}) {
+  const figure = described(file, name);
+  const run = live.run_of_program(printed);
+  for (const knob of run.knobs)
+    if (!figure.knobs[knob.name]) throw new BookError(`${file} describes no knob "${knob.name}"; its program has it`);
+  const still = live.still_of(figure, run, light_palette(source));
+  const script = existsSync(module)
+    ? `${readFileSync(file, 'utf8')}tumble_live.modules.${name} = '${readFileSync(module).toString('base64')}';\n`
+    : undefined;
+  const absent = script ? '' : '<p class="live-absent">This figure moves where the book is built with clang’s packages for ' +
+    'WebAssembly; here they were missing, so it shows its first picture.</p>';
+  const html = `<figure class="live unindexed" id="live_${name}" data-live="${name}"${script ? ` data-script="live_${name}.js"` : ''}>` +
+    `<figcaption>${escape(figure.title)}</figcaption>` +
+    `<div class="live-picture" role="img" aria-label="${escape(says)}">${still}</div>${absent}</figure>`;
+  return {html, script};
+}
+
+/** A question before a figure: choices, or "number UNIT"; what happens is folded until the reader has chosen. */
+export function prediction(name, question, choices, answer) {
+  const [, unit] = /^number ?(.*)$/.exec(choices.join(';')) ?? [];
+  const inputs = unit !== undefined
+    ? [`<label><input type="number" step="any" data-unit="${escape(unit)}"> ${escape(unit)}</label>`]
+    : choices.map(choice => `<label><input type="radio" name="${name}" value="${escape(choice)}"> ${escape(choice)}</label>`);
+  return `<form class="live-prediction" data-prediction="${name}"><fieldset><legend>${escape(question)}</legend>${inputs.join('')}</fieldset>` +
+    `<details class="fold"><summary>What happens</summary><p>${escape(answer)}</p></details></form>`;
+}
+
+/** A link in a sentence that sets knobs, such as "h=0.1&rule=2". */
+export function live_link(name, changes, words) {
+  return `<a class="live-set" href="#live_${name}" data-set="${escape(changes)}">${escape(words)}</a>`;
+}

@@ -1,0 +1,57 @@
+// How the thrown ball is drawn, and what there is to find.
+tumble_live.figures.throw = {
+  title: 'The stepped ball is off by ½ a h t, whatever else one changes',
+  hint: 'Drag the arrow in the picture to throw otherwise.',
+  knobs: {
+    h: {label: 'Time step h', log: true},
+    gravity: {label: 'Gravity', choices: ['as a force, m g', 'as an acceleration, g']},
+    mass: {label: 'Mass', log: true},
+    forward: {label: 'First velocity, forward'},
+    up: {label: 'First velocity, up'},
+  },
+  panels: [
+    {
+      label: 'Height against distance: the exact parabola as a line, the stepped ball as points, the first velocity as an arrow.',
+      aspect: 1.25,
+      draw(picture, {columns, values}) {
+        const {painter, palette, size} = picture;
+        const {range_of, Plot, arrow} = tumble_live;
+        const x = range_of([columns['exact distance'], columns.distance, [0, values.forward / 4]], {smallest: 4});
+        const y = range_of([columns['exact height'], columns.height, [0, values.up / 4]], {smallest: 4});
+        const plot = new Plot(painter, palette, size, {label: 'distance', unit: 'm', ...x}, {label: 'height', unit: 'm', ...y});
+        picture.plot = plot;
+        plot.line(columns['exact distance'], columns['exact height'], palette.bodies[0]);
+        plot.points(columns.distance, columns.height, palette.bodies[1], 3);
+        arrow(painter, plot.place([0, 0]), plot.place([values.forward / 4, values.up / 4]), palette.ink);
+        plot.legend([['exact', palette.bodies[0]], ['stepped', palette.bodies[1], [3, 4]]]);
+      },
+      drag(plot, at) {
+        const [x, y] = plot.value_at(at);
+        return {forward: 4 * x, up: 4 * y};
+      },
+      key: ([right, up], {values}) => ({forward: values.forward + 0.5 * right, up: values.up + 0.5 * up}),
+    },
+    {
+      label: 'How far the stepped ball is below the parabola, against time: a straight line.',
+      aspect: 1.25,
+      draw(picture, {columns, values}) {
+        const {painter, palette, size} = picture;
+        const below = Array.from(columns.time, (t, n) => values.up * t - 4.905 * t * t - columns.height[n]);
+        const bound = columns.time.map(t => 4.905 * values.h * t);
+        const plot = new tumble_live.Plot(painter, palette, size, {label: 'time', unit: 's', least: 0, most: 2},
+          {label: 'below the parabola', unit: 'm', ...tumble_live.range_of([below, [0]])});
+        picture.plot = plot;
+        plot.line(columns.time, bound, palette.bodies[0]);
+        plot.points(columns.time, below, palette.bodies[1], 3);
+        plot.legend([['½ g h t', palette.bodies[0]]]);
+      },
+    },
+  ],
+  finding({columns, values}) {
+    const {with_unit} = tumble_live;
+    const t = columns.time.at(-1);
+    const below = columns['exact height'].at(-1) - columns.height.at(-1);
+    return `After ${with_unit(t, 's')} the stepped ball is ${with_unit(below, 'm')} below the parabola, and ½ g h t is ` +
+      `${with_unit(4.905 * values.h * t, 'm')}. Forward it is off by ${with_unit(Math.abs(columns['exact distance'].at(-1) - columns.distance.at(-1)), 'm', 2)}.`;
+  },
+};

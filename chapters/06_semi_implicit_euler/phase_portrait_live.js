@@ -1,0 +1,78 @@
+// How the weight on a spring is drawn, and what there is to find.
+(() => {
+  const live = tumble_live;
+  const rules = ['explicit Euler', 'kick, then drift', 'implicit Euler'];
+
+  live.figures.phase_portrait = {
+    title: 'One order spirals out, one in, and one stays',
+    hint: 'Drag in the plane to start the weight elsewhere.',
+    knobs: {
+      rule: {label: 'Rule', choices: rules},
+      h: {label: 'Time step h', log: true},
+      w: {label: 'Angular frequency w'},
+      x: {label: 'First place'},
+      v: {label: 'First velocity'},
+    },
+    duration: ({columns}) => Math.min(12, columns.time.at(-1)),
+    still_time: 12,
+    panels: [
+      {
+        label: 'Velocity against place: the exact circle, the curve that the rule keeps if it keeps one, and the stepped weight.',
+        draw(picture, {columns, values, time}) {
+          const {painter, palette, size} = picture;
+          const largest = list => list.reduce((most, value) => (Number.isFinite(value) ? Math.max(most, Math.abs(value)) : most), 0);
+          const round = Math.max(0.5, largest(columns['exact place']), largest(columns['exact velocity']));
+          // What runs away is followed for a while.
+          const reach = 1.2 * Math.min(4 * round, Math.max(round, ...['place', 'velocity', 'curve place', 'curve velocity']
+            .map(name => largest(columns[name]))));
+          const plot = new live.Plot(painter, palette, size, {label: 'place', unit: 'm', least: -reach, most: reach},
+            {label: 'velocity', unit: 'm/s', least: -reach, most: reach}, {equal: true});
+          picture.plot = plot;
+          plot.line(columns['exact place'], columns['exact velocity'], palette.bodies[0]);
+          plot.line(columns['curve place'], columns['curve velocity'], palette.bodies[2], {dash: [6, 4]});
+          const shown = Math.floor(time / values.h + 1e-9) + 1;
+          const [x, v] = [columns.place.subarray(0, shown), columns.velocity.subarray(0, shown)];
+          plot.line(x, v, palette.bodies[1], {width: 1, opacity: 0.6});
+          plot.points(x, v, palette.bodies[1]);
+          plot.points([x.at(-1)], [v.at(-1)], palette.bodies[1], 6);
+          plot.legend([['exact', palette.bodies[0]], [rules[values.rule], palette.bodies[1]]]);
+        },
+        drag(plot, at) {
+          const [x, v] = plot.value_at(at);
+          return {x, v};
+        },
+        key: ([right, up], {values}) => ({x: values.x + 0.1 * right, v: values.v + 0.1 * up}),
+      },
+      {
+        label: 'Energy, in parts of the first, against the number of steps, on a logarithmic axis.',
+        draw(picture, {columns, values}) {
+          const {painter, palette, size} = picture;
+          const steps = columns.time.map((_, n) => n);
+          const energies = columns.energy.map(energy => Math.max(1e-12, Math.min(1e12, energy)));
+          const least = Math.min(0.1, energies.reduce((a, b) => Math.min(a, b))), most = Math.max(10, energies.reduce((a, b) => Math.max(a, b)));
+          const plot = new live.Plot(painter, palette, size, {label: 'steps', unit: '', least: 0, most: 240},
+            {label: 'energy', unit: 'of the first', least: 10 ** Math.floor(Math.log10(least)), most: 10 ** Math.ceil(Math.log10(most)), log: true});
+          picture.plot = plot;
+          plot.line([0, 240], [1, 1], palette.bodies[0]);
+          plot.line(steps, energies, palette.bodies[1]);
+          plot.legend([['exact', palette.bodies[0]], [rules[values.rule], palette.bodies[1]]]);
+        },
+      },
+    ],
+    finding({columns, values}) {
+      const {shown} = live;
+      const wh = values.w * values.h, energies = columns.energy;
+      if (energies[0] === 0 || (values.x === 0 && values.v === 0)) return 'A weight that rests where the spring is slack rests by every rule.';
+      const start = `With w h = ${shown(wh)}`;
+      if (values.rule === 0)
+        return `${start} it spirals out: each step multiplies the energy by ${shown(energies[1] / energies[0], 4)}, which is 1 + (w h)².`;
+      if (values.rule === 2)
+        return `${start} it spirals in: each step divides the energy by ${shown(energies[0] / energies[1], 4)}, which is 1 + (w h)².`;
+      const most = energies.reduce((a, b) => Math.max(a, b)), least = energies.reduce((a, b) => Math.min(a, b));
+      if (wh < 2)
+        return `${start} it stays on an ellipse: in 240 steps the energy goes from ${shown(least)} to ${shown(most)} of the first and always comes back.`;
+      if (wh === 2) return `${start} it stands on the border: the ellipse has become a pair of lines.`;
+      return `${start}, which is beyond 2, there is no ellipse left: after 240 steps the energy is ${shown(energies.at(-1))} of the first.`;
+    },
+  };
+})();

@@ -1,0 +1,145 @@
+// How the sphere of L and the body are drawn, and what there is to find.
+(() => {
+  const live = tumble_live, player = globalThis.tumble_player;
+  const rules = ['steady: no gyroscopic term', 'explicit', 'explicit, |L| restored', 'implicit, one Newton step', 'momentum-carrying',
+    'splitting by axes', 'splitting with a sphere'];
+  const axis_names = ['axis 1, the smallest moment', 'axis 2, the middle one', 'axis 3, the largest'];
+  const point = (columns, name, n) => ['x', 'y', 'z'].map(letter => columns[`${name} ${letter}`][n]);
+  const step_at = ({columns, time}) => {
+    const times = columns.time;
+    return Math.max(0, Math.min(times.length - 1, Math.floor(time / (times[1] ?? 1) + 1e-9)));
+  };
+
+  /** A box with the body's moments, its sides about 1; in the order in which the top keeps its axes. */
+  function box_of({columns, values}) {
+    const moments = [1, values.middle, 1.8];
+    const total = moments[0] + moments[1] + moments[2];
+    const sides = moments.map(moment => Math.sqrt((total - 2 * moment) / total) * 1.5);
+    const in_body = [0, 0, 0];
+    columns.axis.forEach((axis, n) => { in_body[axis] = sides[n]; });
+    return in_body;
+  }
+
+  function draw_body(picture, state) {
+    const {painter, palette, size, view} = picture;
+    const {columns} = state;
+    const n = step_at(state);
+    const camera = {target: [0, 0, 0], distance: 7.2, ...view};
+    const parts = live.once(columns, 'box', () => [{box: box_of(state)}]);
+    live.draw_body(picture, camera, 'thrown box', parts, [columns['q real'][n], ...point(columns, 'q', n)]);
+    const project = player.projection(camera, size);
+    const mark = (vector, words, colour, beside) => {
+      const end = project(player.scaled(vector, 1.35));
+      live.arrow(painter, project([0, 0, 0]), end, colour);
+      painter.text(words, end[0] + 8, end[1] + beside, 'left', colour);
+    };
+    mark(point(columns, 'L', n), 'L', palette.ink, 9);
+    mark(point(columns, 'omega', n), 'ω', palette.bodies[1], -9);
+    painter.text('in world axes', 10, 12, 'left', palette.ink);
+  }
+
+  function draw_sphere(picture, state) {
+    const {painter, palette, size, view} = picture;
+    const {columns} = state;
+    const {right, up, back} = player.picture_axes(view);
+    const scale = Math.min(size.width, size.height) * 0.4;
+    const place = p => [size.width / 2 + scale * player.dot(p, right), size.height / 2 - scale * player.dot(p, up)];
+    painter.line(Array.from({length: 91}, (_, n) => [size.width / 2 + scale * Math.cos((n * Math.PI) / 45),
+      size.height / 2 - scale * Math.sin((n * Math.PI) / 45)]), palette.ink, 1, 0.8);
+    /** What lies at the back first, and faint. */
+    const draw = (name, colour, width, dash, last = Infinity) => {
+      const [xs, ys, zs] = ['x', 'y', 'z'].map(letter => columns[`${name} ${letter}`]);
+      const parts = [[], []]; // at the back, in front
+      let side, part = [];
+      for (let n = 0; n < Math.min(last + 1, xs.length); ++n) {
+        const [x, y, z] = [xs[n], ys[n], zs[n]];
+        const depth = x * back[0] + y * back[1] + z * back[2];
+        const now = Number.isNaN(depth) ? undefined : depth < 0 ? 0 : 1;
+        if (now !== side) {
+          if (part.length > 1) parts[side].push(part);
+          [side, part] = [now, []];
+        }
+        if (now !== undefined)
+          part.push([size.width / 2 + scale * (x * right[0] + y * right[1] + z * right[2]),
+            size.height / 2 - scale * (x * up[0] + y * up[1] + z * up[2])]);
+      }
+      if (part.length > 1) parts[side].push(part);
+      parts.forEach((lines, in_front) => lines.forEach(line => painter.line(line, colour, width, in_front ? 1 : 0.25, dash)));
+    };
+    draw('curve', palette.ink, 1, []);
+    draw('separatrix', palette.ink, 1, [5, 4]);
+    draw('own', palette.bodies[0], 2, []);
+    const n = step_at(state);
+    draw('tip', palette.bodies[1], 1.5, [], n);
+    const tip = point(columns, 'tip', n);
+    painter.disc(...place(tip), player.dot(tip, back) >= 0 ? 5.5 : 3.5, palette.bodies[1]);
+    for (let axis = 0; axis < 3; ++axis) {
+      const end = [0, 0, 0];
+      end[axis] = 1;
+      if (player.dot(end, back) < -0.2) continue;
+      const [x, y] = place(player.scaled(end, 1.12));
+      painter.text(String(axis + 1), x, y, 'center', palette.ink);
+    }
+    painter.text('in body axes', 10, 12, 'left', palette.ink);
+    painter.text('energy curve', 10, size.height - 28, 'left', palette.bodies[0]);
+    painter.text('tip of L', 10, size.height - 12, 'left', palette.bodies[1]);
+  }
+
+  function draw_constants(picture, state) {
+    const {painter, palette, size} = picture;
+    const {columns} = state;
+    const {least, most} = live.range_of([columns.energy, columns.momentum], {smallest: 0.02, limit: 4});
+    const plot = new live.Plot(painter, palette, size, {label: 'time', unit: 's', least: 0, most: 12},
+      {label: 'part of the first', unit: '', least, most});
+    picture.plot = plot;
+    plot.line(columns.time, columns.momentum, palette.bodies[2], {dash: [6, 4]});
+    plot.line(columns.time, columns.energy, palette.bodies[1]);
+    const n = step_at(state);
+    plot.points([columns.time[n]], [columns.energy[n]], palette.bodies[1], 4);
+    plot.legend([['|L|', palette.bodies[2], [6, 4]], ['energy', palette.bodies[1]]]);
+  }
+
+  live.figures.energy_sphere = {
+    title: 'Each wrong rule leaves its energy curve in its own way',
+    hint: 'Drag the body or the sphere to turn it; by keys, with the arrows.',
+    knobs: {
+      rule: {label: 'Rule', choices: rules},
+      h: {label: 'Time step h', log: true},
+      wobble: {label: 'Wobble, as a part of the spin', log: true},
+      about: {label: 'Spin of 10 rad/s about', choices: axis_names},
+      middle: {label: 'Middle moment'},
+    },
+    duration: ({columns}) => columns.time.at(-1),
+    still_time: 8,
+    panels: [
+      {label: 'The body in the world, with its angular momentum L and its angular velocity as arrows.', turns: true,
+        view: {azimuth: -0.8, elevation: 0.4}, draw: draw_body},
+      {label: 'The sphere of L with the curves of equal energy, and the path of the tip of L.', turns: true,
+        view: {azimuth: 0.9, elevation: 0.38}, draw: draw_sphere},
+      {label: 'Energy and length of L against time, in parts of what they were.', draw: draw_constants},
+    ],
+    finding({columns, values}) {
+      const {shown, with_unit} = live;
+      const energy = columns.energy.at(-1), momentum = columns.momentum.at(-1);
+      const most_off = columns.energy.reduce((most, value) => Math.max(most, Math.abs(value - 1)), 0);
+      const kept = (value, words) => (Math.abs(value - 1) < 1e-9 ? `${words} is kept to rounding` : `${words} is ${shown(value, 4)} of what it was`);
+      if (values.rule === 0)
+        return 'The tip of L stands still in the body, so the body turns steadily and never flips. In the world L goes round with it, ' +
+          'which no torque asked for.';
+      const books = `After 12 s ${kept(momentum, '|L|')}, ` +
+        (most_off < 1e-9 ? 'and so is the energy. ' : `and the energy, off by ${with_unit(100 * most_off, '%', 2)} at most, ` +
+          `${Math.abs(energy - 1) < 0.3 * most_off ? 'has come back' : `ends at ${shown(energy, 4)} of what it was`}. `);
+      const flips = columns.flips;
+      if (values.about !== 1) {
+        const along = columns[`tip ${values.about === 0 ? 'x' : 'z'}`];
+        const least = along.reduce((low, value, n) => Math.min(low, value / columns.momentum[n]), 1);
+        const axis = values.about === 0 ? 'axis 1' : 'axis 3';
+        return books + (least > along[0] - 0.2 ? `Spun about ${axis}, the body only wobbles.`
+          : `Spun about ${axis}, which is stable, the body has been made to tumble by the rule.`);
+      }
+      if (flips.length === 0) return `${books}No flip yet: the exact motion flips ${with_unit(columns['exact wait'][0] / 2, 's')} after the throw.`;
+      const wait = flips.length > 1 ? `, then one every ${with_unit((flips.at(-1) - flips[0]) / (flips.length - 1), 's')}` : '';
+      return `${books}It flips first after ${with_unit(flips[0], 's')}${wait}; the exact motion takes ${with_unit(columns['exact wait'][0], 's')} from flip to flip.`;
+    },
+  };
+})();

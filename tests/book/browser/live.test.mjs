@@ -1,0 +1,164 @@
+// Figures that one can touch: what a reader does changes what it should, by mouse, by key and by link.
+//   TUMBLE_LIVE  the figures, CHAPTER/NAME, with commas
+import assert from 'node:assert/strict';
+import {createRequire} from 'node:module';
+import {existsSync, readFileSync, readdirSync} from 'node:fs';
+import {join} from 'node:path';
+import {after, before, test} from 'node:test';
+import {address, book, launch, narrow, open_page} from './browser.mjs';
+
+const axe = createRequire(import.meta.url)('axe-core');
+const figures = process.env.TUMBLE_LIVE.split(',').map(figure => figure.split('/')[1]);
+/** The page that shows the figure: a chapter may have several. */
+const page_of = name => readdirSync(book).find(file => file.endsWith('.html') && readFileSync(join(book, file), 'utf8').includes(`id="live_${name}"`));
+
+let browser;
+before(async () => { browser = await launch(); });
+after(() => browser.close());
+
+/** The page with its figure awake. */
+async function open_figure(name, {query = '', ...options} = {}) {
+  const page = await open_page(browser, {reducedMotion: 'reduce', ...options});
+  await page.goto(address(page_of(name)) + query);
+  const figure = page.locator(`#live_${name}`);
+  await figure.scrollIntoViewIfNeeded();
+  await page.waitForFunction(id => document.getElementById(id).live, `live_${name}`);
+  return {page, figure};
+}
+const ask = (figure, words, given) => figure.evaluate((element, [text, argument]) =>
+  new Function('live', 'given', `return ${text};`)(element.live, argument), [words, given]);
+const told = figure => figure.locator('.live-finding').filter({hasText: /\S/}).textContent();
+
+async function serious_violations(page, name) {
+  const {violations} = await page.evaluate(figure => axe.run({include: [`#live_${figure}`, `form[data-prediction="${figure}"]`]},
+    {resultTypes: ['violations'], preload: false}), name); // preloading fails on a page opened from a file
+  return violations.filter(({impact}) => ['serious', 'critical'].includes(impact)).map(({id, nodes}) => [id, ...nodes[0].target, nodes[0].failureSummary]);
+}
+
+/** Every knob is an input with a name, which keys move. */
+async function turn_knobs(figure) {
+  const inputs = figure.locator('.live-knob :is(input, select)');
+  for (let n = 0; n < await inputs.count(); ++n) {
+    const input = inputs.nth(n);
+    const last = await ask(figure, 'JSON.stringify(live.values)');
+    if (await input.evaluate(element => element.tagName === 'SELECT'))
+      await input.selectOption(await input.evaluate(element => String((Number(element.value) + 1) % element.length)));
+    else {
+      const key = await input.evaluate(element => (element.value === element.max ? 'ArrowLeft' : 'ArrowRight'));
+      for (let times = 0; times < 3; ++times) await input.press(key);
+      assert.ok(await input.getAttribute('aria-valuetext'));
+    }
+    assert.notEqual(await ask(figure, 'JSON.stringify(live.values)'), last, `knob ${n}`);
+    assert.ok(await input.evaluate(element => element.labels[0].textContent.trim().length > 3), `the name of knob ${n}`);
+  }
+}
+
+/** A drag in each picture that can be dragged changes a knob or the view, and so does an arrow key. */
+async function drag_pictures(page, figure) {
+  const canvases = figure.locator('canvas:is(.draws, .turns)');
+  const state = () => ask(figure, 'JSON.stringify([live.values, live.drawn, live.panels.map(panel => panel.view)])');
+  for (let n = 0; n < await canvases.count(); ++n) {
+    await canvases.nth(n).scrollIntoViewIfNeeded();
+    const box = await canvases.nth(n).boundingBox();
+    let last = await state();
+    await page.mouse.move(box.x + 0.55 * box.width, box.y + 0.5 * box.height);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 0.7 * box.width, box.y + 0.35 * box.height, {steps: 4});
+    await page.mouse.up();
+    assert.notEqual(await state(), last, `a drag in picture ${n}`);
+    last = await state();
+    await canvases.nth(n).focus();
+    await page.keyboard.press('ArrowLeft');
+    await page.keyboard.press('ArrowUp');
+    assert.notEqual(await state(), last, `keys in picture ${n}`);
+  }
+}
+
+/** Each sentence with a link sets what it says, and another finding is told. */
+async function follow_sentences(page, figure, name) {
+  const links = page.locator(`a.live-set[href="#live_${name}"]`);
+  assert.ok(await links.count() > 0, 'a sentence with a link');
+  const findings = new Set([await told(figure)]);
+  for (let n = 0; n < await links.count(); ++n) {
+    const wanted = [...new URLSearchParams(await links.nth(n).getAttribute('data-set'))];
+    await figure.evaluate(element => { element.has_told = new Promise(done => { element.addEventListener('told', done, {once: true}); }); });
+    await links.nth(n).click();
+    await figure.evaluate(element => element.has_told);
+    const values = await ask(figure, 'live.values');
+    for (const [knob, value] of wanted) assert.equal(values[knob], Number(value), `${knob} of ${await links.nth(n).textContent()}`);
+    findings.add(await told(figure));
+  }
+  assert.ok(findings.size > 1, 'the finding follows the knobs');
+}
+
+for (const name of figures) {
+  test(`${name}: knobs, drags, keys and the page's sentences change it, and its state is an address.`, async () => {
+    assert.ok(existsSync(join(book, `live_${name}.js`)), 'the figure’s script');
+    const {page, figure} = await open_figure(name);
+    assert.match(await told(figure), /\.$/);
+    await page.evaluate(axe.source);
+    assert.deepEqual(await serious_violations(page, name), []);
+    await turn_knobs(figure);
+    await figure.locator('button', {hasText: 'Reset'}).click();
+    assert.ok(await ask(figure, 'live.knobs.every(knob => live.values[knob.name] === knob.start)'), 'the page’s own state');
+    await drag_pictures(page, figure);
+    await follow_sentences(page, figure, name);
+    const [link, values] = [await ask(figure, 'live.link'), await ask(figure, 'JSON.stringify(live.values)')];
+    await page.goto('about:blank');
+    await page.goto(address(page_of(name)) + link.slice(link.indexOf('#')));
+    await page.waitForFunction(([id, wanted]) => JSON.stringify(document.getElementById(id).live?.values) === wanted, [`live_${name}`, values]);
+    await page.emulateMedia({media: 'print'});
+    assert.ok(await figure.locator('svg.live-still').isVisible());
+    assert.equal(await figure.locator('canvas').first().isVisible(), false);
+    assert.deepEqual(page.complaints, []);
+    await page.context().close();
+  });
+
+  test(`${name}: in the dark on a phone axe finds nothing serious, and nothing is wider than the page.`, async () => {
+    const {page, figure} = await open_figure(name, {viewport: narrow, colourScheme: 'dark'});
+    await told(figure);
+    await page.evaluate(axe.source);
+    assert.deepEqual(await serious_violations(page, name), []);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+    await page.context().close();
+  });
+
+  test(`${name}: without scripts there is a still picture, and the prediction folds its answer.`, async () => {
+    const page = await open_page(browser, {javaScriptEnabled: false});
+    await page.goto(address(page_of(name)));
+    assert.ok(await page.locator(`#live_${name} svg.live-still`).isVisible());
+    const fold = page.locator(`form[data-prediction="${name}"] details`);
+    assert.equal(await fold.locator('p').isVisible(), false);
+    await fold.locator('summary').click();
+    assert.ok(await fold.locator('p').isVisible());
+    await page.context().close();
+  });
+}
+
+test('What a reader predicted is kept in the browser and shown beside what happens.', async () => {
+  const [name] = figures;
+  const {page} = await open_figure(name);
+  const form = page.locator(`form[data-prediction="${name}"]`);
+  const choice = form.locator('input[type="radio"]').nth(1);
+  await choice.check();
+  const words = await choice.getAttribute('value');
+  assert.equal(await form.locator('.live-predicted').textContent(), `You predicted: ${words}`);
+  assert.ok(await form.locator('details p').last().isVisible());
+  await page.reload();
+  assert.equal(await form.locator('.live-predicted').textContent(), `You predicted: ${words}`);
+  await page.context().close();
+});
+
+test('Out of sight nothing moves, and a reader who wants little motion begins at rest.', async () => {
+  const moving = figures.find(name => name === 'energy_sphere') ?? figures[0];
+  const {page, figure} = await open_figure(moving);
+  assert.equal(await ask(figure, 'live.is_playing'), false, 'at rest');
+  await figure.locator('button', {hasText: 'Play'}).click();
+  await page.waitForFunction(id => document.getElementById(id).live.time > 0.05, `live_${moving}`);
+  await page.evaluate(() => scrollTo(0, 0));
+  await page.waitForTimeout(300);
+  const time = await ask(figure, 'live.time');
+  await page.waitForTimeout(300);
+  assert.equal(await ask(figure, 'live.time'), time);
+  await page.context().close();
+});

@@ -1,0 +1,83 @@
+// Every live figure's module computes the bits that its program computes, and its drawing needs nothing that is not there.
+//   TUMBLE_RESULTS       the folder of the results
+//   TUMBLE_LIVE_PROGRAMS the folder of the programs
+//   TUMBLE_LIVE          the figures, CHAPTER/NAME, with commas
+import assert from 'node:assert/strict';
+import {spawnSync} from 'node:child_process';
+import {readFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {test} from 'node:test';
+import {fileURLToPath} from 'node:url';
+import vm from 'node:vm';
+import '../../book/player/vectors.js';
+import '../../book/player/solids.js';
+import '../../book/player/camera.js';
+import '../../book/player/scene.js';
+import '../../book/live/module.js';
+import '../../book/live/plot.js';
+import '../../book/live/still.js';
+
+const live = globalThis.tumble_live;
+const chapters = fileURLToPath(new URL('../../chapters', import.meta.url));
+const {TUMBLE_RESULTS: results, TUMBLE_LIVE_PROGRAMS: programs} = process.env;
+const colour = [1, 2, 3];
+const palette = {paper: colour, ink: colour, grid: colour, shade: colour, bodies: Array(6).fill(colour)};
+
+/** A quarter, a half and three quarters of each knob's way; knobs without a unit may be choices, and stay whole. */
+const settings_of = knobs => [0.25, 0.5, 0.75].map(part => knobs.map(({unit, least, most}) => {
+  const value = least + part * (most - least);
+  return unit === '' && most >= 1 ? Math.max(least, Math.round(value)) : value;
+}));
+
+function by_program(name, values, drawn = []) {
+  const run = spawnSync(join(programs, `live_${name}`), [values.join(','), drawn.join(',')], {encoding: 'utf8', maxBuffer: 1 << 28});
+  return run.status === 0 ? live.run_of_program(run.stdout) : {refusal: run.stderr.trim()};
+}
+
+/** The same bits; what is no number has many, which mean nothing, and the program does not tell it from what is infinite. */
+function assert_same(mine, its, where) {
+  assert.equal(mine.refusal, its.refusal, where);
+  if (mine.refusal) return;
+  assert.deepEqual(mine.knobs, its.knobs, where);
+  assert.deepEqual(Object.keys(mine.columns), Object.keys(its.columns), where);
+  for (const [column, numbers] of Object.entries(mine.columns)) {
+    const others = its.columns[column];
+    assert.equal(numbers.length, others.length, `${where}: ${column}`);
+    const different = numbers.findIndex((value, n) => !Object.is(Number.isFinite(value) ? value : NaN, others[n]));
+    assert.equal(different, -1, `${where}: ${column}[${different}] is ${numbers[different]}, and ${others[different]} natively`);
+  }
+}
+
+for (const [chapter, name] of process.env.TUMBLE_LIVE.split(',').map(figure => figure.split('/'))) {
+  vm.runInThisContext(readFileSync(join(chapters, chapter, `${name}_live.js`), 'utf8'));
+  const figure = live.figures[name];
+  const module = await live.Module.from(readFileSync(join(results, chapter, `${name}.wasm`)));
+
+  test(`${name}: the module's numbers are the program's to the bit, at the start and in three settings.`, async () => {
+    const start = await module.run();
+    assert_same(start, by_program(name, []), 'at the start');
+    for (const values of settings_of(start.knobs)) assert_same(await module.run(values), by_program(name, values), values.join());
+  });
+
+  test(`${name}: each setting has a picture and a sentence of what is found.`, async () => {
+    const {knobs} = await module.run();
+    assert.deepEqual(knobs.map(knob => knob.name).sort(), Object.keys(figure.knobs).sort(), 'the knobs that are described');
+    for (const values of [knobs.map(({start}) => start), ...settings_of(knobs)]) {
+      const run = await module.run(values);
+      assert.equal(run.refusal, undefined);
+      const finding = figure.finding(live.state_of(figure, run, 0, values));
+      assert.match(finding, /^[A-Z].*[.]$/s, values.join());
+      assert.doesNotMatch(finding, /undefined|NaN/, values.join());
+      assert.match(live.still_of(figure, run, palette), /<polyline/);
+      assert.doesNotMatch(live.still_of(figure, run, palette), /NaN|undefined/);
+    }
+  });
+
+  test(`${name}: a knob beyond its limit is refused by name, and the next run is sound.`, async () => {
+    const {knobs} = await module.run();
+    const beyond = knobs.map(({most}) => 2 * Math.abs(most) + 1);
+    assert_same(await module.run(beyond), by_program(name, beyond), 'beyond');
+    assert.match((await module.run(beyond)).refusal, new RegExp(`^${knobs[0].name} is .*it must lie between`));
+    assert_same(await module.run(), by_program(name, []), 'afterwards');
+  });
+}
