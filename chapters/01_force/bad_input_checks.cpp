@@ -1,4 +1,4 @@
-#include <course/checks.hpp>
+#include <course/bad_vectors.hpp>
 #include <tumble/force.hpp>
 
 using namespace tumble;
@@ -84,13 +84,16 @@ TEST_CASE_TEMPLATE("What has no unit is refused without one", Real, EVERY_PRECIS
 }
 
 TEST_CASE_TEMPLATE("One bad component is enough, whichever it is", Real, EVERY_PRECISION) {
-  for (int axis = 0; axis < 3; ++axis) {
-    Vec3<Real> force(1, 2, 3);
-    force[axis] = std::numeric_limits<Real>::quiet_NaN();
-    Particle<Real> particle = make_particle(Real(2));
-    CHECK(complaint_of([&] { add_force(particle, force); }) ==
-          "force is " + text_of(force) + " N; every component must be finite");
-  }
+  using Vector = Vec3<Real>;
+  Particle<Real> particle = make_particle(Real(2));
+  check_refuses_bad_vectors<Real>("force", "N", [&](const Vector& v) { add_force(particle, v); });
+  check_refuses_bad_vectors<Real>("position", "m",
+                                  [](const Vector& v) { make_particle(Real(1), v); });
+  check_refuses_bad_vectors<Real>(
+      "velocity", "m/s", [](const Vector& v) { make_particle(Real(1), Vector(1, 2, 3), v); });
+  check_refuses_bad_vectors<Real>("position", "m",
+                                  [](const Vector& v) { make_static_particle(v); });
+  CHECK(same_bits(particle.force, Vector::Zero()));
 }
 
 TEST_CASE_TEMPLATE("What must not be negative may be zero, and must be finite", Real,

@@ -66,6 +66,10 @@ Mat3<Real> in_other_axes(const Mat3<Real>& inertia, const Mat3<Same<Real>>& R) {
 /// turns is still one.
 template <class Real>
 void require_turn(std::string_view name, const Mat3<Real>& matrix) {
+  // A largest element may be one of those beside a NaN, which compares with none.
+  if (!is_finite(matrix))
+    throw std::invalid_argument(std::string(name) +
+                                " does not turn rigidly; an element of it is infinite or NaN");
   const Mat3<Real> error = matrix.transpose() * matrix - Mat3<Real>::Identity();
   const Real slack = 1024 * (std::numeric_limits<Real>::epsilon() / 2);
   if (!(error.cwiseAbs().maxCoeff() <= slack))
