@@ -137,6 +137,7 @@ TEST_CASE("Numbers, vectors, lists and bodies cross the wire to the bit, and end
   CHECK(read(" -1") == "unreadable: a list of impossible length");
   CHECK(read(" nan") == "unreadable: a list of impossible length");
   CHECK(read(" 1e300") == "unreadable: a list of impossible length");
+  CHECK(read(" 1000001") == "unreadable: a list of impossible length");
 }
 
 TEST_CASE("A question is answered, with what was changed, or its refusal is told") {
