@@ -81,6 +81,23 @@ TEST_CASE_TEMPLATE("What has no unit is refused without one", Real, EVERY_PRECIS
   CHECK(complaint_of([] { require_between<Real>("ratio", 3, "", 0, 2); }) ==
         "ratio is 3; it must lie between 0 and 2");
   CHECK(complaint_of([] { require_between<Real>("ratio", 2, "", 0, 2); }) == "nothing thrown");
+  CHECK(complaint_of([] { require_between<Real>("ratio", 0, "", 0, 2); }) == "nothing thrown");
+  // Between which two numbers should NaN lie?
+  CHECK(complaint_of([] {
+          require_between<Real>("ratio", std::numeric_limits<Real>::quiet_NaN(), "", 0, 2);
+        }) == "ratio is nan; it must lie between 0 and 2");
+}
+
+TEST_CASE_TEMPLATE("A number in a refusal reads back as the number that was refused", Real,
+                   EVERY_PRECISION) {
+  CHECK(text_of(Real(0.1)) == "0.1");
+  for (Real number = 4 * std::numeric_limits<Real>::min(); std::isfinite(number);
+       number *= Real(1.7e5)) {
+    const std::string text = text_of(-number / 3);
+    Real back = 0;
+    std::from_chars(text.data(), text.data() + text.size(), back);
+    CHECK(back == -number / 3);
+  }
 }
 
 TEST_CASE_TEMPLATE("One bad component is enough, whichever it is", Real, EVERY_PRECISION) {
