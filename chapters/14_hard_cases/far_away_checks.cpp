@@ -110,6 +110,11 @@ TEST_CASE("A millimetre at 1 km fits a float's digits, one at 10000 km needs a d
   CHECK(complaint_of([] { digits_needed(0, 1); }) ==
         "distance from the origin is 0 m; it must be above 0");
   CHECK(complaint_of([] { digits_needed(1, -1); }) == "resolution is -1 m; it must be above 0");
+  CHECK(complaint_of([] { digits_needed(1, 0); }) == "resolution is 0 m; it must be above 0");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(complaint_of([=] { digits_needed(nan, 1); }) ==
+        "distance from the origin is nan m; it must be finite");
+  CHECK(complaint_of([=] { digits_needed(1, nan); }) == "resolution is nan m; it must be finite");
   CHECK(complaint_of([] { digits_needed(1, std::numeric_limits<double>::infinity()); }) ==
         "resolution is inf m; it must be finite");
   CHECK(complaint_of([] { digits_needed(std::numeric_limits<double>::infinity(), 1); }) ==
