@@ -84,10 +84,16 @@ TEST_CASE_TEMPLATE(
   }
   check_refuses_bad_vectors<Real>("axis", "",
                                   [](const Vec3<Real>& bad) { quaternion_about(bad, 1); });
-  for (int column = 0; column < 3; ++column)
+  for (int column = 0; column < 3; ++column) {
     check_refuses_bad_vectors<Real>("a column of rotation", "", [column](const Vec3<Real>& bad) {
       Mat3<Real> matrix = Mat3<Real>::Identity();
       matrix.col(column) = bad;
       quaternion_of(matrix);
     });
+    Mat3<Real> stretched = Mat3<Real>::Identity();
+    stretched.col(column) *= Real(1.02);
+    CHECK(complaint_of([&] {
+            quaternion_of(stretched);
+          }).find("the largest element of RᵀR − 1 for rotation is ") == 0);
+  }
 }
