@@ -1,4 +1,4 @@
-#include <course/checks.hpp>
+#include <course/bad_vectors.hpp>
 #include <tumble/force.hpp>
 
 using namespace tumble;
@@ -81,16 +81,36 @@ TEST_CASE_TEMPLATE("What has no unit is refused without one", Real, EVERY_PRECIS
   CHECK(complaint_of([] { require_between<Real>("ratio", 3, "", 0, 2); }) ==
         "ratio is 3; it must lie between 0 and 2");
   CHECK(complaint_of([] { require_between<Real>("ratio", 2, "", 0, 2); }) == "nothing thrown");
+  CHECK(complaint_of([] { require_between<Real>("ratio", 0, "", 0, 2); }) == "nothing thrown");
+  // Between which two numbers should NaN lie?
+  CHECK(complaint_of([] {
+          require_between<Real>("ratio", std::numeric_limits<Real>::quiet_NaN(), "", 0, 2);
+        }) == "ratio is nan; it must lie between 0 and 2");
+}
+
+TEST_CASE_TEMPLATE("A number in a refusal reads back as the number that was refused", Real,
+                   EVERY_PRECISION) {
+  CHECK(text_of(Real(0.1)) == "0.1");
+  for (Real number = 4 * std::numeric_limits<Real>::min(); std::isfinite(number);
+       number *= Real(1.7e5)) {
+    const std::string text = text_of(-number / 3);
+    Real back = 0;
+    std::from_chars(text.data(), text.data() + text.size(), back);
+    CHECK(back == -number / 3);
+  }
 }
 
 TEST_CASE_TEMPLATE("One bad component is enough, whichever it is", Real, EVERY_PRECISION) {
-  for (int axis = 0; axis < 3; ++axis) {
-    Vec3<Real> force(1, 2, 3);
-    force[axis] = std::numeric_limits<Real>::quiet_NaN();
-    Particle<Real> particle = make_particle(Real(2));
-    CHECK(complaint_of([&] { add_force(particle, force); }) ==
-          "force is " + text_of(force) + " N; every component must be finite");
-  }
+  using Vector = Vec3<Real>;
+  Particle<Real> particle = make_particle(Real(2));
+  check_refuses_bad_vectors<Real>("force", "N", [&](const Vector& v) { add_force(particle, v); });
+  check_refuses_bad_vectors<Real>("position", "m",
+                                  [](const Vector& v) { make_particle(Real(1), v); });
+  check_refuses_bad_vectors<Real>(
+      "velocity", "m/s", [](const Vector& v) { make_particle(Real(1), Vector(1, 2, 3), v); });
+  check_refuses_bad_vectors<Real>("position", "m",
+                                  [](const Vector& v) { make_static_particle(v); });
+  CHECK(same_bits(particle.force, Vector::Zero()));
 }
 
 TEST_CASE_TEMPLATE("What must not be negative may be zero, and must be finite", Real,

@@ -154,6 +154,17 @@ TEST_CASE_TEMPLATE("Twice the mass answers the same force with half the accelera
   CHECK(same_bits(light.velocity, 2 * heavy.velocity));  // doubling is exact in binary
 }
 
+TEST_CASE_TEMPLATE("An acceleration gives every mass the same velocity, to the bit", Real,
+                   EVERY_PRECISION) {
+  const Vec3<Real> gravity(Real(0.1), Real(-0.2), Real(-9.81));
+  const Real time_step = Real(1) / 60;
+  for (const Real mass : {Real(1e-6), Real(0.3), Real(7), Real(1e6)}) {
+    Particle<Real> particle = make_particle(mass);
+    accelerate(particle, gravity, time_step);
+    CHECK(same_bits(particle.velocity, time_step * gravity));
+  }
+}
+
 TEST_CASE_TEMPLATE("Forces add up, and after clearing none is left", Real, EVERY_PRECISION) {
   Particle<Real> particle = make_particle(Real(2));
   add_force(particle, Vec3<Real>(1, 2, 3));

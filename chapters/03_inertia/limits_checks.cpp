@@ -1,6 +1,6 @@
 // Where the refusals of this chapter begin: the last input that is taken, and the first that is
 // not.
-#include <course/checks.hpp>
+#include <course/bad_vectors.hpp>
 #include <tumble/mesh_mass_properties.hpp>
 #include <tumble/spheres.hpp>
 #include <tumble/tetrahedron.hpp>
@@ -134,7 +134,7 @@ TEST_CASE_TEMPLATE("A slanted sheet has a volume from 40/3 roundings of its thic
   // with
   // + for −, comes to 10, of which 8 roundings and a sixth are 40/3. A multiple of 4 roundings
   // leaves all corners exact, and so the volume.
-  const auto complaint = [](int roundings) {
+  const auto sheet = [](int roundings) {
     const Real half = Real(roundings) * unit_roundoff<Real> / 2;
     Mesh<Real> mesh{{},
                     {{0, 2, 3},
@@ -152,10 +152,139 @@ TEST_CASE_TEMPLATE("A slanted sheet has a volume from 40/3 roundings of its thic
     for (const Real z : {-half, half})
       for (const Real y : {Real(-0.5), Real(0.5)})
         for (const Real x : {Real(-0.5), Real(0.5)}) mesh.vertices.push_back({x, y, x + y + z});
+    return mesh;
+  };
+  const auto complaint = [&](int roundings) {
+    const Mesh<Real> mesh = sheet(roundings);
     return complaint_of([&] { checked_integrals(mesh, MeshFrame<Real>(mesh)); });
   };
+  // Its frame's unit is 2 m, the size of what is integrated a half of that above. The twelve terms
+  // are positive, and each rounds six times.
+  const Mesh<Real> mesh = sheet(0);
+  const MeshFrame<Real> frame(mesh);
+  const Real unit = std::ldexp(Real(1), 3 * frame.exponent);
+  CHECK(std::abs(integrate<Real>(mesh, frame, Vec3<Real>::Zero()).rounding * unit * 3 /
+                 (40 * unit_roundoff<Real>)-1) <= (12 + 6) * unit_roundoff<Real>);
   CHECK(complaint(12).find("the mesh encloses no volume") == 0);
   CHECK(complaint(16) == "nothing thrown");
+}
+
+TEST_CASE_TEMPLATE("A thin wall costs a shell no digits, neither of its moments nor of its volume",
+                   Real, EVERY_PRECISION) {
+  for (int n = 1; n < std::numeric_limits<Real>::digits; ++n) {
+    CAPTURE(n);
+    // A wall of about 2^-n, and some more, so that its powers round.
+    const Real outer = Real(1.5), inner = outer - std::ldexp(Real(1.3), -n);
+    const SphericalShell<Real> shell{inner, outer};
+    const long double a = inner, b = outer, wall = b - a;
+    const long double sum = a * a * a * a + a * a * a * b + a * a * b * b + a * b * b * b +
+                            b * b * b * b,
+                      squares = a * a + a * b + b * b;
+    const long double moment = 2 * sum / squares / 5;
+    CHECK(std::abs(mass_properties(shell, 1).inertia(0, 0) / moment - 1) <=
+          24 * unit_roundoff<Real>);
+    const long double whole = 4 * std::numbers::pi_v<long double> / 3 * wall * squares;
+    CHECK(std::abs(volume(shell) / whole - 1) <= 12 * unit_roundoff<Real>);
+  }
+}
+
+TEST_CASE_TEMPLATE(
+    "A tetrahedron far from the origin, at exact places, keeps the bits it has near it", Real,
+    EVERY_PRECISION) {
+  // Its centre is a quarter of a metre off the places that can be stored out there.
+  const Real far = std::ldexp(Real(1), std::numeric_limits<Real>::digits - 2);
+  const auto inertia_at = [](const Vec3<Real>& a) {
+    return mass_properties(Tetrahedron<Real>{{a, a + Vec3<Real>(1, 0, 0), a + Vec3<Real>(0, 2, 0),
+                                              a + Vec3<Real>(0, 0, 3)}},
+                           20)
+        .inertia;
+  };
+  CHECK(same_bits(inertia_at(far * Vec3<Real>(1, 1, -1)), inertia_at(Vec3<Real>(0, 0, 0))));
+  CHECK(mass_properties(Tetrahedron<Real>{{Vec3<Real>(far, 0, 0), Vec3<Real>(far + 1, 0, 0),
+                                           Vec3<Real>(far, 2, 0), Vec3<Real>(far, 0, 3)}},
+                        20)
+            .centre_of_mass.y() == Real(0.5));
+}
+
+TEST_CASE_TEMPLATE(
+    "Whether a tetrahedron is flat, and a mesh's moments, depend on no length's powers", Real,
+    EVERY_PRECISION) {
+  // So far that the product of three edges, or of four, leaves the range.
+  const int most = std::numeric_limits<Real>::max_exponent * 2 / 5;
+  for (const int power : {-most, 0, most}) {
+    const Real size = std::ldexp(Real(1), power);
+    const Tetrahedron<Real> corner{{size * Vec3<Real>(0, 0, 0), size * Vec3<Real>(1, 0, 0),
+                                    size * Vec3<Real>(0, 1, 0), size * Vec3<Real>(0, 0, 1)}};
+    CHECK(complaint_of([&] { require_not_flat(corner); }) == "nothing thrown");
+    // The mass makes up for it: m l² is the same.
+    Mesh<Real> mesh = with_thin_triangle<Real>(1);
+    const Mat3<Real> plain = mass_properties(mesh, 1).inertia;
+    for (Vec3<Real>& vertex : mesh.vertices) vertex *= size;
+    const int half = power / 2 * 2;
+    const Real mass = std::ldexp(Real(1), -half);
+    CHECK(same_bits(mass_properties(mesh, mass).inertia,
+                    std::ldexp(Real(1), 2 * power - half) * plain));
+  }
+}
+
+TEST_CASE_TEMPLATE(
+    "One bad component of a corner, vertex or shift is enough, and one bad element of a tensor",
+    Real, EVERY_PRECISION) {
+  using Vector = Vec3<Real>;
+  for (std::size_t n = 0; n < 4; ++n) {
+    check_refuses_bad_vectors<Real>("corner of the tetrahedron", "m", [n](const Vector& bad) {
+      Tetrahedron<Real> corner{
+          {Vector(0, 0, 0), Vector(1, 0, 0), Vector(0, 1, 0), Vector(0, 0, 1)}};
+      corner.corners[n] = bad;
+      mass_properties(corner, 1);
+    });
+    check_refuses_bad_vectors<Real>("vertex " + std::to_string(n), "m", [n](const Vector& bad) {
+      Mesh<Real> mesh = with_thin_triangle<Real>(1);
+      mesh.vertices[n] = bad;
+      mass_properties(mesh, 1);
+    });
+  }
+  const Mat3<Real> turn = Mat3<Real>::Identity();
+  check_refuses_bad_vectors<Real>("the shift that moves a body", "m", [&](const Vector& bad) {
+    moved(mass_properties(Sphere<Real>{1}, 1), turn, bad);
+  });
+
+  const auto complaint_of_tensor = [](int row, int column, Real element) {
+    Mat3<Real> inertia = Mat3<Real>::Identity();
+    inertia(row, column) = element;
+    return complaint_of([&] { require_symmetric("body", inertia); });
+  };
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column) {
+      for (const Real bad : not_finite<Real>) {
+        CHECK(complaint_of_tensor(row, column, bad) ==
+              "body: an element of the inertia tensor is infinite or NaN; every element must be "
+              "finite");
+        Mat3<Real> matrix = turn;
+        matrix(row, column) = bad;
+        CHECK(complaint_of([&] {
+                require_turn("the matrix", matrix);
+              }).find("the matrix does not turn rigidly; ") == 0);
+      }
+      if (row == column) continue;
+      const std::string axes = "xyz";
+      const int low = std::min(row, column), high = std::max(row, column);
+      const auto element = [&](int i, int j, bool is_set) {
+        return std::string("I_") + axes[std::size_t(i)] + axes[std::size_t(j)] + " is " +
+               (is_set ? "0.25" : "0");
+      };
+      CHECK(complaint_of_tensor(row, column, Real(0.25)) ==
+            "body: " + element(low, high, row < column) + " and " +
+                element(high, low, row > column) +
+                " kg m^2; an inertia tensor is symmetric: they must be equal");
+    }
+  for (int axis = 0; axis < 3; ++axis) {
+    Vector moments(1, 1, 1);
+    moments[axis] = 0;
+    CHECK(complaint_of([&] {
+            inverse_moments("rod", moments);
+          }).find("rod: the principal moments are (0, 1, 1) kg m^2; the first is zero") == 0);
+  }
 }
 
 TEST_CASE_TEMPLATE("The first vertex and the first triangle of a mesh are looked at too", Real,

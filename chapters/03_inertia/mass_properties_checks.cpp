@@ -225,6 +225,19 @@ TEST_CASE_TEMPLATE("Parts, turns and shifts that make no sense are refused", Rea
         }) == "the shift that moves a body is (0, 0, inf) m; every component must be finite");
 }
 
+TEST_CASE_TEMPLATE("Turned to other axes a tensor is symmetric to the bit", Real, EVERY_PRECISION) {
+  Dice dice(35);
+  int rounded = 0;
+  for (int n = 0; n < 20; ++n) {
+    const Mat3<Real> R = random_turn<Real>(dice),
+                     inertia = Vec3<Real>(1, 2, Real(2.5)).asDiagonal();
+    const Mat3<Real> turned = in_other_axes(inertia, R), product = R * inertia * R.transpose();
+    CHECK(same_bits(turned, Mat3<Real>(turned.transpose())));
+    rounded += !same_bits(product, Mat3<Real>(product.transpose()));
+  }
+  CHECK(rounded > 0);  // the product alone is not
+}
+
 TEST_CASE_TEMPLATE("A matrix that moves a body may be off by 1024 roundings, and no more", Real,
                    EVERY_PRECISION) {
   const MassProperties<Real> box = mass_properties(Box<Real>{{1, 2, 3}}, 4);

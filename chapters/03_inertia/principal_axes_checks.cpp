@@ -54,6 +54,54 @@ TEST_CASE_TEMPLATE("Bodies with two or three equal moments get a right-handed fr
 }
 
 TEST_CASE_TEMPLATE(
+    "A product of inertia is gone below a rounding of the smaller moment, and not above", Real,
+    EVERY_PRECISION) {
+  const Mat3<Real> untouched = Mat3<Real>::Identity();
+  for (const auto& [p, q] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
+    const auto axes_with = [p = p, q = q](Real roundings) {
+      Mat3<Real> inertia = Vec3<Real>(1, 2, 4).asDiagonal();
+      const Real product = roundings * unit_roundoff<Real> * inertia(p, p);
+      inertia(p, q) = inertia(q, p) = product;
+      return principal_axes(inertia).axes;
+    };
+    CHECK(same_bits(axes_with(1), untouched));
+    CHECK_FALSE(same_bits(axes_with(Real(1.5)), untouched));
+  }
+}
+
+TEST_CASE_TEMPLATE(
+    "Near the end each product of inertia that is removed is that of the two before, by a "
+    "difference of moments",
+    Real, EVERY_PRECISION) {
+  const Real small = Real(1) / 64, gap = Real(0.5);  // no two of the moments are nearer
+  Mat3<Real> I, axes = Mat3<Real>::Identity();
+  I << 1, small, -small,  //
+      small, 2, 0,        //
+      -small, 0, Real(2.5);
+  const std::array<std::array<int, 2>, 3> pairs = {{{0, 1}, {0, 2}, {1, 2}}};
+  Real before = 0, second_before = 0, gap_before = 1, gap_second_before = 1;
+  for (std::size_t n = 0; n < 7; ++n) {
+    const auto [p, q] = pairs[n % 3];
+    const Real product = I(p, q), apart = I(q, q) - I(p, p);
+    // A turn by the angle x/gap brings back as much of the next product. Its tangent differs from
+    // that by (x/gap)², the moments move by half as much, and the next turn shortens it by as
+    // little as (x/gap)²/2 of the next x. Then 16 roundings.
+    if (n > 1) {
+      const Real expected = std::abs(second_before * before / gap_second_before);
+      CHECK(std::abs(std::abs(product) / expected - 1) <=
+            2 * (second_before * second_before + before * before) / (gap * gap) +
+                16 * unit_roundoff<Real>);
+    }
+    second_before = before;
+    before = product;
+    gap_second_before = gap_before;
+    gap_before = apart;
+    remove_product(I, axes, p, q);
+  }
+  CHECK(std::abs(before) < std::pow(small / gap, Real(13)));  // 1, 1, 2, 3, 5, 8, 13
+}
+
+TEST_CASE_TEMPLATE(
     "In a frame turned back by phi the product of inertia is what the formula says, and none is "
     "left",
     Real, EVERY_PRECISION) {

@@ -60,6 +60,12 @@ TEST_CASE("A sum of a million particles in float rounds no more than a sum of tw
   }
   const Mat3d truth = mass_properties(witness).inertia;
   // Some 8 roundings a term, 2 for the whole sum, and those of 1/1000000 and of the centre.
-  CHECK(relative_error<double>(mass_properties(particles).inertia.cast<double>(), truth) <=
+  const MassProperties<float> body = mass_properties(particles);
+  CHECK(relative_error<double>(body.inertia.cast<double>(), truth) <=
         16 * double(unit_roundoff<float>));
+  // And so do the mass and the centre, seen from the first particle, in a box 3 m long.
+  CHECK(std::abs(double(body.mass) / mass_properties(witness).mass - 1) <=
+        4 * double(unit_roundoff<float>));
+  CHECK(distance(Vec3d(body.centre_of_mass.cast<double>()),
+                 mass_properties(witness).centre_of_mass) <= 3 * 16 * double(unit_roundoff<float>));
 }

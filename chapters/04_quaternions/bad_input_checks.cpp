@@ -1,4 +1,6 @@
+#include <course/bad_vectors.hpp>
 #include <course/random_quaternion.hpp>
+#include <tumble/rotation_matrix.hpp>
 #include <tumble/rotation_vector.hpp>
 
 using namespace tumble;
@@ -59,4 +61,39 @@ TEST_CASE_TEMPLATE("A zero axis, and an axis or angle that is not finite or too 
   CHECK(complaint({0, 0, 1}, nan) == "angle is nan rad; " + rule);
   CHECK(complaint({0, 0, 1}, 2 * limit) == "angle is " + text_of(2 * limit) + " rad; " + rule);
   CHECK(complaint({0, 0, 1}, -limit) == "nothing thrown");
+}
+
+TEST_CASE_TEMPLATE(
+    "Of a quaternion, an axis and a matrix each number alone is looked at, and half turns are none "
+    "too few",
+    Real, EVERY_PRECISION) {
+  const auto with = [](int part, Real number) {
+    Quaternion<Real> q = {.real = 0};
+    (part == 3 ? q.real : q.imaginary[part]) = number;
+    return q;
+  };
+  for (int part = 0; part < 4; ++part) {
+    for (const Real bad : not_finite<Real>) {
+      const Quaternion<Real> q = with(part, bad);
+      CHECK(complaint_of([&] { checked_orientation(q, "orientation"); }) ==
+            "orientation is " + text_of(q) + "; every component must be finite");
+    }
+    // All its norm may stand in one component, with either sign.
+    for (const Real sign : {Real(1), Real(-1)})
+      CHECK(same_bits(checked_orientation(with(part, sign), "orientation"), with(part, sign)));
+  }
+  check_refuses_bad_vectors<Real>("axis", "",
+                                  [](const Vec3<Real>& bad) { quaternion_about(bad, 1); });
+  for (int column = 0; column < 3; ++column) {
+    check_refuses_bad_vectors<Real>("a column of rotation", "", [column](const Vec3<Real>& bad) {
+      Mat3<Real> matrix = Mat3<Real>::Identity();
+      matrix.col(column) = bad;
+      quaternion_of(matrix);
+    });
+    Mat3<Real> stretched = Mat3<Real>::Identity();
+    stretched.col(column) *= Real(1.02);
+    CHECK(complaint_of([&] {
+            quaternion_of(stretched);
+          }).find("the largest element of RᵀR − 1 for rotation is ") == 0);
+  }
 }

@@ -1,3 +1,4 @@
+#include <course/bad_vectors.hpp>
 #include <course/body_bounds.hpp>
 #include <numbers>
 
@@ -189,7 +190,6 @@ TEST_CASE_TEMPLATE("Locking turns no torque into turning, and one axis can be lo
 
 TEST_CASE_TEMPLATE("A body that cannot be is refused by name, value, unit and rule", Real,
                    EVERY_PRECISION) {
-  const Real nan = std::numeric_limits<Real>::quiet_NaN();
   const auto complaint = [](const MassProperties<Real>& properties, const Pose<Real>& pose = {},
                             const Vec3<Real>& velocity = Vec3<Real>::Zero(),
                             const Vec3<Real>& spin = Vec3<Real>::Zero()) {
@@ -199,31 +199,45 @@ TEST_CASE_TEMPLATE("A body that cannot be is refused by name, value, unit and ru
   impossible.inertia.diagonal() = Vec3<Real>(1, 2, 4);
   CHECK(complaint(impossible)
             .find("kite: the principal moments are (1, 2, 4) kg m^2; no real body has these") == 0);
+  // Not even where nothing is inverted.
+  for (const Turning turning : {Turning::locked_where_thin, Turning::locked})
+    CHECK(complaint_of([&] {
+            make_rigid_body<Real>("kite", impossible, {}, Vec3<Real>::Zero(), Vec3<Real>::Zero(),
+                                  turning);
+          }).find("no real body has these") != std::string::npos);
   MassProperties<Real> skew = brick<Real>();
   skew.inertia(0, 1) = 1;
   CHECK(complaint(skew).find("kite: I_xy is 1 and I_yx is 0 kg m^2") == 0);
   MassProperties<Real> massless = brick<Real>();
   massless.mass = 0;
   CHECK(complaint(massless) == "kite: mass is 0 kg; it must be greater than 0");
-  MassProperties<Real> lost = brick<Real>();
-  lost.centre_of_mass.y() = nan;
-  CHECK(complaint(lost) == "kite: centre of mass is (0, nan, 0) m; every component must be finite");
-  CHECK(complaint(brick<Real>(), {.position = Vec3<Real>(nan, 0, 0)}) ==
-        "kite: position is (nan, 0, 0) m; every component must be finite");
+  using Vector = Vec3<Real>;
+  check_refuses_bad_vectors<Real>("kite: centre of mass", "m", [](const Vector& bad) {
+    MassProperties<Real> lost = brick<Real>();
+    lost.centre_of_mass = bad;
+    make_rigid_body("kite", lost);
+  });
+  check_refuses_bad_vectors<Real>("kite: position", "m", [](const Vector& bad) {
+    make_rigid_body("kite", brick<Real>(), {.position = bad});
+  });
   CHECK(complaint(brick<Real>(), {.orientation = {.real = 0}})
             .find("kite: orientation is (0, 0, 0, 0)") == 0);
   CHECK(complaint(brick<Real>(), {.orientation = {.real = 2}})
             .find("kite: orientation is (2, 0, 0, 0)") == 0);
-  CHECK(complaint(brick<Real>(), {}, Vec3<Real>(0, 0, nan)) ==
-        "kite: velocity is (0, 0, nan) m/s; every component must be finite");
-  CHECK(complaint(brick<Real>(), {}, Vec3<Real>::Zero(), Vec3<Real>(0, nan, 0)) ==
-        "kite: angular velocity is (0, nan, 0) rad/s; every component must be finite");
+  check_refuses_bad_vectors<Real>("kite: velocity", "m/s", [](const Vector& bad) {
+    make_rigid_body<Real>("kite", brick<Real>(), {}, bad);
+  });
+  check_refuses_bad_vectors<Real>("kite: angular velocity", "rad/s", [](const Vector& bad) {
+    make_rigid_body<Real>("kite", brick<Real>(), {}, Vector::Zero(), bad);
+  });
   const Real huge = std::numeric_limits<Real>::max();
-  CHECK(complaint(brick<Real>(), {}, Vec3<Real>::Zero(), Vec3<Real>(huge, 0, 0))
-            .find("kite: angular momentum is (") == 0);
-  CHECK(complaint_of([&] {
-          make_static_body<Real>("wall", {.position = Vec3<Real>(0, 0, nan)});
-        }) == "wall: position is (0, 0, nan) m; every component must be finite");
+  // About x its moment is more than 1 kg m², so that the momentum leaves the range.
+  const std::string too_much = complaint(brick<Real>(), {}, Vector::Zero(), Vector(huge, 0, 0));
+  CHECK(too_much.find("kite: angular momentum is (") == 0);
+  CHECK(too_much.find(") kg m^2/s; every component must be finite") != std::string::npos);
+  check_refuses_bad_vectors<Real>("wall: position", "m", [](const Vector& bad) {
+    make_static_body<Real>("wall", {.position = bad});
+  });
 }
 
 TEST_CASE_TEMPLATE("A spin about a locked axis is refused from 64 roundings of it on", Real,
@@ -240,6 +254,23 @@ TEST_CASE_TEMPLATE("A spin about a locked axis is refused from 64 roundings of i
   CHECK(complaint(70) == "rod: angular velocity is " +
                              text_of(Vec3<Real>(1, 0, 70 * unit_roundoff<Real>)) +
                              " rad/s; the body is locked about an axis that this turns about");
+}
+
+TEST_CASE_TEMPLATE(
+    "A locked axis goes with the body: it is the turned rod's line that can't be spun about", Real,
+    EVERY_PRECISION) {
+  const MassProperties<Real> rod = mass_properties(ThinRod<Real>{2}, 3);  // along its model's z
+  // A quarter turn about y lays it along the world's x.
+  const Pose<Real> lying{.orientation =
+                             quaternion_about(Vec3<Real>(0, 1, 0), std::numbers::pi_v<Real> / 2)};
+  const auto complaint = [&](const Vec3<Real>& spin) {
+    return complaint_of([&] {
+      make_rigid_body("rod", rod, lying, Vec3<Real>::Zero(), spin, Turning::locked_where_thin);
+    });
+  };
+  CHECK(complaint({0, 0, 1}) == "nothing thrown");
+  CHECK(complaint({0, 1, 0}) == "nothing thrown");
+  CHECK(complaint({1, 0, 0}).find("the body is locked about an axis") != std::string::npos);
 }
 
 TEST_CASE_TEMPLATE("A moment too small to invert is refused, also where thin axes may be locked",

@@ -1,3 +1,4 @@
+#include <course/bad_vectors.hpp>
 #include <course/random_quaternion.hpp>
 #include <tumble/orientation.hpp>
 
@@ -160,13 +161,16 @@ TEST_CASE_TEMPLATE("A turn that no step can answer is refused by name, size and 
   };
   const Real nan = std::numeric_limits<Real>::quiet_NaN(),
              limit = 2 * SineCosineConstants<Real>::limit;
-  CHECK(complaint({0, nan, 0}, 1) ==
-        "angular velocity is (0, nan, 0) rad/s; every component must be finite");
+  check_refuses_bad_vectors<Real>("angular velocity", "rad/s",
+                                  [](const Vec3<Real>& bad) { require_turn(bad, 1); });
   CHECK(complaint({0, 1, 0}, nan) == "time step is nan s; it must be finite");
   CHECK(complaint({0, 0, 2 * limit}, 1) == "turn in one step is " + text_of(2 * limit) +
                                                " rad; it must lie between 0 and " + text_of(limit) +
                                                " rad");
   CHECK(complaint({0, 0, limit}, 1) == "nothing thrown");
+  // It is the length that turns: neither of these components is too large by itself.
+  CHECK(complaint({Real(0.75) * limit, -Real(0.75) * limit, 0}, 1) != "nothing thrown");
+  CHECK(complaint({Real(0.5) * limit, -Real(0.75) * limit, 0}, 1) == "nothing thrown");
   CHECK(complaint({0, 0, 2 * limit}, Real(0.5)) == "nothing thrown");
   CHECK(complaint({0, 0, limit}, -2) != "nothing thrown");
   CHECK(std::isfinite(turn_exponential<Real>({}, Vec3<Real>(0, 0, limit), 1).real));

@@ -75,7 +75,7 @@ TEST_CASE_TEMPLATE("A fast top goes round at M g l/(I3 w3), and the other way ro
                    Real, EVERY_PRECISION) {
   const auto gyroscope = toy_gyroscope<Real>();
   for (const Real cosine : {Real(-0.9), Real(0.2), Real(1)})
-    for (const Real spin : {Real(240), Real(500), Real(2000)}) {
+    for (const Real spin : {Real(240), Real(500), Real(2000), Real(1e5), Real(1e7)}) {
       const auto [slow, fast] = steady_precessions<Real>(gyroscope, cosine, spin);
       const Real rough = pull_of(gyroscope) / (gyroscope.along * spin),
                  x = slowness(gyroscope, spin) * cosine;
@@ -107,6 +107,25 @@ TEST_CASE_TEMPLATE("Let go, a top dips as far as the elliptic solution says, and
     }
 }
 //! [let_go]
+
+TEST_CASE_TEMPLATE("Of the lowest point no digits are lost, near upright nor for the fastest spin",
+                   Real, EVERY_PRECISION) {
+  const auto gyroscope = toy_gyroscope<Real>();
+  const Real least = least_sleeping_spin(gyroscope);
+  for (const int upright : {1, 4, 10, 20})
+    for (const Real ratio : {Real(0.5), Real(1), Real(2), Real(100), Real(1e6)}) {
+      const Real cosine = 1 - std::ldexp(Real(1.3), -upright), spin = ratio * least;
+      // From the same rounded numbers in long double. The 20 roundings of the formula, and 8 of a,
+      // on which the point depends by 1 − (a − cos θ)/root, which is under 2.
+      CHECK(std::abs(lowest_cosine(gyroscope, cosine, spin) -
+                     lowest_cosine(widened(gyroscope), Exact(cosine), Exact(spin))) <=
+            (20 + 8 * 2 * std::min(ratio * ratio, Real(1))) * unit_roundoff<Real>);
+    }
+  // So fast that the square of a leaves the range: it doesn't sink at all.
+  const Real fastest = least * std::sqrt(std::sqrt(std::numeric_limits<Real>::max())) * 16;
+  CHECK(std::abs(lowest_cosine(gyroscope, Real(0.5), fastest) - Real(0.5)) <=
+        4 * unit_roundoff<Real>);
+}
 
 //! [cusps]
 TEST_CASE("Let go, the axis comes to rest at its highest again and again: a cusp") {
@@ -233,25 +252,67 @@ TEST_CASE("Without the gyroscopic term a fast top goes round at M g l/(I1 w3), a
   const auto off = [&](double spin) {
     Topd top = set_spinning(gyroscope, tilt, spin);
     const int steps = static_cast<int>(seconds * spin * 100);
-    double dip = 0;
+    double dip = 0, across = 0;
     for (int n = 0; n < steps; ++n) {
       step(top, gyroscope, turn_steadily<double>, seconds / steps);
       dip = std::max(dip, std::abs(tilt_of(top) - tilt));
+      across = std::max(across, top.angular_momentum_body.head<2>().norm());
     }
-    const double expected = pull_of(gyroscope) / (gyroscope.across * spin) * seconds;
-    return std::pair(std::abs(azimuth_of(top) - expected) / expected, dip);
+    const double expected = pull_of(gyroscope) / (gyroscope.across * spin) * seconds,
+                 diameter = 2 * pull_of(gyroscope) * std::sin(tilt) / spin;
+    return std::array{std::abs(azimuth_of(top) - expected) / expected, dip,
+                      std::abs(across / diameter - 1)};
   };
   // In the body the kicks go round with ω₃, so that L across the axis goes round too, with the
   // radius M g l sin θ/ω₃. That is a tilt of M g l sin θ/(I₁ ω₃²), which wobbles the axis by as
   // much, and by that part of a radian the direction.
   for (const double spin : {400.0, 1600.0}) {
-    const auto [direction, dip] = off(spin);
+    const auto [direction, dip, across] = off(spin);
     const double wobble = pull_of(gyroscope) / (gyroscope.across * spin * spin);
     CHECK(dip <= 4 * wobble);
+    CHECK(across <= 4 * wobble + 0.01);  // a step is a hundredth of a radian of the spin
     CHECK(direction <= 4 / (spin * seconds) + 4 * wobble);
   }
 }
 //! [without]
+
+TEST_CASE_TEMPLATE(
+    "Without weight a top stays where it is let go, and goes round at L / I1 or not at all", Real,
+    EVERY_PRECISION) {
+  auto gyroscope = toy_gyroscope<Real>();
+  gyroscope.weight = 0;
+  CHECK(lowest_cosine<Real>(gyroscope, Real(0.5), 100) == Real(0.5));
+  CHECK(lowest_cosine<Real>(gyroscope, Real(0.5), 0) == Real(0.5));
+  CHECK(least_sleeping_spin(gyroscope) == 0);
+  const auto [slow, fast] = steady_precessions<Real>(gyroscope, Real(0.5), 100);
+  CHECK(slow == 0);
+  CHECK(std::abs(fast / (gyroscope.along * 100 / (gyroscope.across * Real(0.5))) - 1) <=
+        8 * unit_roundoff<Real>);
+  CHECK(steady_precessions<Real>(gyroscope, Real(0.5), 0) == std::pair(Real(0), Real(0)));
+}
+
+TEST_CASE_TEMPLATE(
+    "Level, a top has one steady rate, and none without spin; at the least spin two are one", Real,
+    EVERY_PRECISION) {
+  const Gyroscope<Real> plain{1, 2, 1, 1};  // whole numbers: nothing rounds
+  CHECK(steady_precessions<Real>(plain, 0, 4).first == Real(0.125));
+  CHECK(std::isinf(steady_precessions<Real>(plain, 0, 4).second));
+  CHECK(complaint_of([&] { steady_precessions<Real>(plain, 0, 0); }) ==
+        "spin is 0 rad/s; it is too slow for the axis to go round steadily");
+  CHECK(least_sleeping_spin(plain) == 1);
+  CHECK(steady_precessions<Real>(plain, 1, 1) == std::pair(Real(1), Real(1)));
+  CHECK(complaint_of([&] { steady_precessions<Real>(plain, 1, Real(0.75)); }) ==
+        "spin is 0.75 rad/s; it is too slow for the axis to go round steadily");
+}
+
+TEST_CASE_TEMPLATE("The weight's torque comes on top of what acts already", Real, EVERY_PRECISION) {
+  const auto gyroscope = toy_gyroscope<Real>();
+  Top<Real> top = set_spinning<Real>(gyroscope, 1, 200);
+  add_weight(top, gyroscope);
+  const Vec3<Real> once = top.torque;
+  add_weight(top, gyroscope);
+  CHECK(same_bits(top.torque, 2 * once));
+}
 
 TEST_CASE_TEMPLATE("A gyroscope is made about its tip, and what is none is refused", Real,
                    EVERY_PRECISION) {
@@ -265,9 +326,17 @@ TEST_CASE_TEMPLATE("A gyroscope is made about its tip, and what is none is refus
           on_its_tip(disc, Real(0), Real(9.81));
         }).find("distance of the tip is 0 m") == 0);
   CHECK(complaint_of([&] { on_its_tip(disc, l, Real(-1)); }).find("gravity is -1 m/s^2") == 0);
-  for (const auto& [row, column] : {std::pair(0, 0), std::pair(0, 1), std::pair(1, 2)}) {
+  CHECK(complaint_of([&] {
+          on_its_tip(disc, std::numeric_limits<Real>::infinity(), Real(9.81));
+        }) == "distance of the tip is inf m; it must be finite");
+  CHECK(complaint_of([&] { on_its_tip(mass_properties(ThinRod<Real>{1}, 1), l, Real(9.81)); }) ==
+        "moment about the axis is 0 kg m^2; it must be greater than 0");
+  // By however little: four roundings of a moment about the tip are enough.
+  const Real little = 8 * unit_roundoff<Real> * gyroscope.across;
+  for (const auto& [row, column] :
+       {std::pair(0, 0), std::pair(1, 1), std::pair(0, 1), std::pair(1, 2), std::pair(0, 2)}) {
     MassProperties<Real> uneven = disc;
-    uneven.inertia(row, column) += Real(1e-5);
+    uneven.inertia(row, column) += little;
     CHECK(complaint_of([&] {
             on_its_tip(uneven, l, Real(9.81));
           }).find("inertia about the tip is (") == 0);

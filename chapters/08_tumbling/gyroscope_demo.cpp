@@ -167,7 +167,9 @@ void try_rules(course::Notebook& notebook) {
   notebook.value("carrying_tilt", number("%.0f°", most[4] / degree));
   course::expect(std::abs(without * gyroscope.across * spin / pull_of(gyroscope) - 1) < 0.05,
                  "without the term the top goes round at M g l/(I1 w3)");
-  course::expect(most[0] < 61 * degree, "without the term it hardly nods");
+  const double steady_off = std::max(most[0] - tilt, tilt - least[0]) / degree;
+  notebook.value("steady_off", number("%.2f", std::ceil(100 * steady_off) / 100));
+  course::expect(steady_off < 1, "without the term it hardly nods");
   course::expect(blows[1] > 0 && falls[2] > 0 && falls[3] > 0,
                  "explicit, restored and implicit don't keep it up");
   course::expect(most[3] > 179 * degree, "the implicit rule ends hanging");

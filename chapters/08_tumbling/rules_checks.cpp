@@ -48,6 +48,24 @@ TEST_CASE_TEMPLATE("The gyroscopic torque is perpendicular to L and to the angul
   CHECK(distance(gyroscopic_torque(given), Vec3<Real>(-1, 1, -2)) <= 10 * unit_roundoff<Real> * 4);
 }
 
+TEST_CASE_TEMPLATE("Explicit or implicit, the body turns by the L that the step has just made",
+                   Real, EVERY_PRECISION) {
+  for (const auto rule :
+       {turn_explicitly<Real>, turn_restoring_momentum<Real>, turn_implicitly<Real>}) {
+    const Top<Real> start = top_of<Real>(A);
+    Top<Real> top = start;
+    rule(top, Real(0.125));
+    Top<Real> with_new_momentum = start;
+    with_new_momentum.angular_momentum_body = top.angular_momentum_body;
+    CHECK(same_bits(top.orientation,
+                    turn_exponential_body<Real>(
+                        start.orientation, angular_velocity_body(with_new_momentum), Real(0.125))));
+    CHECK(angle_between(top.orientation,
+                        turn_exponential_body<Real>(start.orientation, angular_velocity_body(start),
+                                                    Real(0.125))) > Real(1e-3));
+  }
+}
+
 //! [coasting_momentum]
 TEST_CASE_TEMPLATE(
     "The rule that keeps the angular velocity keeps the energy and |L|, and swings L about omega",

@@ -259,6 +259,18 @@ TEST_CASE_TEMPLATE("What damping makes too slow to matter stops in the same step
   top.angular_momentum_body = {3 * slow / 2, 3 * slow / 2, 2 * slow};
   damp(top, Real(0.5));
   CHECK(same_bits(top.angular_momentum_body, Vec3<Real>(0, 3 * slow / 4, 0)));
+  // Each component stops for itself, whichever it is.
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3<Real> speeds(1, 2, 4);
+    speeds[axis] = slow / 2;
+    Particle<Real> one = make_particle<Real>(1, {0, 0, 0}, speeds);
+    Top<Real> turning{.angular_momentum_body = speeds, .inverse_moments = {1, 1, 1}};
+    damp(one, Real(1));
+    damp(turning, Real(1));
+    speeds[axis] = 0;
+    CHECK(same_bits(one.velocity, speeds));
+    CHECK(same_bits(turning.angular_momentum_body, speeds));
+  }
   Particle<Real> just_fast = make_particle<Real>(1, {0, 0, 0}, {slow, 0, 0});
   damp(just_fast, Real(1));
   CHECK(just_fast.velocity.x() == slow);

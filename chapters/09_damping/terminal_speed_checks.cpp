@@ -196,6 +196,8 @@ TEST_CASE_TEMPLATE("A drag coefficient made of what cannot be is refused by name
   CHECK(complaint(-1, 1, 1) == "density of air is -1 kg/m^3; it must be 0 or more");
   CHECK(complaint(1, -2, 1) == "shape number is -2; it must be 0 or more");
   CHECK(complaint(1, 1, -3) == "area is -3 m^2; it must be 0 or more");
+  CHECK(complaint(nan, 1, 1) == "density of air is nan kg/m^3; it must be finite");
+  CHECK(complaint(1, nan, 1) == "shape number is nan; it must be finite");
   CHECK(complaint(1, 1, nan) == "area is nan m^2; it must be finite");
 }
 //! [quadratic]

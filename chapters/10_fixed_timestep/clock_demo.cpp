@@ -46,6 +46,6 @@ int main(int argument_count, char** arguments) {
   course::expect(drift > -7.0e-4 && drift < -6.8e-4,
                  "a double is off by -6.9e-4 s after 1e8 steps");
   notebook.value("minutes", number("%.0f", double(off_by_a_second) / 3600));
-  notebook.value("stopped_days", number("%.0f", double(added_float) / 86400));
+  notebook.value("stopped_days", number("%.1f", double(stopped_after) / 60 / 86400));
   notebook.value("double_drift", number("%.1e s", drift));
 }

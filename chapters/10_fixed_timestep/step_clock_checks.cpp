@@ -134,6 +134,16 @@ TEST_CASE(
     };
     CHECK(complaint(hour * denominator) == "nothing thrown");
     CHECK(complaint(hour * denominator + 1).find("numerator of the step is ") == 0);
+    // What the shortest may be is for the caller to say: a world may stand still.
+    for (const std::int64_t shortest : {std::int64_t(0), std::int64_t(5)}) {
+      const auto from = [&](std::int64_t numerator) {
+        return complaint_of([&] { require_step_length({numerator, denominator}, shortest); });
+      };
+      CHECK(from(shortest) == "nothing thrown");
+      CHECK(from(shortest - 1)
+                .find("numerator of the step is " + std::to_string(shortest - 1) +
+                      " ns; it must lie between " + std::to_string(shortest)) == 0);
+    }
   }
 }
 
@@ -160,6 +170,13 @@ TEST_CASE("A step's length is exact in lowest terms, and its time step is rounde
   CHECK(steps_due(clock, 20 * millisecond) == 1);
   // 20 ms are a step of 16.67 ms and a fifth of the next.
   CHECK(std::abs(fraction_of_step<double>(clock) - 0.2) < 1e-15);
+  // A quarter of a step is one, however long the step.
+  for (const StepLength& quartered :
+       {steps_per_second(50), steps_per_second(1000), step_of_nanoseconds(12'300'000)}) {
+    StepClock other = make_step_clock(quartered);
+    steps_due(other, quartered.numerator / quartered.denominator / 4);
+    CHECK(fraction_of_step<double>(other) == 0.25);
+  }
 }
 
 //! [added_up]
@@ -193,6 +210,14 @@ TEST_CASE("A double clock that adds up 1/60 is 0.69 ms behind after 10^8 steps, 
   CHECK(std::abs(simulated_time<double>(clock) - exact) <= 2 * unit_roundoff<double> * exact);
   // Beyond 2²⁴ a float can't tell all integers apart: one rounding more.
   CHECK(std::abs(simulated_time<float>(clock) - exact) <= 3 * unit_roundoff<float> * exact);
+  // Of these two the product's is one, at any moment: below 2⁵³ the number of steps is exact.
+  const long double h = time_step_of<double>(clock.step);
+  long double farthest = 0;
+  for (clock.steps = 1; clock.steps < std::int64_t(1) << 50; clock.steps += clock.steps / 97 + 1) {
+    const long double product = static_cast<long double>(clock.steps) * h;
+    farthest = std::max(farthest, std::abs(simulated_time<double>(clock) / product - 1));
+  }
+  CHECK(farthest <= unit_roundoff<double> * (1 + 4 * unit_roundoff<double>));
 }
 //! [added_up]
 

@@ -22,7 +22,7 @@ TEST_CASE_TEMPLATE("A coordinate can be told from one that is a spacing away, an
 //! [spacing]
 
 //! [slowest]
-TEST_CASE_TEMPLATE("A body moves above the slowest speed, and below it never does", Real,
+TEST_CASE_TEMPLATE("A body moves outwards above the slowest speed, and below it never does", Real,
                    EVERY_PRECISION) {
   const Real h = Real(1) / 64;
   for (const Real place : {Real(10e3), Real(-1e6)}) {
@@ -39,6 +39,24 @@ TEST_CASE_TEMPLATE("A body moves above the slowest speed, and below it never doe
     // Rounded up each time, it goes twice as fast as it should.
     CHECK(moved(Real(1.01) * slowest) == 100 * std::copysign(spacing_at(place), place));
   }
+}
+
+TEST_CASE_TEMPLATE("Inwards from a power of two a body moves from half the slowest speed on", Real,
+                   EVERY_PRECISION) {
+  // The numbers on the inner side lie twice as close.
+  const Real h = Real(1) / 64, place = 1024, slowest = slowest_drift_at(place, h);
+  const auto moved = [&](Real from, Real speed) {
+    auto particle = make_particle<Real>(1, {from, 0, 0}, {speed, 0, 0});
+    drift(particle, h);
+    return particle.position.x() - from;
+  };
+  CHECK(moved(place, -Real(0.49) * slowest) == 0);
+  CHECK(moved(place, -Real(0.51) * slowest) == -spacing_at(place) / 2);
+  CHECK(moved(place, Real(0.99) * slowest) == 0);
+  // Beside it, and everywhere else, both sides are alike.
+  const Real beside = place + spacing_at(place);
+  CHECK(moved(beside, -Real(0.99) * slowest) == 0);
+  CHECK(moved(beside, -Real(1.01) * slowest) == -spacing_at(place));
 }
 
 TEST_CASE("In float at 60 Hz, 0.029 m/s moves at 10 km and 1.9 m/s at 1000 km") {
@@ -92,6 +110,11 @@ TEST_CASE("A millimetre at 1 km fits a float's digits, one at 10000 km needs a d
   CHECK(complaint_of([] { digits_needed(0, 1); }) ==
         "distance from the origin is 0 m; it must be above 0");
   CHECK(complaint_of([] { digits_needed(1, -1); }) == "resolution is -1 m; it must be above 0");
+  CHECK(complaint_of([] { digits_needed(1, 0); }) == "resolution is 0 m; it must be above 0");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(complaint_of([=] { digits_needed(nan, 1); }) ==
+        "distance from the origin is nan m; it must be finite");
+  CHECK(complaint_of([=] { digits_needed(1, nan); }) == "resolution is nan m; it must be finite");
   CHECK(complaint_of([] { digits_needed(1, std::numeric_limits<double>::infinity()); }) ==
         "resolution is inf m; it must be finite");
   CHECK(complaint_of([] { digits_needed(std::numeric_limits<double>::infinity(), 1); }) ==

@@ -1,5 +1,5 @@
 // Where the rungs that claim no bound stop, and what they say.
-#include <course/checks.hpp>
+#include <course/bad_vectors.hpp>
 #include <course/tumbling_problems.hpp>
 #include <tumble/guarded_turn.hpp>
 
@@ -27,6 +27,11 @@ std::string stopped(const TurningRung<Real>& rung, Top<Real>& top, Real time_ste
   }
   return "";
 }
+
+/// Which number of a top a rung loses, and what it makes of it: a rung is a bare function.
+int lost_part = 0;
+template <class Real>
+Real lost_value = 0;
 
 }  // namespace
 
@@ -89,18 +94,20 @@ TEST_CASE_TEMPLATE("The guard lets the largest turn through, and nothing beyond 
 //! [own]
 TEST_CASE_TEMPLATE("A guarded rung is stopped whichever of its numbers is none", Real,
                    EVERY_PRECISION) {
-  constexpr Real none = std::numeric_limits<Real>::quiet_NaN(),
-                 infinite = std::numeric_limits<Real>::infinity();
-  const TurningRung<Real> rungs[] = {
-      {"lost", {}, [](Top<Real>& top, Real) { top.angular_momentum_body.y() = none; }},
-      {"swollen", {}, [](Top<Real>& top, Real) { top.angular_momentum_body.z() = -infinite; }},
-      {"astray", {}, [](Top<Real>& top, Real) { top.orientation.real = infinite; }},
-      {"askew", {}, [](Top<Real>& top, Real) { top.orientation.imaginary.x() = none; }}};
-  for (const TurningRung<Real>& rung : rungs) {
-    Top<Real> top{.angular_momentum_body = {0, 0, 2}, .inverse_moments = {1, 1, 1}};
-    CHECK(stopped(rung, top, Real(1), 1)
-              .find("'" + std::string(rung.name) + "' would turn by 2 rad in this step, and ") ==
-          0);
-  }
+  for (const Real bad : not_finite<Real>)
+    for (int part = 0; part < 7; ++part) {
+      lost_part = part;
+      lost_value<Real> = bad;
+      const TurningRung<Real> rung = {"lost", {}, [](Top<Real>& top, Real) {
+                                        auto& [q, L, torque, inverse] = top;
+                                        (lost_part < 3   ? L[lost_part]
+                                         : lost_part < 6 ? q.imaginary[lost_part - 3]
+                                                         : q.real) = lost_value<Real>;
+                                      }};
+      Top<Real> top{.angular_momentum_body = {0, 0, 2}, .inverse_moments = {1, 1, 1}};
+      CAPTURE(part);
+      CHECK(stopped(rung, top, Real(1), 1).find("'lost' would turn by 2 rad in this step, and ") ==
+            0);
+    }
 }
 //! [own]

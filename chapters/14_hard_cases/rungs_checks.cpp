@@ -102,7 +102,7 @@ TEST_CASE_TEMPLATE("Every rung turns a body a trillion times as heavy by the sam
     const Vec3<Real> torque = askew(top);
     const Top<Real> plain = flown(top, torque, rung);
     // Squares of L are the furthest that any rung goes. In float they keep all digits while each
-    // component lies between 2^-62 and 2^63; L has them from 2^-20 to 4.
+    // component lies between 2^-62 and 2^63; L begins with them from 2^-13 to 9.
     for (const int exponent : {-40, -13, 7, 40}) {
       CAPTURE(exponent);
       const Real scale = std::ldexp(Real(1), exponent);

@@ -4,7 +4,7 @@ import subprocess
 import tempfile
 from pathlib import Path
 
-from build_folder import find_header, include_folders, includes
+from build_folder import find_header, headers_of, include_folders
 from mutation_list import ListError
 
 computing_seconds = 60  # of a processor, so that a busy machine changes no verdict
@@ -21,7 +21,7 @@ def checks_that_see(mutation, build):
     def sees(name):
         _, words, file = checks[name]
         folders = include_folders(words)
-        return includes(file, find_header(mutation.header, folders), folders, set())
+        return find_header(mutation.header, folders) in headers_of(file, folders)
 
     return sorted(filter(sees, checks), key=lambda name: name != likeliest)
 

@@ -57,11 +57,12 @@ def find_header(name, folders):
     return next((folder / name for folder in folders if (folder / name).exists()), None)
 
 
-def includes(file, header, folders, seen):
-    """Whether `file` includes `header`, itself or by way of others of ours."""
-    seen.add(file)
+def headers_of(file, folders, found=None):
+    """The headers of ours that `file` includes, itself or by way of others."""
+    found = set() if found is None else found
     for name in re.findall(r"#include <((?:tumble|course)/[\w/]+\.hpp)>", file.read_text()):
         path = find_header(name, folders)
-        if path and (path == header or (path not in seen and includes(path, header, folders, seen))):
-            return True
-    return False
+        if path and path not in found:
+            found.add(path)
+            headers_of(path, folders, found)
+    return found

@@ -10,7 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import switches
-from build_folder import include_folders
+from build_folder import headers_of, include_folders
 
 here = Path(__file__).parent
 precompiled = ["doctest/doctest.h", "Eigen/Core", "Eigen/Geometry", "Eigen/Eigenvalues", "string", "vector", "array",
@@ -22,6 +22,7 @@ part = "\x1f"  # between the name of a place and what tells its changes from one
 
 # The checks run in one precision, and the slowest of them are left out. A run that is patient leaves out nothing.
 longest = 1.0  # s of a processor, which the checks that are run on a mutant take without it
+most = 1 << 16  # numbers of mutants, as in mutants.hpp
 
 
 class EngineError(Exception):
@@ -54,7 +55,7 @@ class Engine:
         self.precision = [] if patient else ["-DTUMBLE_ONE_PRECISION=double"]
         self.folder = build.folder / "mutants"
         self.folder.mkdir(exist_ok=True)
-        self.columns, self.digests = [], {}
+        self.columns = []
         self.make_headers()
 
     # --- What is compiled once -----------------------------------------------------------------------------------------
@@ -96,11 +97,13 @@ class Engine:
         folder = self.folder / chapter
         folder.mkdir(exist_ok=True)
         switched = [mutant for mutant in mutants if mutant.edits]
+        if switched and max(mutant.number for mutant in switched) >= most:
+            raise EngineError(f"{chapter}: a mutant's number is beyond the {most} that mutants.hpp has room for")
         refused = self.read_refused(folder)
         while True:
             active = [mutant for mutant in switched if self.site(mutant) not in refused]
             written = self.write_headers(folder, active, late)
-            stderrs = self.compile(chapter, folder, written)
+            stderrs = self.compile(chapter, folder, written, {mutant.path for mutant in active})
             if not stderrs:
                 break
             found = self.sites_to_blame(stderrs, folder, written) - refused
@@ -143,10 +146,15 @@ class Engine:
                 target.write_text(header.text)
         return written
 
-    def compile(self, chapter, folder, written):
-        """Makes the program; gives what the compiler complained of."""
+    def compile(self, chapter, folder, written, mutated):
+        """Makes the program of the files that include a header with a mutant in it; gives what the compiler complained of."""
         common = digest(sorted((name, header.text) for name, header in written.items()), self.key)
-        sources = [*self.build.checks(chapter).values(), *self.build.others.get(chapter, {}).values()]
+        included = {}
+        for source in [*self.build.checks(chapter).values(), *self.build.others.get(chapter, {}).values()]:
+            headers = headers_of(source[2], include_folders(source[1]))
+            if headers & mutated:
+                included[source[2]] = source, sorted(headers)
+        sources = [source for source, _ in included.values()]
         begun = time.time()
 
         def one(source):
@@ -154,7 +162,7 @@ class Engine:
             target, stamp = folder / f"{file.stem}.o", folder / f"{file.stem}.key"
             command = [words[0], f"-I{folder}", *plain_words(words)[1:], "-include", self.header, "-Og", "-UNDEBUG", "-g0",
                        *flags, *self.columns, *self.precision]
-            key = digest(common, command, file.read_text(), [self.headers_in(folder) for folder in include_folders(words)])
+            key = digest(common, command, *(path.read_text() for path in [file, *included[file][1]]))
             if target.exists() and stamp.exists() and stamp.read_text() == key:
                 return ""
             done = run([*command, "-c", file, "-o", target], directory if Path(directory).is_dir() else None)
@@ -170,13 +178,6 @@ class Engine:
             self.must(run([sources[0][1][0], *objects, self.folder / "main.o", "-pthread", "-o", folder / "checks"]))
         self.say(f"{chapter}: {len(sources)} files compiled in {time.time() - begun:.0f} s")
         return stderrs
-
-    def headers_in(self, folder):
-        """A digest of the headers that lie in a folder."""
-        if folder not in self.digests:
-            headers = sorted([*folder.glob("tumble/**/*.hpp"), *folder.glob("course/**/*.hpp")])
-            self.digests[folder] = digest(*(path.read_text() for path in headers))
-        return self.digests[folder]
 
     def sites_to_blame(self, stderrs, folder, written):
         """For each error the innermost place of its chain of instantiations that is in a switched header."""

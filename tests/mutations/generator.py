@@ -17,6 +17,7 @@ symmetric = {"max", "min", "hypot", "dot", "swap", "same_bits", "cwiseProduct", 
 # Tables that the compiler computes, but that may as well be computed when the program starts.
 late_variables = {"row", "from", "portions", "rule", "weight", "turning_ladder", "motion_ladder", "torque_ladder", "quarter_turn",
                   "sine_series", "cosine_series", "element_slack", "steps_to_repeat", "smallest_share", "packs_in_block"}
+integers = {"bool", "int", "unsigned", "size_t", "int64_t", "uint32_t", "uint64_t"}
 no_calls = {"if", "for", "while", "sizeof", "decltype", "noexcept", "alignof", "static_assert", "requires", "catch",
             "return", "throw", "operator", "alignas"}
 
@@ -143,7 +144,12 @@ class Generator:
             if constant and place:
                 self.declared(words[place + 1:], words[:place], "const")
             else:
+                outer = self.may_be_constant
+                # The compiler computes a constant integer where it can, without its saying so.
+                if is_name(words[0], "const") and any(is_name(word, *integers) for word in words):
+                    self.may_be_constant = True
                 self.list_of(words)
+                self.may_be_constant = outer
             return None
         if not is_name(words[0], "delete"):
             self.drop(statement)

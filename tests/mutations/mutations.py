@@ -4,7 +4,8 @@
     mutations.py BUILD_FOLDER                 all that the generator makes of the library's headers, and all lists beside
                                               this file
     mutations.py BUILD_FOLDER --write         the same, and writes what came of it into caught.tsv, which the book shows
-    mutations.py BUILD_FOLDER --chapters 03_inertia,04_quaternions    those of these chapters alone
+    mutations.py BUILD_FOLDER --chapters 03_inertia,04_quaternions    those of these chapters alone; common and exact stand
+                                              for the headers in common/tumble and common/exact
     mutations.py BUILD_FOLDER --generated 01_force    all lists, and the generated mutants of these chapters
     mutations.py BUILD_FOLDER --patient       leaves nothing out: neither float, nor the slowest of the checks that reach a
                                               mutant, nor what must be compiled alone; it takes much longer
@@ -108,7 +109,8 @@ def from_lists(paths, build):
 
 def first_number(chapter, build):
     """A chapter's mutants have numbers of their own, so that a change in one recompiles no other."""
-    return 1 + 4000 * ["common", *build.chapters(), *sorted(set(build.commands) - set(build.chapters()))].index(chapter)
+    others = sorted(set(build.commands) - {*build.chapters(), "exact"})
+    return 1 + 4000 * ["common", *build.chapters(), "exact", *others].index(chapter)
 
 
 def generated(chapters, build, equal):
@@ -116,9 +118,10 @@ def generated(chapters, build, equal):
     made, late = [], {}
     for chapter in chapters:
         number = first_number(chapter, build) + most_in_list
-        folder = root / "common" if chapter == "common" else root / "chapters" / chapter
-        for path in sorted((folder / "tumble").glob("*.hpp")):
-            name, text = f"tumble/{path.name}", path.read_text()
+        folder = root / {"common": "common", "exact": "common/exact"}.get(chapter, f"chapters/{chapter}")
+        inside = "tumble/exact" if chapter == "exact" else "tumble"
+        for path in sorted((folder / inside).glob("*.hpp")):
+            name, text = f"{inside}/{path.name}", path.read_text()
             generator = Generator(name, text, number)
             found = generator.everything()
             number = generator.next
@@ -173,8 +176,8 @@ def try_all(by_lists, made, late, build, patient, sample):
     unseen = []
     for chapter in chapters:
         mine = [m for m in by_lists if m.chapter == chapter]
-        if chapter != "exact" and chapter in tried:
-            mine += [m for m in made if m.chapter == chapter or (
+        if chapter in tried:
+            mine += [m for m in made if m.chapter == chapter or (chapter != "exact" and m.chapter != "exact" and
                 m.result in ("", "survived", "unreached") and not (m.proof and m.result == "survived") and
                 not is_for_the_compiler(m) and (m.chapter == "common" or m.chapter < chapter))]
         if not any(m.edits for m in mine):
@@ -282,14 +285,15 @@ def main():
     jobs = options.jobs
     try:
         build = Build(options.build)
-        wanted = [name for name in build.chapters() if not options.chapters or name in options.chapters.split(",")]
+        every = [name for name in [*build.chapters(), "exact"] if name in build.commands]
+        wanted = [name for name in every if not options.chapters or name in options.chapters.split(",")]
         paths = options.lists or [path for path in sorted(here.glob("*.txt")) if path.stem in build.commands and (
             not options.chapters or path.stem in options.chapters.split(","))]
         by_lists = from_lists(paths, build)
         equal = read_equal(here / "equal")
         if options.generated:
             wanted = [name for name in wanted if name in options.generated.split(",")]
-        elif wanted == build.chapters() or "common" in options.chapters.split(","):
+        elif wanted == every or "common" in options.chapters.split(","):
             wanted.insert(0, "common")
         made, late = ([], {}) if options.lists else generated(wanted, build, equal)
         unseen = try_all(by_lists, made, late, build, options.patient, options.sample)

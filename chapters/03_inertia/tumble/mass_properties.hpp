@@ -67,6 +67,9 @@ Mat3<Real> in_other_axes(const Mat3<Real>& inertia, const Mat3<Same<Real>>& R) {
 /// product of hundreds of turns is still one.
 template <class Real>
 void require_turn(std::string_view name, const Mat3<Real>& matrix) {
+  if (!is_finite(matrix))
+    throw std::invalid_argument(std::string(name) +
+                                " does not turn rigidly; an element of it is infinite or NaN");
   const Real error = orthonormality_error(matrix);
   const Real slack = 1024 * (std::numeric_limits<Real>::epsilon() / 2);
   if (!(error <= slack))

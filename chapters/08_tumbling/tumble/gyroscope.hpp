@@ -30,11 +30,12 @@ Real pull_of(const Gyroscope<Real>& gyroscope) {
 /// A body on its tip, `distance` metres below its centre of mass along the body's z axis, about
 /// which it must be symmetric. Its moments are taken about the tip by the parallel axis theorem.
 /// @throws std::invalid_argument if the distance is not positive, the gravity (m/s²) is negative,
-/// or the moments about the x and y axes differ or have products.
+/// the moments about the x and y axes differ or have products, or there is none about the axis.
 //! [on_its_tip]
 template <class Real>
 Gyroscope<Real> on_its_tip(const MassProperties<Real>& body, Real distance, Same<Real> gravity) {
   if (!(distance > 0)) reject("distance of the tip", distance, "m", "it must be greater than 0");
+  require_finite("distance of the tip", distance, "m");
   require_not_negative("gravity", gravity, "m/s^2");
   const Vec3<Real> tip = body.centre_of_mass - Vec3<Real>(0, 0, distance);
   const Mat3<Real> I = inertia_about(body, tip);
@@ -42,6 +43,8 @@ Gyroscope<Real> on_its_tip(const MassProperties<Real>& body, Real distance, Same
   if (I(0, 0) != I(1, 1) || !straight)
     reject("inertia about the tip", Vec3<Real>(I.diagonal()), "kg m^2",
            "the body must be symmetric about its z axis");
+  if (!(I(2, 2) > 0))
+    reject("moment about the axis", I(2, 2), "kg m^2", "it must be greater than 0");
   return {I(0, 0), I(2, 2), distance, body.mass * gravity};
 }
 //! [on_its_tip]
@@ -88,9 +91,10 @@ std::pair<Real, Real> steady_precessions(const Gyroscope<Real>& gyroscope, Same<
   const Real a = gyroscope.across * cosine, b = gyroscope.along * spin;
   const Real c = pull_of(gyroscope);
   const Real square = b * b - 4 * a * c;
-  if (!(square >= 0))
-    reject("spin", spin, "rad/s", "it is too slow for the axis to go round steadily");
   const Real sum = (b + std::copysign(std::sqrt(square), b)) / 2;  // nothing cancels
+  if (!(square >= 0) || (sum == 0 && c > 0))
+    reject("spin", spin, "rad/s", "it is too slow for the axis to go round steadily");
+  if (sum == 0) return {0, 0};  // neither weight nor spin
   return {c / sum, sum / a};
 }
 //! [steady_precessions]
@@ -109,6 +113,7 @@ Real least_sleeping_spin(const Gyroscope<Real>& gyroscope) {
 //! [lowest_cosine]
 template <class Real>
 Real lowest_cosine(const Gyroscope<Real>& gyroscope, Same<Real> cosine, Same<Real> spin) {
+  if (pull_of(gyroscope) == 0) return cosine;  // nothing pulls
   const Real ratio = spin / least_sleeping_spin(gyroscope), a = ratio * ratio;
   // The same without a difference of large numbers: √ is (a − cos θ)² + sin² θ.
   const Real root = std::hypot(a - cosine, std::sqrt((1 - cosine) * (1 + cosine)));

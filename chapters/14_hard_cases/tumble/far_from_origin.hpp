@@ -20,7 +20,8 @@ Real spacing_at(Real coordinate) {
 
 /// The speed (m/s) above which a body moves there, away from the origin, in steps of `time_step`
 /// (s, not 0): x + h v is rounded back to x while h v is less than half the spacing. At half of it
-/// the even one of the two places wins, so a body takes one step at most.
+/// the even one of the two places wins, so a body takes one step at most. Towards the origin it is
+/// the same, but where x is a power of two: on the inner side places lie twice as close.
 //! [slowest_drift]
 template <class Real>
 Real slowest_drift_at(Real coordinate, Same<Real> time_step) {

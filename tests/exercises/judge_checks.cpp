@@ -1,0 +1,230 @@
+// What the checks of exercises are written with: how values cross the wire, and what earns a
+// verdict.
+#include <course/bad_vectors.hpp>
+#include <exercise/answers.hpp>
+#include <exercise/judge.hpp>
+#include <tumble/rigid_body.hpp>
+
+using namespace tumble;
+using namespace tumble::exercise;
+using course::not_finite;
+
+namespace {
+
+std::vector<double> numbers = {0,    -0.0, 1.0 / 3,       -1e-310, 5e-324, 1.7976931348623157e308,
+                               1e22, 0.1f, 123456789.125, -2.5};
+
+double halved(double x) {
+  return x / 2;
+}
+Vec3d crossed(const Vec3d& a, const Vec3d& b) {
+  return a.cross(b);
+}
+void pushed(Particled& particle, const Vec3d& force) {
+  particle.force += force;
+}
+double refused(double x) {
+  reject("x", x, "m", "it is never right");
+}
+double thrown(double) {
+  throw std::runtime_error("two\nlines");
+}
+double unsaid(double) {
+  throw std::invalid_argument("");
+}
+double left(double) {
+  todo("the half");
+}
+double thrown_otherwise(double) {
+  throw 5;
+}
+
+/// How a check that does `action` ends: its status and message, "passed" if it says nothing.
+template <class Action>
+std::string verdict_of(const Action& action) {
+  try {
+    action();
+  } catch (const Verdict& verdict) {
+    return verdict.status + ": " + verdict.message;
+  } catch (const Unreadable& error) {
+    return std::string("unreadable: ") + error.what();
+  } catch (const std::logic_error& error) {
+    return std::string("a fault of the check: ") + error.what();
+  }
+  return "passed";
+}
+
+template <class Value>
+std::string judged(const Value& found, const Value& truth, double tolerance) {
+  return verdict_of([&] { Found("the speed", "m/s", found).must_be(truth, tolerance); });
+}
+
+}  // namespace
+
+namespace tumble::exercise {
+
+// The worker, in this process.
+std::pair<std::string, std::string> reply_to(const std::string& asked) {
+  Words words(asked);
+  const std::string line = replied(words, {{"halved", answer<halved>},
+                                           {"crossed", answer<crossed>},
+                                           {"pushed", answer<pushed>},
+                                           {"refused", answer<refused>},
+                                           {"thrown", answer<thrown>},
+                                           {"unsaid", answer<unsaid>},
+                                           {"left", answer<left>},
+                                           {"thrown_otherwise", answer<thrown_otherwise>}});
+  const std::size_t space = std::min(line.find(' '), line.size());
+  return {line.substr(0, space), line.substr(std::min(space + 1, line.size()))};
+}
+
+}  // namespace tumble::exercise
+
+TEST_CASE("Numbers, vectors, lists and bodies cross the wire to the bit, and end where they end") {
+  std::string line;
+  put(line, numbers);
+  Words words(line);
+  std::vector<double> back;
+  get(words, back);
+  CHECK(words.empty());
+  REQUIRE(back.size() == numbers.size());
+  for (std::size_t n = 0; n < numbers.size(); ++n) {
+    CHECK(back[n] == numbers[n]);
+    CHECK(std::signbit(back[n]) == std::signbit(numbers[n]));
+  }
+  for (const double bad : not_finite<double>) {
+    std::string text;
+    put(text, bad);
+    const double same = Words(text).number();
+    CHECK((std::isnan(bad) ? std::isnan(same) : same == bad));
+  }
+
+  // Each number of a body is another one, so that none can take the place of its neighbour.
+  RigidBody<double> body, copy;
+  double next = 1;
+  const auto fill = [&next](auto& vector) {
+    for (Eigen::Index i = 0; i < vector.size(); ++i) vector.data()[i] = next++ / 3;
+  };
+  fill(body.centre.position);
+  fill(body.centre.velocity);
+  fill(body.centre.force);
+  fill(body.top.orientation.imaginary);
+  fill(body.top.angular_momentum_body);
+  fill(body.top.torque);
+  fill(body.top.inverse_moments);
+  body.centre.inverse_mass = 100;
+  body.top.orientation.real = 101;
+  std::string text;
+  put(text, body);
+  Words of_body(text);
+  get(of_body, copy);
+  CHECK(of_body.empty());
+  std::string again;
+  put(again, copy);
+  CHECK(again == text);
+  CHECK(course::same_bits(copy.top.inverse_moments, body.top.inverse_moments));
+  CHECK(copy.centre.inverse_mass == 100);
+
+  const auto read = [](std::string_view from) {
+    return verdict_of([from] {
+      Words from_text(from);
+      std::vector<double> list;
+      get(from_text, list);
+    });
+  };
+  CHECK(read(" 2 1") == "unreadable: a word is missing");
+  CHECK(read(" 1 1x") == "unreadable: no number: 1x");
+  CHECK(read(" -1") == "unreadable: a list of impossible length");
+  CHECK(read(" nan") == "unreadable: a list of impossible length");
+  CHECK(read(" 1e300") == "unreadable: a list of impossible length");
+  CHECK(read(" 1000001") == "unreadable: a list of impossible length");
+}
+
+TEST_CASE("A question is answered, with what was changed, or its refusal is told") {
+  CHECK(ask<double>("halved", 3.0) == 1.5);
+  CHECK(course::same_bits(ask<Vec3d>("crossed", Vec3d(1, 0, 0), Vec3d(0, 1, 0)), Vec3d(0, 0, 1)));
+  const auto start = make_particle(2.0);
+  CHECK(course::same_bits(ask<Particled>("pushed", start, Vec3d(1, 2, 3)).force, Vec3d(1, 2, 3)));
+  CHECK(verdict_of([] { ask<Vec3d>("halved", 3.0); }) == "unreadable: a word is missing");
+  CHECK(verdict_of([] { ask<double>("crossed", Vec3d(1, 0, 0), Vec3d(0, 1, 0)); }) ==
+        "unreadable: words are left over");
+  CHECK(verdict_of([] { ask<double>("refused", 3.0); }) ==
+        "failed: refused gave up where it should have answered: \"x is 3 m; it is never right\"");
+  CHECK(verdict_of([] { ask<double>("thrown", 3.0); }) ==
+        "failed: thrown gave up where it should have answered: \"two lines\"");
+  CHECK(reply_to("left 1").first == "todo");
+  CHECK(reply_to("left 1").second == "the half");
+  CHECK(reply_to("nobody 1").first == "unreadable");
+
+  CHECK(ask_refusal("it must refuse", "refused", 3.0) == "x is 3 m; it is never right");
+  CHECK(verdict_of([] { ask_refusal("it must refuse", "halved", 3.0); }) ==
+        "failed: it must refuse");
+  CHECK(verdict_of([] { ask_refusal("it must refuse", "thrown", 3.0); }) ==
+        "failed: thrown threw, but not std::invalid_argument: \"two lines\"");
+  CHECK(verdict_of([] { ask_refusal("it must refuse", "thrown_otherwise", 3.0); }) ==
+        "failed: thrown_otherwise threw, but not std::invalid_argument: \"something that is no "
+        "std::exception\"");
+  CHECK(verdict_of([] { ask_refusal("it must refuse", "unsaid", 3.0); }) ==
+        "failed: unsaid refused without a sentence that says why");
+}
+
+TEST_CASE("What is within the tolerance passes, and nothing that is no number does") {
+  CHECK(judged(1.5, 1.0, 0.5) == "passed");
+  CHECK(judged(0.5, 1.0, 0.5) == "passed");
+  CHECK(judged(1.0, 1.0, 0.0) == "passed");
+  CHECK(judged(2.0, 1.0, 0.5) == "failed: the speed is 2 m/s; it must be 1 m/s");
+  CHECK(judged(0.0, 1.0, 0.5) == "failed: the speed is 0 m/s; it must be 1 m/s");
+  // Hardly to be told apart by five digits: then by how much it is off.
+  CHECK(judged(1.005, 1.0, 1e-3) ==
+        "failed: the speed is 1.005 m/s; it must be 1 m/s, and it is off by 0.005 m/s");
+  CHECK(judged(1.02, 1.0, 1e-3) == "failed: the speed is 1.02 m/s; it must be 1 m/s");
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinity = std::numeric_limits<double>::infinity();
+  CHECK(judged(nan, 1.0, 0.5) == "failed: the speed is nan m/s: that is no number");
+  CHECK(judged(infinity, 1.0, 0.5).find("failed: the speed is inf m/s") == 0);
+  for (const Vec3d& bad : course::bad_vectors<double>())
+    CHECK(judged<Vec3d>(bad, Vec3d(1, 2, 3), 0.5).find("failed: the speed is (") == 0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3d truth(1, 2, 3);
+    CHECK(judged<Vec3d>(truth + 0.5 * Vec3d::Unit(axis), truth, 0.5) == "passed");
+    CHECK(judged<Vec3d>(truth + 0.75 * Vec3d::Unit(axis), truth, 0.5) != "passed");
+    CHECK(judged<Vec3d>(truth - 0.75 * Vec3d::Unit(axis), truth, 0.5) != "passed");
+  }
+  for (const double tolerance : not_finite<double>)
+    CHECK(judged(1.0, 1.0, tolerance) == "a fault of the check: a tolerance is not finite");
+  CHECK(verdict_of([&] {
+          Found("the speed", "", nan).not_a_number("0/0 is none").must_be(1, 0.5);
+        }) == "failed: the speed is nan: 0/0 is none");
+  CHECK(verdict_of([] { require(false, "because"); }) == "failed: because");
+  CHECK(verdict_of([] { require(true, "because"); }) == "passed");
+}
+
+TEST_CASE("A foreseen mistake gets its own sentence where nothing else would make that number") {
+  const auto with_mistake = [](double found, double mistake, double truth, double tolerance) {
+    return verdict_of([&] {
+      Found("the speed", "m/s", found).mistake(mistake, "m forgotten").must_be(truth, tolerance);
+    });
+  };
+  const std::string recognised = "failed: the speed is 2 m/s: m forgotten";
+  CHECK(with_mistake(2, 2, 1, 0.01) == recognised);
+  // It rounds by itself: four tolerances of its own size, twice the truth's.
+  CHECK(with_mistake(2, 2.07, 1, 0.01) == recognised);
+  CHECK(with_mistake(2, 2.1, 1, 0.01) == "failed: the speed is 2 m/s; it must be 1 m/s");
+  // The right answer is right, even where a mistake makes the same; and so near to it, a mistake
+  // can't be told.
+  CHECK(with_mistake(1, 1, 1, 0.01) == "passed");
+  CHECK(with_mistake(1.03, 1.02, 1, 0.01).find("m forgotten") == std::string::npos);
+  CHECK(with_mistake(2, 2, 0, 0.01) == recognised);
+}
+
+TEST_CASE("Numbers are shown by five digits, a vector in a row and a matrix row by row") {
+  CHECK(shown(1 / 3.0) == "0.33333");
+  CHECK(shown(Vec3d(1, -2, 0.5)) == "(1, -2, 0.5)");
+  Mat3d matrix;
+  matrix << 1, 2, 3, 4, 5, 6, 7, 8, 9;
+  CHECK(shown(matrix) == "(1, 2, 3; 4, 5, 6; 7, 8, 9)");
+  CHECK(largest(Vec3d(1, -4, 2)) == 4);
+  CHECK(largest(-3.0) == 3);
+  CHECK(one_line("two\nlines\tand\x01") == "two lines and ");
+  CHECK(one_line(std::string(3000, 'x')).size() == 2000);
+}
