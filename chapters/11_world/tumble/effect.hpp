@@ -1,10 +1,10 @@
 /// @file
-/// What an effect is: a value with a name, a phase, a predicate and a kernel.
+/// What an effect is: a value with a name and one function, which is called after what it gives.
 #pragma once
 
 #include <concepts>
-#include <string>
 #include <tumble/bodies.hpp>
+#include <tumble/quantities.hpp>
 
 namespace tumble {
 
@@ -19,8 +19,8 @@ enum class Phase {
 };
 //! [phase]
 
-/// What is known of a body while a plan is made, before anything moves. A predicate asks this and
-/// nothing else, so its answer holds until somebody changes the scene.
+/// What is known of a body between two changes of the scene. A predicate asks this and nothing else,
+/// so its answer holds until somebody changes the scene.
 //! [facts]
 struct Facts {
   bool is_static = false;      ///< no force can move it
@@ -31,6 +31,7 @@ struct Facts {
   bool is_torqued = false;     ///< an effect gives it a torque
   bool moves = false;          ///< it has had a velocity, or something can give it one
   bool turns = false;          ///< it has had a spin, or something can give it one
+  friend bool operator==(const Facts&, const Facts&) = default;
 };
 //! [facts]
 
@@ -50,6 +51,19 @@ struct PairPush {
   Vec3<Real> torque_on_second = Vec3<Real>::Zero();
 };
 
+/// The same for a blow between two bodies, in N s and N m s.
+template <class Real>
+struct PairBlow {
+  Vec3<Real> impulse_on_first = Vec3<Real>::Zero();
+  Vec3<Real> turn_on_first = Vec3<Real>::Zero();
+  Vec3<Real> turn_on_second = Vec3<Real>::Zero();
+};
+
+/// Two bodies that an effect joins.
+struct BodyPair {
+  BodyIndex first, second;
+};
+
 /// When a step happens and how long it lasts.
 template <class Real>
 struct Moment {
@@ -63,77 +77,133 @@ Moment<Real> moment_of(std::int64_t tick, Real time_step) {
   return {static_cast<Real>(tick) * time_step, time_step};
 }
 
-/// The forms that an effect's kernel can take. The form says what the effect can change, and the
-/// world believes it: whoever gives only a force never makes anything turn.
+/// What an effect's function can give. It is const and sees everything as const, so what it gives is
+/// all that it can change. `Seen` is what it sees: a Particle, a Top, or a BodyState, which is both.
 //! [forms]
-template <class Effect, class Real>
-concept ForceOnCentre = requires(const Effect& effect, const Particle<Real>& centre,
-                                 const Real& time) {
-  { effect.force(centre, time) } -> std::convertible_to<Vec3<Real>>;
+template <class Effect, class Seen, class Real>
+concept GivesForce = requires(const Effect& effect, const Seen& seen, const Real& time) {
+  { effect.force(seen, time) } -> std::convertible_to<Vec3<Real>>;
 };
-
-template <class Effect, class Real>
-concept ForceOnBody = requires(const Effect& effect, const BodyState<Real>& body,
-                               const Real& time) {
-  { effect.force(body, time) } -> std::convertible_to<Vec3<Real>>;
+template <class Effect, class Seen, class Real>
+concept GivesTorque = requires(const Effect& effect, const Seen& seen, const Real& time) {
+  { effect.torque(seen, time) } -> std::convertible_to<Vec3<Real>>;
 };
-
-template <class Effect, class Real>
-concept TorqueOnTop = requires(const Effect& effect, const Top<Real>& top, const Real& time) {
-  { effect.torque(top, time) } -> std::convertible_to<Vec3<Real>>;
+template <class Effect, class Seen, class Real>
+concept GivesPush = requires(const Effect& effect, const Seen& seen, const Real& time) {
+  { effect.push(seen, time) } -> std::same_as<Push<Real>>;
 };
-
-template <class Effect, class Real>
-concept PushOnBody = requires(const Effect& effect, const BodyState<Real>& body, const Real& time) {
-  { effect.push(body, time) } -> std::same_as<Push<Real>>;
+template <class Effect, class Seen, class Real>
+concept GivesAcceleration = requires(const Effect& effect, const Seen& seen, const Real& time) {
+  { effect.acceleration(seen, time) } -> std::convertible_to<Vec3<Real>>;
 };
+template <class Effect, class Seen, class Real>
+concept GivesVelocity = requires(const Effect& effect, const Seen& seen, const Moment<Real>& at) {
+  { effect.velocity(seen, at) } -> std::convertible_to<Vec3<Real>>;
+};
+template <class Effect, class Seen, class Real>
+concept GivesSpin = requires(const Effect& effect, const Seen& seen, const Moment<Real>& at) {
+  { effect.angular_momentum_body(seen, at) } -> std::convertible_to<Vec3<Real>>;
+};
+template <class Effect, class Seen, class Real>
+concept GivesPosition = requires(const Effect& effect, const Seen& seen, const Moment<Real>& at) {
+  { effect.position(seen, at) } -> std::convertible_to<Vec3<Real>>;
+};
+template <class Effect, class Seen, class Real>
+concept GivesOrientation =
+    requires(const Effect& effect, const Seen& seen, const Moment<Real>& at) {
+  { effect.orientation(seen, at) } -> std::same_as<Quaternion<Real>>;
+};
+//! [forms]
 
+/// A force on two bodies that the effect joins.
 template <class Effect, class Real>
 concept PushBetween = requires(const Effect& effect, const BodyState<Real>& body,
                                const Real& time) {
   { effect.push(body, body, time) } -> std::same_as<PairPush<Real>>;
 };
-
+/// A blow between two bodies, in the impulse phase. It meets the velocities that the blows before it
+/// have made.
 template <class Effect, class Real>
-concept AccelerationOfCentre = requires(const Effect& effect, const Particle<Real>& centre,
-                                        const Real& time) {
-  { effect.acceleration(centre, time) } -> std::convertible_to<Vec3<Real>>;
+concept BlowBetween = requires(const Effect& effect, const BodyState<Real>& body,
+                               const Moment<Real>& moment) {
+  { effect.blow(body, body, moment) } -> std::same_as<PairBlow<Real>>;
 };
 
+/// Such an effect may say itself which bodies meet, in each step anew: a contact does.
 template <class Effect, class Real>
-concept ActsOnCentre = requires(const Effect& effect, Particle<Real>& centre,
-                                const Moment<Real>& moment) {
-  effect.act(centre, moment);
-  { Effect::phase } -> std::convertible_to<Phase>;
+concept FindsPairs = requires(const Effect& effect, const Bodies<Real>& bodies,
+                              std::vector<BodyPair>& pairs) {
+  effect.find_pairs(bodies, pairs);
 };
 
+/// A force that sees the centre alone, as most do.
 template <class Effect, class Real>
-concept ActsOnTop = requires(const Effect& effect, Top<Real>& top, const Moment<Real>& moment) {
-  effect.act(top, moment);
-  { Effect::phase } -> std::convertible_to<Phase>;
+concept ForceOnCentre = GivesForce<Effect, Particle<Real>, Real>;
+
+/// What an effect's function sees.
+enum class Sees { nothing, centre, top, body, pair };
+
+/// What the form of an effect's function says.
+struct Form {
+  Sees sees = Sees::nothing;
+  Quantities writes;
+  int count = 0;  ///< functions; an effect has one
 };
-//! [forms]
+
+/// What the effect gives to who sees `Seen`.
+template <class Effect, class Seen, class Real>
+constexpr Form form_seeing(Sees sees) {
+  Form form;
+  const auto gives = [&](bool does, Quantities what) {
+    if (does) form = {sees, form.writes | what, form.count + 1};
+  };
+  constexpr bool centre = !std::same_as<Seen, Top<Real>>, top = !std::same_as<Seen, Particle<Real>>;
+  gives(centre && GivesForce<Effect, Seen, Real>, quantity::force);
+  gives(top && GivesTorque<Effect, Seen, Real>, quantity::torque);
+  gives(centre && top && GivesPush<Effect, Seen, Real>, quantity::force | quantity::torque);
+  gives(centre && GivesAcceleration<Effect, Seen, Real>, quantity::velocity);
+  gives(centre && GivesVelocity<Effect, Seen, Real>, quantity::velocity);
+  gives(top && GivesSpin<Effect, Seen, Real>, quantity::spin);
+  gives(centre && GivesPosition<Effect, Seen, Real>, quantity::position);
+  gives(top && GivesOrientation<Effect, Seen, Real>, quantity::orientation);
+  return form;
+}
+
+template <class Effect, class Real>
+constexpr Form form_of() {
+  const Form centre = form_seeing<Effect, Particle<Real>, Real>(Sees::centre);
+  const Form top = form_seeing<Effect, Top<Real>, Real>(Sees::top);
+  const Form body = form_seeing<Effect, BodyState<Real>, Real>(Sees::body);
+  Form form = centre.count ? centre : top.count ? top : body;
+  form.count = centre.count + top.count + body.count;
+  if (PushBetween<Effect, Real>)
+    form = {Sees::pair, quantity::force | quantity::torque, form.count + 1};
+  if (BlowBetween<Effect, Real>)
+    form = {Sees::pair, quantity::velocity | quantity::spin, form.count + 1};
+  return form;
+}
 
 /// An effect that visits bodies one by one.
 template <class Effect, class Real>
-concept EffectOnOne = ForceOnCentre<Effect, Real> || ForceOnBody<Effect, Real> ||
-    PushOnBody<Effect, Real> || AccelerationOfCentre<Effect, Real> || ActsOnCentre<Effect, Real> ||
-    TorqueOnTop<Effect, Real> || ActsOnTop<Effect, Real>;
+concept EffectOnOne = form_of<Effect, Real>().count > 0 && form_of<Effect, Real>().sees !=
+Sees::pair;
 
-/// The answer of an effect's predicate: empty if the effect is needed, else why it is not. An
-/// effect without a predicate is needed by every body that can answer it.
-template <class Real, class Effect>
-std::string_view why_skipped(const Effect& effect, const Facts& facts) {
-  constexpr bool on_top = ActsOnTop<Effect, Real> || TorqueOnTop<Effect, Real>;
-  if (on_top && facts.is_point) return "points do not turn";
-  if (TorqueOnTop<Effect, Real> && !facts.can_turn) return "locked about every axis";
-  if (!on_top && !ActsOnCentre<Effect, Real> && facts.is_static) return "nothing can move them";
-  if constexpr (requires { effect.needs_top(); })
-    if (effect.needs_top() && facts.is_point) return "points have no orientation";
-  if constexpr (requires { effect.why_skipped(facts); })
-    return effect.why_skipped(facts);
+/// An effect that visits two bodies at a time.
+template <class Effect, class Real>
+concept EffectOnTwo = form_of<Effect, Real>().sees == Sees::pair;
+
+/// The phase in which the effect acts: that of what it gives, or, if it writes a velocity, a spin or
+/// a place itself, the one that it names.
+template <class Effect, class Real>
+constexpr Phase phase_of() {
+  if constexpr (requires { { Effect::phase } -> std::convertible_to<Phase>; })
+    return Effect::phase;
+  else if (form_of<Effect, Real>().writes.has_any(quantity::force | quantity::torque))
+    return Phase::force;
+  else if (BlowBetween<Effect, Real>)
+    return Phase::impulse;
   else
-    return {};
+    return Phase::kick;
 }
 
 }  // namespace tumble

@@ -1,0 +1,44 @@
+/// @file
+/// Who needs an effect, and why others do not.
+#pragma once
+
+#include <tumble/effect.hpp>
+
+namespace tumble {
+
+/// What of a body an effect that writes `writes` can't change: empty if there is anything it can.
+inline std::string_view why_unwritable(Quantities writes, const Facts& facts) {
+  const bool centre = writes.has_any(quantity::force | quantity::velocity) && !facts.is_static;
+  const bool top = writes.has_any(quantity::torque | quantity::spin) && facts.can_turn;
+  const bool place = writes.has(quantity::position);
+  const bool facing = writes.has(quantity::orientation) && !facts.is_point;
+  if (centre || top || place || facing) return {};
+  return !writes.has_any(quantity::force | quantity::velocity) ? facts.is_point
+                                                                     ? "points do not turn"
+                                                                     : "locked about every axis"
+                                                               : "nothing can move them";
+}
+
+/// The answer of an effect's predicate: empty if the effect is needed, else why it is not. An effect
+/// without a predicate is needed by every body that it can change.
+//! [why_skipped]
+template <class Real, class Effect>
+std::string_view why_skipped(const Effect& effect, const Facts& facts, Quantities writes) {
+  if (form_of<Effect, Real>().sees == Sees::top && facts.is_point) return "points do not turn";
+  if (const std::string_view why = why_unwritable(writes, facts); !why.empty()) return why;
+  if constexpr (requires { effect.needs_top(); })
+    if (effect.needs_top() && facts.is_point) return "points have no orientation";
+  if constexpr (requires { effect.why_skipped(facts); })
+    return effect.why_skipped(facts);
+  else
+    return {};
+}
+//! [why_skipped]
+
+/// The same for an effect that writes all that its form can write.
+template <class Real, class Effect>
+std::string_view why_skipped(const Effect& effect, const Facts& facts) {
+  return why_skipped<Real>(effect, facts, form_of<Effect, Real>().writes);
+}
+
+}  // namespace tumble
