@@ -129,12 +129,15 @@ struct OwnContact : OwnBlowBetween<Real> {
 /// Steps both worlds side by side, the second exhaustively, and meddles with both alike.
 template <class Real>
 void step_side_by_side(World<Real>& planned, Dice dice, int steps, bool meddles) {
+  settle(planned);
   World<Real> exhaustive = planned;
   Dice other_dice = dice;
   for (int n = 0; n < steps; ++n) {
     if (meddles && n % 3 == 2) {
       meddle(planned, dice, n);
       meddle(exhaustive, other_dice, n);
+      settle(planned);
+      settle(exhaustive);
     }
     const std::string complaint = complaint_of_step([&] { planned.step(); });
     REQUIRE(complaint_of_step([&] { exhaustive.step_exhaustively(); }) == complaint);

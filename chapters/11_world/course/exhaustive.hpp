@@ -29,4 +29,30 @@ std::string difference_in_value(const Bodies<Real>& plan, const Bodies<Real>& ot
   return {};
 }
 
+/// Gives each top an orientation that the world's rule, asked to turn it by nothing, leaves as it is.
+/// Of most rules that is any; splitting without a sine rounds. The plan does not turn who can't turn,
+/// so without this the two runs would differ by roundings that are nobody's motion.
+template <class Real>
+void settle(World<Real>& world) {
+  Group one;
+  one.insert(0);
+  for (BodyIndex body = 0; body < world.body_count(); ++body) {
+    const BodyHandle handle = world.handle_at(body);
+    if (world.is_point(handle)) continue;
+    std::vector<Top<Real>> tops = {world.body(handle).top};
+    const Vec3<Real> start = tops[0].orientation.imaginary;
+    for (int round = 1; round <= 1000; ++round) {
+      tops[0].angular_momentum_body.setZero();
+      const Quaternion<Real> before = tops[0].orientation;
+      world.work().rule->turn(tops, one, world.time_step());
+      if (before.real == tops[0].orientation.real &&
+          before.imaginary == tops[0].orientation.imaginary)
+        break;
+      if (round % 10 == 0)  // it goes in a circle: from somewhere else
+        tops[0].orientation = quaternion_of_rotation_vector<Real>(Vec3<Real>::Constant(1 / Real(round))) * before;
+    }
+    if (tops[0].orientation.imaginary != start) world.set_orientation(handle, tops[0].orientation);
+  }
+}
+
 }  // namespace tumble::course
