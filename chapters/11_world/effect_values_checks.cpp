@@ -72,7 +72,7 @@ TEST_CASE_TEMPLATE("An effect is needed unless a value of its own is zero", Real
   CHECK(needed(SpringToPoint<Real>{.spring = {.damping = 1}}));
   CHECK_FALSE(needed(SpringToPoint<Real>{}));
   const auto joins = [&](const Spring<Real>& spring) {
-    return SpringBetween<Real>{.spring = spring}.why_skipped(facts, facts).empty();
+    return SpringBetween<Real>{.spring = spring}.why_skipped().empty();
   };
   CHECK(joins({.stiffness = 1}));
   CHECK(joins({.damping = 1}));

@@ -352,8 +352,9 @@ TEST_CASE_TEMPLATE("A velocity that an effect writes moves a body, in whatever p
 }
 //! [phases]
 
-TEST_CASE_TEMPLATE("A body of no inverse mass that can turn is turned by a torque, and by a push off its centre",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "A body of no inverse mass that can turn is turned by a torque, and by a push off its centre",
+    Real, EVERY_PRECISION) {
   const auto spin_after_a_step = [](const auto& effect) {
     World<Real> world(steps_per_second(64));
     RigidBody<Real> flywheel = ball_body<Real>({0, 0, 0}, {0, 0, 0}, {0, 0, 0});

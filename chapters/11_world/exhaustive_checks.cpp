@@ -72,8 +72,7 @@ template <class Real, Phase when>
 struct OwnVelocityOfBody : Named {
   static constexpr Phase phase = when;
   Vec3<Real> velocity(const BodyState<Real>& seen, const Moment<Real>& moment) const {
-    return seen.centre.velocity +
-           moment.time_step * rotate<Real>(seen.top.orientation, {0, 1, 0});
+    return seen.centre.velocity + moment.time_step * rotate<Real>(seen.top.orientation, {0, 1, 0});
   }
 };
 template <class Real, Phase when>

@@ -134,9 +134,10 @@ TEST_CASE_TEMPLATE("A spring between bodies puts in no momentum and no angular m
 
 //! [open]
 TEST_CASE_TEMPLATE(
-    "The books close for a force of the wrong sign, for velocities that an effect writes, and for two "
+    "The books close for a force of the wrong sign, for velocities that an effect writes, and for "
+    "two "
     "accelerations of which the second sees what the first has done",
-                   Real, EVERY_PRECISION) {
+    Real, EVERY_PRECISION) {
   // A stone of 1 kg that flies at 1 m/s, for a second.
   const auto unexplained = [](const auto&... effects) {
     World<Real> world(steps_per_second(64));

@@ -1,8 +1,8 @@
 // Each key of a scene file against what was built of it. The numbers on the right are worked out
 // here, by textbook formulas or by hand, and share nothing with the loader.
-#include <course/push_on.hpp>
 #include <course/bad_scenes.hpp>
 #include <course/checks.hpp>
+#include <course/push_on.hpp>
 #include <tumble/scene/read_scene.hpp>
 
 using namespace tumble;
@@ -418,8 +418,7 @@ TEST_CASE("An effect is for the bodies that it names, one copy among them, or fo
     const Entry<double>& entry = only_effect(scene);
     CHECK(entry.everyone == entry.targets.empty());
     std::vector<BodyIndex> list;
-    for (const BodyHandle& handle : entry.targets)
-      list.push_back(scene.world.index_of(handle));
+    for (const BodyHandle& handle : entry.targets) list.push_back(scene.world.index_of(handle));
     return list;
   };
   using List = std::vector<BodyIndex>;

@@ -7,18 +7,21 @@
 
 namespace tumble::course {
 
-/// Where two sets of bodies differ in the value of a number of their motion, as a sentence; empty if
-/// they do not. A zero may differ in its sign, as 0 + v and v do.
+struct Difference {
+  BodyIndex body = no_index;
+  std::string what;  ///< empty if there is none
+};
+
+/// Where two sets of bodies first differ in the value of a number of their motion. A zero may
+/// differ in its sign, as 0 + v and v do.
 template <class Real>
-std::string difference_in_value(const Bodies<Real>& plan, const Bodies<Real>& other) {
-  const auto said = [](std::size_t body, const char* what) {
-    return "body " + std::to_string(body) + " differs in its " + what;
-  };
-  for (std::size_t i = 0; i < plan.centres.size(); ++i) {
+Difference first_difference(const Bodies<Real>& plan, const Bodies<Real>& other) {
+  const auto said = [](BodyIndex body, const char* what) { return Difference{body, what}; };
+  for (BodyIndex i = 0; i < plan.centres.size(); ++i) {
     if (plan.centres[i].position != other.centres[i].position) return said(i, "position");
     if (plan.centres[i].velocity != other.centres[i].velocity) return said(i, "velocity");
   }
-  for (std::size_t i = 0; i < plan.tops.size(); ++i) {
+  for (BodyIndex i = 0; i < plan.tops.size(); ++i) {
     const Top<Real>&a = plan.tops[i], &b = other.tops[i];
     if (a.angular_momentum_body != b.angular_momentum_body)
       return said(plan.body_of[i], "angular momentum");
@@ -29,9 +32,17 @@ std::string difference_in_value(const Bodies<Real>& plan, const Bodies<Real>& ot
   return {};
 }
 
-/// Gives each top an orientation that the world's rule, asked to turn it by nothing, leaves as it is.
-/// Of most rules that is any; splitting without a sine rounds. The plan does not turn who can't turn,
-/// so without this the two runs would differ by roundings that are nobody's motion.
+/// The same as a sentence; empty if there is none.
+template <class Real>
+std::string difference_in_value(const Bodies<Real>& plan, const Bodies<Real>& other) {
+  const Difference difference = first_difference(plan, other);
+  if (difference.what.empty()) return {};
+  return "body " + std::to_string(difference.body) + " differs in its " + difference.what;
+}
+
+/// Gives each top an orientation that the world's rule, asked to turn it by nothing, leaves as it
+/// is. Of most rules that is any; splitting without a sine rounds. The plan does not turn who can't
+/// turn, so without this the two runs would differ by roundings that are nobody's motion.
 template <class Real>
 void settle(World<Real>& world) {
   Group one;
@@ -49,7 +60,8 @@ void settle(World<Real>& world) {
           before.imaginary == tops[0].orientation.imaginary)
         break;
       if (round % 10 == 0)  // it goes in a circle: from somewhere else
-        tops[0].orientation = quaternion_of_rotation_vector<Real>(Vec3<Real>::Constant(1 / Real(round))) * before;
+        tops[0].orientation =
+            quaternion_of_rotation_vector<Real>(Vec3<Real>::Constant(1 / Real(round))) * before;
     }
     if (tops[0].orientation.imaginary != start) world.set_orientation(handle, tops[0].orientation);
   }

@@ -6,11 +6,19 @@
 
 namespace tumble::course {
 
+/// The top as one that can turn, for one that can't has no use for a torque.
+template <class Real>
+Top<Real> free_to_turn(Top<Real> top) {
+  if (is_locked(top)) top.inverse_moments.setOnes();
+  return top;
+}
+
 /// The force and the torque, or for an acceleration the mass times it.
 template <class Real>
 Push<Real> push_on(const AnyEffect<Real>& effect, const BodyState<Real>& body, Real time) {
   Bodies<Real> bodies;
-  append(bodies, body.centre, &body.top);
+  const Top<Real> top = free_to_turn(body.top);
+  append(bodies, body.centre, &top);
   Visits one;
   one.group.insert(0);
   effect.run(bodies, one, {time, 1});
@@ -24,8 +32,9 @@ template <class Real>
 PairPush<Real> push_on(const AnyEffect<Real>& effect, const BodyState<Real>& first,
                        const BodyState<Real>& second, Real time) {
   Bodies<Real> bodies;
-  append(bodies, first.centre, &first.top);
-  append(bodies, second.centre, &second.top);
+  const Top<Real> top = free_to_turn(first.top), other = free_to_turn(second.top);
+  append(bodies, first.centre, &top);
+  append(bodies, second.centre, &other);
   effect.run(bodies, {{}, {{0, 1}}}, {time, 1});
   return {.force_on_first = bodies.centres[0].force,
           .torque_on_first = bodies.tops[0].torque,

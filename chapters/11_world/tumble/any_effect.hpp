@@ -3,10 +3,9 @@
 #pragma once
 
 #include <memory>
-#include <utility>
 #include <tumble/group.hpp>
 #include <tumble/kernel.hpp>
-#include <tumble/predicate.hpp>
+#include <utility>
 
 namespace tumble {
 
@@ -29,7 +28,7 @@ struct EffectTraits {
   bool needs_top = false;  ///< the (first) body must not be a point
   bool needs_second_top = false;
   bool stores_energy = false;
-  bool finds_pairs = false;        ///< it says itself which pairs it joins, in each step anew
+  bool finds_pairs = false;             ///< it says itself which pairs it joins, in each step anew
   SpringTerms<Real> spring_terms = {};  ///< without stiffness, if it is no spring
   bool joins_two() const { return sees == Sees::pair; }
   bool visits_tops() const { return sees == Sees::top; }
@@ -109,8 +108,7 @@ class EffectOf : public AnyEffect<Real> {
       for_each_of(visits.group, bodies.centres,
                   [&](Particle<Real>& centre) { visit(effect_, centre, moment); });
     } else if constexpr (form.sees == Sees::top) {
-      for_each_of(visits.group, bodies.tops,
-                  [&](Top<Real>& top) { visit(effect_, top, moment); });
+      for_each_of(visits.group, bodies.tops, [&](Top<Real>& top) { visit(effect_, top, moment); });
     } else if constexpr (form.sees == Sees::body) {
       visits.group.for_each([&](BodyIndex body) {
         Top<Real> none;

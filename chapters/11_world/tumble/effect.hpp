@@ -1,209 +1,45 @@
 /// @file
-/// What an effect is: a value with a name and one function, which is called after what it gives.
+/// What an effect is: a value with a name and one function. And who needs it, and why others do
+/// not.
 #pragma once
 
-#include <concepts>
-#include <tumble/bodies.hpp>
-#include <tumble/quantities.hpp>
+#include <string>
+#include <tumble/forms.hpp>
 
 namespace tumble {
 
-/// The parts of a step, in their order.
-//! [phase]
-enum class Phase {
-  force,    ///< forces and torques are summed; nothing moves
-  kick,     ///< the sums change the momenta
-  impulse,  ///< blows meet the new velocities
-  damping,  ///< speeds fade
-  drift     ///< positions and orientations follow
-};
-//! [phase]
-
-/// What is known of a body between two changes of the scene. A predicate asks this and nothing else,
-/// so its answer holds until somebody changes the scene.
-//! [facts]
-struct Facts {
-  bool is_static = false;      ///< no force can move it
-  bool is_point = false;       ///< it has no top
-  bool can_turn = false;       ///< it has a top that is not locked about all axes
-  bool is_gyroscopic = false;  ///< its moments differ, and no axis is locked
-  bool is_pushed = false;      ///< an effect gives it a force
-  bool is_torqued = false;     ///< an effect gives it a torque
-  bool moves = false;          ///< it has had a velocity, or something can give it one
-  bool turns = false;          ///< it has had a spin, or something can give it one
-  friend bool operator==(const Facts&, const Facts&) = default;
-};
-//! [facts]
-
-/// What one effect does to one body in the force phase, both in world axes.
-template <class Real>
-struct Push {
-  Vec3<Real> force = Vec3<Real>::Zero();   ///< N, at the centre of mass
-  Vec3<Real> torque = Vec3<Real>::Zero();  ///< N m, about the centre of mass
-};
-
-/// What one effect does to two bodies that it joins: the force on the first, its opposite on the
-/// second, and a torque on each about its own centre of mass. World axes, N and N m.
-template <class Real>
-struct PairPush {
-  Vec3<Real> force_on_first = Vec3<Real>::Zero();
-  Vec3<Real> torque_on_first = Vec3<Real>::Zero();
-  Vec3<Real> torque_on_second = Vec3<Real>::Zero();
-};
-
-/// The same for a blow between two bodies, in N s and N m s.
-template <class Real>
-struct PairBlow {
-  Vec3<Real> impulse_on_first = Vec3<Real>::Zero();
-  Vec3<Real> turn_on_first = Vec3<Real>::Zero();
-  Vec3<Real> turn_on_second = Vec3<Real>::Zero();
-};
-
-/// Two bodies that an effect joins.
-struct BodyPair {
-  BodyIndex first, second;
-};
-
-/// When a step happens and how long it lasts.
-template <class Real>
-struct Moment {
-  Real time = 0;       ///< s, at the start of the step
-  Real time_step = 0;  ///< s
-};
-
-/// When step number `tick` happens: at n h, with two roundings however many steps there were.
-template <class Real>
-Moment<Real> moment_of(std::int64_t tick, Real time_step) {
-  return {static_cast<Real>(tick) * time_step, time_step};
+/// What of a body an effect that writes `writes` can't change: empty if there is anything it can.
+inline std::string_view why_unwritable(Quantities writes, const Facts& facts) {
+  const bool centre = writes.has_any(quantity::force | quantity::velocity) && !facts.is_static;
+  const bool top = writes.has_any(quantity::torque | quantity::spin) && facts.can_turn;
+  const bool place = writes.has(quantity::position);
+  const bool facing = writes.has(quantity::orientation) && !facts.is_point;
+  if (centre || top || place || facing) return {};
+  return !writes.has_any(quantity::force | quantity::velocity)
+             ? facts.is_point ? "points do not turn" : "locked about every axis"
+             : "nothing can move them";
 }
 
-/// What an effect's function can give. It is const and sees everything as const, so what it gives is
-/// all that it can change. `Seen` is what it sees: a Particle, a Top, or a BodyState, which is both.
-//! [forms]
-template <class Effect, class Seen, class Real>
-concept GivesForce = requires(const Effect& effect, const Seen& seen, const Real& time) {
-  { effect.force(seen, time) } -> std::convertible_to<Vec3<Real>>;
-};
-template <class Effect, class Seen, class Real>
-concept GivesTorque = requires(const Effect& effect, const Seen& seen, const Real& time) {
-  { effect.torque(seen, time) } -> std::convertible_to<Vec3<Real>>;
-};
-template <class Effect, class Seen, class Real>
-concept GivesPush = requires(const Effect& effect, const Seen& seen, const Real& time) {
-  { effect.push(seen, time) } -> std::same_as<Push<Real>>;
-};
-template <class Effect, class Seen, class Real>
-concept GivesAcceleration = requires(const Effect& effect, const Seen& seen, const Real& time) {
-  { effect.acceleration(seen, time) } -> std::convertible_to<Vec3<Real>>;
-};
-template <class Effect, class Seen, class Real>
-concept GivesVelocity = requires(const Effect& effect, const Seen& seen, const Moment<Real>& at) {
-  { effect.velocity(seen, at) } -> std::convertible_to<Vec3<Real>>;
-};
-template <class Effect, class Seen, class Real>
-concept GivesSpin = requires(const Effect& effect, const Seen& seen, const Moment<Real>& at) {
-  { effect.angular_momentum_body(seen, at) } -> std::convertible_to<Vec3<Real>>;
-};
-template <class Effect, class Seen, class Real>
-concept GivesPosition = requires(const Effect& effect, const Seen& seen, const Moment<Real>& at) {
-  { effect.position(seen, at) } -> std::convertible_to<Vec3<Real>>;
-};
-template <class Effect, class Seen, class Real>
-concept GivesOrientation =
-    requires(const Effect& effect, const Seen& seen, const Moment<Real>& at) {
-  { effect.orientation(seen, at) } -> std::same_as<Quaternion<Real>>;
-};
-//! [forms]
-
-/// A force on two bodies that the effect joins.
-template <class Effect, class Real>
-concept PushBetween = requires(const Effect& effect, const BodyState<Real>& body,
-                               const Real& time) {
-  { effect.push(body, body, time) } -> std::same_as<PairPush<Real>>;
-};
-/// A blow between two bodies, in the impulse phase. It meets the velocities that the blows before it
-/// have made.
-template <class Effect, class Real>
-concept BlowBetween = requires(const Effect& effect, const BodyState<Real>& body,
-                               const Moment<Real>& moment) {
-  { effect.blow(body, body, moment) } -> std::same_as<PairBlow<Real>>;
-};
-
-/// Such an effect may say itself which bodies meet, in each step anew: a contact does.
-template <class Effect, class Real>
-concept FindsPairs = requires(const Effect& effect, const Bodies<Real>& bodies,
-                              std::vector<BodyPair>& pairs) {
-  effect.find_pairs(bodies, pairs);
-};
-
-/// A force that sees the centre alone, as most do.
-template <class Effect, class Real>
-concept ForceOnCentre = GivesForce<Effect, Particle<Real>, Real>;
-
-/// What an effect's function sees.
-enum class Sees { nothing, centre, top, body, pair };
-
-/// What the form of an effect's function says.
-struct Form {
-  Sees sees = Sees::nothing;
-  Quantities writes;
-  int count = 0;  ///< functions; an effect has one
-};
-
-/// What the effect gives to who sees `Seen`.
-template <class Effect, class Seen, class Real>
-constexpr Form form_seeing(Sees sees) {
-  Form form;
-  const auto gives = [&](bool does, Quantities what) {
-    if (does) form = {sees, form.writes | what, form.count + 1};
-  };
-  constexpr bool centre = !std::same_as<Seen, Top<Real>>, top = !std::same_as<Seen, Particle<Real>>;
-  gives(centre && GivesForce<Effect, Seen, Real>, quantity::force);
-  gives(top && GivesTorque<Effect, Seen, Real>, quantity::torque);
-  gives(centre && top && GivesPush<Effect, Seen, Real>, quantity::force | quantity::torque);
-  gives(centre && GivesAcceleration<Effect, Seen, Real>, quantity::velocity);
-  gives(centre && GivesVelocity<Effect, Seen, Real>, quantity::velocity);
-  gives(top && GivesSpin<Effect, Seen, Real>, quantity::spin);
-  gives(centre && GivesPosition<Effect, Seen, Real>, quantity::position);
-  gives(top && GivesOrientation<Effect, Seen, Real>, quantity::orientation);
-  return form;
-}
-
-template <class Effect, class Real>
-constexpr Form form_of() {
-  const Form centre = form_seeing<Effect, Particle<Real>, Real>(Sees::centre);
-  const Form top = form_seeing<Effect, Top<Real>, Real>(Sees::top);
-  const Form body = form_seeing<Effect, BodyState<Real>, Real>(Sees::body);
-  Form form = centre.count ? centre : top.count ? top : body;
-  form.count = centre.count + top.count + body.count;
-  if (PushBetween<Effect, Real>)
-    form = {Sees::pair, quantity::force | quantity::torque, form.count + 1};
-  if (BlowBetween<Effect, Real>)
-    form = {Sees::pair, quantity::velocity | quantity::spin, form.count + 1};
-  return form;
-}
-
-/// An effect that visits bodies one by one.
-template <class Effect, class Real>
-concept EffectOnOne = form_of<Effect, Real>().count > 0 && form_of<Effect, Real>().sees !=
-Sees::pair;
-
-/// An effect that visits two bodies at a time.
-template <class Effect, class Real>
-concept EffectOnTwo = form_of<Effect, Real>().sees == Sees::pair;
-
-/// The phase in which the effect acts: that of what it gives, or, if it writes a velocity, a spin or
-/// a place itself, the one that it names.
-template <class Effect, class Real>
-constexpr Phase phase_of() {
-  if constexpr (requires { { Effect::phase } -> std::convertible_to<Phase>; })
-    return Effect::phase;
-  else if (form_of<Effect, Real>().writes.has_any(quantity::force | quantity::torque))
-    return Phase::force;
-  else if (BlowBetween<Effect, Real>)
-    return Phase::impulse;
+/// The answer of an effect's predicate: empty if the effect is needed, else why it is not. An
+/// effect without a predicate is needed by every body that it can change.
+//! [why_skipped]
+template <class Real, class Effect>
+std::string_view why_skipped(const Effect& effect, const Facts& facts, Quantities writes) {
+  if (form_of<Effect, Real>().sees == Sees::top && facts.is_point) return "points do not turn";
+  if (const std::string_view why = why_unwritable(writes, facts); !why.empty()) return why;
+  if constexpr (requires { effect.needs_top(); })
+    if (effect.needs_top() && facts.is_point) return "points have no orientation";
+  if constexpr (requires { effect.why_skipped(facts); })
+    return effect.why_skipped(facts);
   else
-    return Phase::kick;
+    return {};
+}
+//! [why_skipped]
+
+/// The same for an effect that writes all that its form can write.
+template <class Real, class Effect>
+std::string_view why_skipped(const Effect& effect, const Facts& facts) {
+  return why_skipped<Real>(effect, facts, form_of<Effect, Real>().writes);
 }
 
 }  // namespace tumble

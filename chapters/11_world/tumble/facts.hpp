@@ -7,8 +7,8 @@
 
 namespace tumble {
 
-/// What a body is, whatever acts on it. `before` is what was known of it: who has moved may move, and
-/// a push of this step alone is still to come.
+/// What a body is, whatever acts on it. `before` is what was known of it: who has moved may move,
+/// and a push of this step alone is still to come.
 template <class Real>
 Facts facts_alone(const BodyState<Real>& body, bool is_point, const Facts& before = {}) {
   Facts facts;
@@ -19,8 +19,8 @@ Facts facts_alone(const BodyState<Real>& body, bool is_point, const Facts& befor
   facts.can_turn = body.top.inverse_moments != Vec3<Real>::Zero();
   facts.is_gyroscopic = is_gyroscopic(body.top);
   facts.moves = before.moves || body.centre.velocity != Vec3<Real>::Zero();
-  facts.turns = facts.can_turn &&
-                (before.turns || body.top.angular_momentum_body != Vec3<Real>::Zero());
+  facts.turns =
+      facts.can_turn && (before.turns || body.top.angular_momentum_body != Vec3<Real>::Zero());
   return facts;
 }
 
@@ -39,9 +39,9 @@ inline bool note(Facts& facts, Quantities writes) {
 }
 //! [note]
 
-/// What is known of a body under some effects. One can call for another, as a first torque calls for
-/// the Magnus force; so they are gone through until that brings no news. It ends: a fact only ever
-/// turns from false to true. `for_each` calls what it is given with each effect.
+/// What is known of a body under some effects. One can call for another, as a first torque calls
+/// for the Magnus force; so they are gone through until that brings no news. It ends: a fact only
+/// ever turns from false to true. `for_each` calls what it is given with each effect.
 //! [facts_under]
 template <class Real, class ForEach>
 Facts facts_under(Facts facts, const ForEach& for_each) {

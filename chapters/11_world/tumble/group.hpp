@@ -2,7 +2,7 @@
 /// Which bodies an effect visits: a set that changes in constant time.
 #pragma once
 
-#include <tumble/effect.hpp>
+#include <tumble/terms.hpp>
 
 namespace tumble {
 

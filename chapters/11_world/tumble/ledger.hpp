@@ -126,8 +126,8 @@ class Ledger {
   //! [book_step]
 
   /// Books the sums that an effect alone has made, and empties them.
-  static void book_kick(Bodies<Real>& alone, const Bodies<Real>& before,
-                        const Bodies<Real>& kicked, Real h, LedgerLine& line) {
+  static void book_kick(Bodies<Real>& alone, const Bodies<Real>& before, const Bodies<Real>& kicked,
+                        Real h, LedgerLine& line) {
     for (BodyIndex body = 0; body < alone.centres.size(); ++body) {
       const BodyState<Real> one = state_of(alone, body);
       const Push<Real> push{one.centre.force, one.top.torque};

@@ -7,7 +7,8 @@
 
 namespace tumble {
 
-/// Notes why a plan may have changed, and tells what of it has. It keeps the last hundred sentences.
+/// Notes why a plan may have changed, and tells what of it has. It keeps the last hundred
+/// sentences.
 class News {
  public:
   static constexpr std::size_t most = 100;
@@ -59,9 +60,9 @@ class News {
                                  {4, work.tumbling.size(), bodies}};
     for (const Entry<Real>& entry : work.effects)
       counts.push_back({first_number + entry.handle.number, entry.visits.size(),
-                        entry.everyone ? bodies
-                                       : entry.targets.size() /
-                                             (entry.effect->traits().joins_two() ? 2 : 1)});
+                        entry.everyone
+                            ? bodies
+                            : entry.targets.size() / (entry.effect->traits().joins_two() ? 2 : 1)});
     return counts;
   }
 

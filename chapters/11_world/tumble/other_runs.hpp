@@ -74,23 +74,24 @@ template <class Real, class IndexOf>
 void step_by_reference(Bodies<Real>& bodies, const Work<Real>& work,
                        const std::vector<Facts>& alone, const Moment<Real>& moment,
                        const IndexOf& index_of) {
+  std::vector<std::vector<const AnyEffect<Real>*>> meant(alone.size());
+  for (const Entry<Real>& entry : work.effects) {
+    if (entry.everyone)
+      for (auto& effects : meant) effects.push_back(entry.effect.get());
+    for (const BodyHandle target : entry.targets)
+      meant[index_of(target)].push_back(entry.effect.get());
+  }
   std::vector<Facts> facts;
-  for (BodyIndex body = 0; body < alone.size(); ++body)
+  for (std::size_t body = 0; body < alone.size(); ++body)
     facts.push_back(facts_under<Real>(alone[body], [&](const auto& ask) {
-      for (const Entry<Real>& entry : work.effects) {
-        bool is_meant = entry.everyone;
-        for (const BodyHandle target : entry.targets) is_meant |= index_of(target) == body;
-        if (is_meant) ask(*entry.effect);
-      }
+      for (const AnyEffect<Real>* effect : meant[body]) ask(*effect);
     }));
   step_without_groups(
       bodies, work, moment,
       [&](const Entry<Real>& entry, BodyIndex body) {
         return entry.effect->why_skipped(facts[body]).empty();
       },
-      [&](const Motion& motion, BodyIndex body) {
-        return motion.why_skipped(facts[body]).empty();
-      },
+      [&](const Motion& motion, BodyIndex body) { return motion.why_skipped(facts[body]).empty(); },
       index_of);
 }
 //! [step_by_reference]
@@ -114,7 +115,7 @@ void step_exhaustively(Bodies<Real>& bodies, const Work<Real>& work, const Momen
       },
       [&](const Motion& motion, BodyIndex body) {
         const bool tumbles = is_gyroscopic(state_of(bodies, body).top);
-        return motion.name == steady_turning.name ? !tumbles
+        return motion.name == steady_turning.name    ? !tumbles
                : motion.name == tumbling_motion.name ? tumbles
                                                      : true;
       },

@@ -76,11 +76,12 @@ PlanRow row_of(const Entry<Real>& entry, const Planner<Real>& planner, const Ros
   if (in_pairs)
     for (std::size_t i = 0; i < entry.targets.size(); i += 2) {
       std::string_view why = effect.why_skipped(Facts{});
-      const bool fixed = [&](BodyHandle body) {
-        return !why_unwritable(effect.traits().writes, facts[roster.index_of(body)]).empty();
-      }(entry.targets[i]) && !why_unwritable(effect.traits().writes,
-                                             facts[roster.index_of(entry.targets[i + 1])])
-                                  .empty();
+      const bool fixed =
+          [&](BodyHandle body) {
+            return !why_unwritable(effect.traits().writes, facts[roster.index_of(body)]).empty();
+          }(entry.targets[i]) &&
+          !why_unwritable(effect.traits().writes, facts[roster.index_of(entry.targets[i + 1])])
+               .empty();
       ask(fixed ? "nothing can move either of the two" : why);
     }
   else if (entry.everyone)

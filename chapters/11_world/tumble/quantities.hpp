@@ -31,8 +31,8 @@ inline constexpr Quantities of_body = of_centre | of_top;
 
 /// "position, velocity"
 inline std::string text_of(Quantities set) {
-  constexpr std::array<std::string_view, 8> names = {
-      "time", "mass", "position", "velocity", "orientation", "spin", "force", "torque"};
+  constexpr std::array<std::string_view, 8> names = {"time",        "mass", "position", "velocity",
+                                                     "orientation", "spin", "force",    "torque"};
   std::string text;
   for (unsigned i = 0; i < names.size(); ++i)
     if (set.has({1u << i})) text.append(text.empty() ? "" : ", ").append(names[i]);

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <limits>
-#include <tumble/work.hpp>
 #include <tumble/semi_implicit_euler.hpp>
+#include <tumble/work.hpp>
 
 namespace tumble {
 

@@ -33,11 +33,11 @@ struct Work {
   std::vector<Entry<Real>> effects;  ///< in the order in which they came
   /// Those that visit somebody, by phase: places in `effects`.
   std::array<std::vector<std::size_t>, 5> in_phase;
-  std::vector<Input<Real>> inputs;          ///< pushes of this step alone
-  Group pushed, movers;                     ///< centres
-  Group torqued, steady, tumbling;          ///< tops
+  std::vector<Input<Real>> inputs;            ///< pushes of this step alone
+  Group pushed, movers;                       ///< centres
+  Group torqued, steady, tumbling;            ///< tops
   std::shared_ptr<const AnyRule<Real>> rule;  ///< turns those that tumble
-  std::uint64_t version = 0;                ///< another one after each change
+  std::uint64_t version = 0;                  ///< another one after each change
 };
 //! [work]
 
@@ -78,8 +78,8 @@ inline constexpr Motion kick_motion = {
 inline constexpr Motion kick_of_spin = {
     "kick of the spin", Phase::kick, quantity::torque | quantity::orientation, quantity::spin,
     [](const Facts& facts) {
-      return facts.is_point       ? std::string_view("points do not turn")
-             : !facts.can_turn    ? "locked about every axis"
+      return facts.is_point      ? std::string_view("points do not turn")
+             : !facts.can_turn   ? "locked about every axis"
              : !facts.is_torqued ? "no torque acts on them"
                                  : "";
     }};

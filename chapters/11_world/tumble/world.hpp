@@ -13,17 +13,17 @@
 
 namespace tumble {
 
-/// Bodies and effects with a fixed time step; what is in it, see Scenery. A copy of a world is another world in the same state, and
-/// knows the handles of the first.
+/// Bodies and effects with a fixed time step; what is in it, see Scenery. A copy of a world is
+/// another world in the same state, and knows the handles of the first.
 ///
 /// `Keeping` keeps the bodies and steps them, and changes no bit of how they move.
 template <class Real, class Keeping = OneByOne<Real>>
 class World : public Scenery<Real, Keeping> {
-  using Scenery<Real, Keeping>::planner_, Scenery<Real, Keeping>::bodies_,
-      Scenery<Real, Keeping>::news_, Scenery<Real, Keeping>::time_step_;
+  using Base = Scenery<Real, Keeping>;
+  using Base::planner_, Base::bodies_, Base::news_, Base::time_step_;
 
  public:
-  using Scenery<Real, Keeping>::work;
+  using Base::work;
 
   /// @throws std::invalid_argument if the step is negative or longer than an hour. One of no time
   /// does nothing.
@@ -47,9 +47,7 @@ class World : public Scenery<Real, Keeping> {
   // --- The plan ---------------------------------------------------------------------------------
 
   /// What each step does, as a table. It is made when one asks; what it tells of is always right.
-  Plan plan() const {
-    return {rows_of(planner_, bodies_), warnings()};
-  }
+  Plan plan() const { return {rows_of(planner_, bodies_), warnings()}; }
   /// What may go wrong, such as a step too long for a spring.
   std::vector<std::string> warnings() const {
     const SpringLimit<Real> limit = spring_limit();
@@ -62,9 +60,7 @@ class World : public Scenery<Real, Keeping> {
   }
 
   /// Up to which step the springs can't feed on themselves.
-  SpringLimit<Real> spring_limit() const {
-    return tumble::spring_limit(work().effects, bodies_);
-  }
+  SpringLimit<Real> spring_limit() const { return tumble::spring_limit(work().effects, bodies_); }
 
   /// What has changed the plan since the world began, a sentence each; the last hundred of them.
   std::vector<std::string> news() const {
