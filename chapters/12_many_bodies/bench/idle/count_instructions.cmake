@@ -1,5 +1,8 @@
+# A step pays for what acts, and for nothing else; valgrind counts the instructions.
 # An effect that no body calls for costs nothing: a world that has such effects runs exactly as many instructions in a step
-# as one that never heard of them. valgrind counts them.
+# as one that never heard of them.
+# So does a body at rest, guard and memory for taking back included: 204,800 boxes at rest take as many instructions a step as
+# one, and twelve that fall and tumble as many behind 204,800 at rest as behind 1024.
 # cmake -DVALGRIND=... -DPROGRAM=... -DSCRATCH=... -P count_instructions.cmake
 file(MAKE_DIRECTORY ${SCRATCH})
 
@@ -24,3 +27,19 @@ endif()
 if(NOT idle EQUAL never)
   message(FATAL_ERROR "error: effects that nobody needs cost ${idle} - ${never} instructions in 100 steps")
 endif()
+
+foreach(kind IN ITEMS one many few few_of_many packs_one packs_many packs_few packs_few_of_many)
+  count(${kind})
+endforeach()
+foreach(keeping IN ITEMS "" packs_)
+  if(NOT ${keeping}many EQUAL ${keeping}one)
+    message(FATAL_ERROR "error: 204,800 boxes at rest cost ${${keeping}many} instructions in 100 steps, and one ${${keeping}one}")
+  endif()
+  if(NOT ${keeping}few GREATER ${keeping}one)
+    message(FATAL_ERROR "error: the count misses twelve boxes that fall and tumble")
+  endif()
+  if(NOT ${keeping}few_of_many EQUAL ${keeping}few)
+    message(FATAL_ERROR "error: twelve boxes that fall cost ${${keeping}few_of_many} instructions behind 204,800 at rest, and "
+      "${${keeping}few} behind 1024")
+  endif()
+endforeach()
