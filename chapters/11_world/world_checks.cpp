@@ -63,6 +63,29 @@ TEST_CASE_TEMPLATE("A stale handle says so, and its slot's next body is another 
 }
 //! [stale]
 
+//! [foreign]
+TEST_CASE_TEMPLATE("A handle that nobody gave out, or another world, is refused; a copy knows it",
+                   Real, EVERY_PRECISION) {
+  World<Real> world, other;
+  const BodyHandle body = world.add("body", make_particle<Real>(1));
+  const BodyHandle foreign = other.add("foreign", make_particle<Real>(1));
+  const EffectHandle gravity = world.add(Gravity<Real>{});
+  const EffectHandle foreign_gravity = other.add(Gravity<Real>{});
+  CHECK(complaint_of_any([&] { (void)world.body(BodyHandle{}); }) ==
+        "empty handle: no world gave it out; add() and find() do");
+  CHECK(complaint_of_any([&] { (void)world.body(foreign); }) ==
+        "foreign handle: body 0 is one of another world");
+  CHECK_FALSE(world.contains(foreign));
+  CHECK(complaint_of_any([&] { world.remove(foreign_gravity); }) ==
+        "stale handle: effect 1 has been removed or never was in this world");
+  World<Real> copy = world;
+  copy.remove(gravity);
+  copy.set_velocity(body, {1, 0, 0});
+  CHECK(copy.body(body).centre.velocity.x() == 1);
+  CHECK(world.body(body).centre.velocity.x() == 0);
+}
+//! [foreign]
+
 TEST_CASE_TEMPLATE("Bodies keep their tops while others are removed", Real, EVERY_PRECISION) {
   Dice dice(5);
   World<Real> world;

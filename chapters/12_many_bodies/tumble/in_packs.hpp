@@ -111,9 +111,11 @@ class InPacks {
   }
 
   bool is_small(const Stage<Real, width>& stage) const {
-    const std::size_t blocks =
-        std::max(stage.on_centres.blocks.size(), stage.on_tops.blocks.size());
-    return blocks * packs_in_block * width <
+    const auto bodies_in = [](const auto& row, const auto& array) {
+      return std::min(row.blocks.size() * packs_in_block * width, array.size());
+    };
+    return std::max(bodies_in(stage.on_centres, acts_.bodies.centres),
+                    bodies_in(stage.on_tops, acts_.bodies.tops)) <
            smallest_share * static_cast<std::size_t>(team_.size());
   }
 

@@ -2,10 +2,10 @@
 #include <string_view>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
+#include <tumble/in_packs.hpp>
 #include <tumble/solids.hpp>
 #include <tumble/spheres.hpp>
 #include <tumble/thruster.hpp>
-#include <tumble/in_packs.hpp>
 
 using namespace tumble;
 
@@ -46,8 +46,8 @@ AnyWorld boxes(int resting, int active) {
   for (int n = 0; n < resting + active; ++n) {
     const bool rests = n < resting;
     const Vec3f spin = rests ? Vec3f(0, 0, 0) : Vec3f(1, 2, 3);
-    const BodyHandle box = world.add("box " + std::to_string(n),
-                                     make_rigid_body<float>("box", shape, {}, {0, 0, 0}, spin).body);
+    const BodyHandle box = world.add(
+        "box " + std::to_string(n), make_rigid_body<float>("box", shape, {}, {0, 0, 0}, spin).body);
     if (!rests) falling.push_back(box);
   }
   world.add(LinearDamping<float>{.rate = 0.01f});
@@ -72,9 +72,9 @@ int count_steps_of(AnyWorld world) {
 }  // namespace
 
 /// idle_effects never|idle|needed: steps a world that never heard of most effects; or has them and
-/// needs none; or has one that it needs. With one|many|few|few_of_many it steps one box at rest, 200
-/// blocks of 1024 of them, 12 active boxes behind one such block, and behind all; with packs_one and
-/// so on the same in packs.
+/// needs none; or has one that it needs. With one|many|few|few_of_many it steps one box at rest,
+/// 200 blocks of 1024 of them, 12 active boxes behind one such block, and behind all; with
+/// packs_one and so on the same in packs.
 int main(int argument_count, char** arguments) {
   const std::string_view kind = argument_count == 2 ? arguments[1] : "";
   const int block = 1024, many = 200 * block;
@@ -92,7 +92,8 @@ int main(int argument_count, char** arguments) {
   else if (kind == "needed")
     world.add(Gravity<float>{});
   else if (kind != "never") {
-    std::fputs("usage: idle_effects never|idle|needed|[packs_](one|many|few|few_of_many)\n", stderr);
+    std::fputs("usage: idle_effects never|idle|needed|[packs_](one|many|few|few_of_many)\n",
+               stderr);
     return 2;
   }
   return count_steps_of(world);
