@@ -6,6 +6,7 @@
 #include <tumble/facts.hpp>
 #include <tumble/handles.hpp>
 #include <tumble/make_rigid_body.hpp>
+#include <tumble/snapshot.hpp>
 #include <unordered_map>
 
 namespace tumble {
@@ -79,6 +80,38 @@ class NamedBodies {
     kept_.take_out(index);
     slots_.release(body);
     replace_by_last(names_, index);
+  }
+
+  /// How all move now, and what the plan knows of whether they do.
+  Snapshot<Real> snapshot(std::int64_t ticks, const std::vector<Facts>& alone) const {
+    Snapshot<Real> now;
+    now.ticks = ticks;
+    for (BodyIndex index = 0; index < size(); ++index) {
+      const RigidBody<Real> body = kept_.body(index);
+      now.positions.push_back(body.centre.position);
+      now.velocities.push_back(body.centre.velocity);
+      now.has_moved.push_back(alone[index].moves);
+      now.has_turned.push_back(alone[index].turns);
+      if (is_point(index)) continue;
+      now.orientations.push_back(body.top.orientation);
+      now.angular_momenta.push_back(body.top.angular_momentum_body);
+    }
+    return now;
+  }
+
+  /// Lets all move as they did.
+  void restore(const Snapshot<Real>& then) {
+    std::size_t top = 0;
+    for (BodyIndex index = 0; index < size(); ++index) {
+      RigidBody<Real> body = kept_.body(index);
+      body.centre.position = then.positions[index];
+      body.centre.velocity = then.velocities[index];
+      if (!is_point(index)) {
+        body.top.orientation = then.orientations[top];
+        body.top.angular_momentum_body = then.angular_momenta[top++];
+      }
+      set(index, body);
+    }
   }
 
   /// Puts another state in the place of the body's. Its sums stay empty.

@@ -108,6 +108,18 @@ class Planner : public PlanGroups<Real> {
     refresh_targets(everyone, targets, roster);
   }
 
+  /// What was known of the bodies at another time is known again.
+  template <class Roster>
+  void know_again(const std::vector<bool>& moved, const std::vector<bool>& turned,
+                  const Roster& roster) {
+    for (BodyIndex body = 0; body < facts_.size(); ++body) {
+      if (alone_[body].moves == moved[body] && alone_[body].turns == turned[body]) continue;
+      alone_[body].moves = moved[body];
+      alone_[body].turns = turned[body];
+      refresh(body, roster);
+    }
+  }
+
   /// True if an effect that is meant for this body can limit the step.
   bool holds_spring(BodyIndex body) {
     bool found = false;

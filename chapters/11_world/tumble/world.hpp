@@ -44,6 +44,23 @@ class World : public Scenery<Real, Keeping> {
   /// When the next step happens.
   Moment<Real> moment() const { return moment_of(ticks_, time_step_); }
 
+  /// How all bodies move now: with restore() a step, or a thousand, can be taken back.
+  Snapshot<Real> save() const { return bodies_.snapshot(ticks_, planner_.alone()); }
+  /// All bodies move as they did when the snapshot was saved, and the steps from there on have the
+  /// same bits. Pushes of the next step alone are dropped.
+  /// @throws std::invalid_argument if bodies have come or gone since.
+  void restore(const Snapshot<Real>& then) {
+    if (then.positions.size() != bodies_.size() || then.orientations.size() != bodies_.top_count())
+      throw std::invalid_argument(
+          "the snapshot has " + std::to_string(then.positions.size()) + " bodies, " +
+          std::to_string(then.orientations.size()) + " of them with a top; the world has " +
+          std::to_string(bodies_.size()) + " and " + std::to_string(bodies_.top_count()));
+    planner_.end_inputs(bodies_);
+    bodies_.restore(then);
+    planner_.know_again(then.has_moved, then.has_turned, bodies_);
+    ticks_ = then.ticks;
+  }
+
   // --- The plan ---------------------------------------------------------------------------------
 
   /// What each step does, as a table. It is made when one asks; what it tells of is always right.
