@@ -2,6 +2,7 @@
 /// Which bodies an effect visits: a set that changes in constant time.
 #pragma once
 
+#include <algorithm>
 #include <tumble/terms.hpp>
 
 namespace tumble {
@@ -14,7 +15,7 @@ class Group {
   std::size_t size() const { return is_listed_ ? members_.size() : first_; }
   bool empty() const { return size() == 0; }
   bool contains(BodyIndex i) const {
-    return is_listed_ ? i < place_.size() && place_[i] != no_index : i < first_;
+    return is_listed_ ? place_of(i) < members_.size() : i < first_;
   }
 
   void insert(BodyIndex i) {
@@ -24,9 +25,8 @@ class Group {
       return;
     }
     list();
-    if (place_.size() <= i) place_.resize(i + std::size_t{1}, no_index);
-    place_[i] = static_cast<BodyIndex>(members_.size());
     members_.push_back(i);
+    if (!places_.empty() || members_.size() > short_list) note_place(i, members_.size() - 1);
   }
 
   void erase(BodyIndex i) {
@@ -36,10 +36,12 @@ class Group {
       return;
     }
     list();
-    const BodyIndex last = members_.back();
-    members_[place_[i]] = last;
-    place_[last] = place_[i];
-    place_[i] = no_index;
+    const std::size_t place = place_of(i);
+    members_[place] = members_.back();
+    if (!places_.empty()) {
+      places_[members_.back()] = static_cast<BodyIndex>(place);
+      places_[i] = no_index;
+    }
     members_.pop_back();
   }
 
@@ -62,21 +64,39 @@ class Group {
   }
   //! [group]
 
-  /// The first so many, if they are all; nothing else tells a list from a number.
+  /// True if it is a list; else it is the first so many.
   bool is_listed() const { return is_listed_; }
 
  private:
+  /// A list of so many is searched; a longer one knows the place of each member.
+  static constexpr std::size_t short_list = 32;
+
+  std::size_t place_of(BodyIndex i) const {
+    if (!places_.empty()) return i < places_.size() ? places_[i] : no_index;
+    const auto found = std::find(members_.begin(), members_.end(), i);
+    return static_cast<std::size_t>(found - members_.begin());
+  }
+
+  void note_place(BodyIndex i, std::size_t place) {
+    if (places_.empty())
+      for (std::size_t k = 0; k < place; ++k) grow_to(members_[k]) = static_cast<BodyIndex>(k);
+    grow_to(i) = static_cast<BodyIndex>(place);
+  }
+  BodyIndex& grow_to(BodyIndex i) {
+    if (places_.size() <= i) places_.resize(i + std::size_t{1}, no_index);
+    return places_[i];
+  }
+
   void list() {
     if (is_listed_) return;
     is_listed_ = true;
-    place_.resize(first_);
-    members_.resize(first_);
-    for (BodyIndex i = 0; i < first_; ++i) place_[i] = members_[i] = i;
+    for (BodyIndex i = 0; i < first_; ++i) members_.push_back(i);
+    if (first_ > short_list) places_ = members_;
   }
 
   bool is_listed_ = false;
   std::size_t first_ = 0;
-  std::vector<BodyIndex> members_, place_;
+  std::vector<BodyIndex> members_, places_;
 };
 
 /// Calls `change` with each element of `array` that the group names.

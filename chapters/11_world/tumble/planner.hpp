@@ -101,9 +101,14 @@ class Planner : public PlanGroups<Real> {
     const auto found = find(number);
     const bool everyone = found->everyone;
     const std::vector<BodyHandle> targets = std::move(found->targets);
+    const auto place = static_cast<std::size_t>(found - work_.effects.begin());
+    for (auto& list : work_.in_phase) {
+      std::erase(list, place);
+      for (std::size_t& later : list) later -= later > place;
+    }
     work_.effects.erase(found);
     std::erase(everyone_, number);
-    list_phases();
+    ++work_.version;
     for (const BodyHandle target : targets) disown(roster.index_of(target), number);
     refresh_targets(everyone, targets, roster);
   }

@@ -62,6 +62,31 @@ template <class AnyWorld>
   for (int step = 0; step < 100; ++step) world.step();
 }
 
+/// A box goes from the middle, where the last gets its place; another one comes, gets its first
+/// spin, is replaced and gets a velocity.
+template <class AnyWorld>
+[[gnu::noinline]] void changes_that_are_counted(AnyWorld& world, const RigidBody<float>& box) {
+  const BodyHandle middle = world.handle_at(static_cast<BodyIndex>(world.body_count() / 2));
+  const std::string name = world.name_of(middle);
+  world.remove(middle);
+  const BodyHandle body = world.add(name, box);
+  world.set_angular_velocity(body, {0, 0, 1});
+  world.replace(body, box);
+  world.set_velocity(body, {0, 0, 1});
+}
+
+/// Changes of one of so many boxes that fall and tumble, under six effects.
+int count_changes_among(int count) {
+  const auto shape = mass_properties(Box<float>{{1, 2, 3}}, 2);
+  auto world = boxes<World<float>>(0, count);
+  world.add(QuadraticDrag<float>{.coefficient = 0.1f});
+  world.add(Magnus<float>{.strength = 0.1f});
+  world.add(GravityAsAcceleration<float>{});
+  const RigidBody<float> box = make_rigid_body<float>("box", shape).body;
+  for (int n = 0; n < 10; ++n) changes_that_are_counted(world, box);
+  return 0;
+}
+
 template <class AnyWorld>
 int count_steps_of(AnyWorld world) {
   world.step();  // tells what is new
@@ -78,6 +103,8 @@ int count_steps_of(AnyWorld world) {
 int main(int argument_count, char** arguments) {
   const std::string_view kind = argument_count == 2 ? arguments[1] : "";
   const int block = 1024, many = 200 * block;
+  if (kind == "changes_of_few") return count_changes_among(block);
+  if (kind == "changes_of_many") return count_changes_among(20 * block);
   if (kind == "one") return count_steps_of(boxes<World<float>>(1, 0));
   if (kind == "many") return count_steps_of(boxes<World<float>>(many, 0));
   if (kind == "few") return count_steps_of(boxes<World<float>>(block, 12));
@@ -92,8 +119,10 @@ int main(int argument_count, char** arguments) {
   else if (kind == "needed")
     world.add(Gravity<float>{});
   else if (kind != "never") {
-    std::fputs("usage: idle_effects never|idle|needed|[packs_](one|many|few|few_of_many)\n",
-               stderr);
+    std::fputs(
+        "usage: idle_effects "
+        "never|idle|needed|[packs_](one|many|few|few_of_many)|changes_of_(few|many)\n",
+        stderr);
     return 2;
   }
   return count_steps_of(world);
