@@ -230,6 +230,12 @@ TEST_CASE_TEMPLATE(
   world.step();
   CHECK(same_bits(world.body(box).centre.force, Vec3<Real>(0, 0, 0)));
   CHECK(same_bits(world.body(box).top.torque, Vec3<Real>(0, 0, 0)));
+  const BodyHandle wall = world.add("wall", make_static_particle<Real>({9, 0, 0}));
+  const EffectHandle spring =
+      world.add(SpringBetween<Real>{.spring = {.stiffness = 1}}, {box, wall});
+  world.step();
+  CHECK(same_bits(world.body(wall).centre.force, Vec3<Real>(0, 0, 0)));
+  world.remove(spring);
   world.remove(pull);
   RigidBody<Real> alone = world.body(box);
   world.step();

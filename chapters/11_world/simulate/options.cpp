@@ -197,6 +197,11 @@ Options read(const cxxopts::ParseResult& given) {
   options.plot = path("plot");
   options.view = path("view");
   options.books = path("books");
+  if (options.check_plan)
+    for (const char* output : {"csv", "jsonl", "plot", "view", "books"})
+      if (given.count(output) > 0)
+        throw UsageError("--check-plan compares two runs and writes no files; --" +
+                         std::string(output) + " can't go with it");
   require_different_files(options);
   return options;
 }
