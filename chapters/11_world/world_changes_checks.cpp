@@ -302,9 +302,11 @@ TEST_CASE_TEMPLATE("An effect can be changed, and visits then whom it needs", Re
   const EffectHandle gravity = world.add(Gravity<Real>{{0, 0, 0}});
   world.step();
   CHECK(world.plan().passes() == 0);
+  //! [change]
   Gravity<Real> changed = world.template effect<Gravity<Real>>(gravity);
   changed.gravity.z() = -8;
   world.change(gravity, changed);
+  //! [change]
   world.step();
   CHECK(world.body(ball).centre.velocity.z() == -8);
   world.change(gravity, Gravity<Real>{{0, 0, 0}});
