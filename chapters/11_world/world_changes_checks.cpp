@@ -384,7 +384,6 @@ TEST_CASE_TEMPLATE("A warning reaches the function that one gives, once for each
   for (int n = 0; n < 3; ++n) world.step();
   REQUIRE(told.size() == 1);
   CHECK(told[0] == world.warnings()[0]);
-  RigidBody<Real> body = world.body(ball);
   world.add("other", make_particle<Real>(1));  // no spring holds it
   world.step();
   CHECK(told.size() == 1);
