@@ -72,7 +72,7 @@ TEST_CASE_TEMPLATE("An effect is needed unless a value of its own is zero", Real
   CHECK(needed(SpringToPoint<Real>{.spring = {.damping = 1}}));
   CHECK_FALSE(needed(SpringToPoint<Real>{}));
   const auto joins = [&](const Spring<Real>& spring) {
-    return SpringBetween<Real>{.spring = spring}.why_skipped(facts, facts).empty();
+    return SpringBetween<Real>{.spring = spring}.why_skipped().empty();
   };
   CHECK(joins({.stiffness = 1}));
   CHECK(joins({.damping = 1}));
@@ -177,7 +177,7 @@ TEST_CASE_TEMPLATE("Springs and dampers at either end of a spring add to what li
   world.add(SpringBetween<Real>{.spring = {.stiffness = 9, .damping = 4}}, {a, b});
   world.add(SpringToPoint<Real>{.spring = {.stiffness = 16, .damping = 1}}, {a});
   world.add(SpringToPoint<Real>{.spring = {.stiffness = 1, .damping = 9}}, {b});
-  const SpringLimit<Real> limit = spring_limit(world.bodies(), world.effects(), world.slots());
+  const SpringLimit<Real> limit = world.spring_limit();
   // The other rows are 4 · 1 · 7 = 28 with 1 · 3, and 1 · 4/4 with 3 · 5/4: of the three, the joint
   // damps the most and limits the step.
   const Real expected = largest_stable_time_step<Real>(24, Real(8.5), 1);
@@ -199,7 +199,7 @@ TEST_CASE_TEMPLATE("A spring held far from the centre of either body limits the 
                                   .attachment_first = {0, arm_first, 0},
                                   .attachment_second = {0, arm_second, 0}},
               {a, b});
-    return spring_limit(world.bodies(), world.effects(), world.slots()).time_step;
+    return world.spring_limit().time_step;
   };
   for (const auto& [first, second] : {std::pair<Real, Real>(1, 2), std::pair<Real, Real>(2, 0)}) {
     const Real sum = 1 + Real(2.5) * first * first + 1 + Real(2.5) * second * second;

@@ -30,8 +30,8 @@ template <class Real>
 struct Blow {
   static constexpr std::string_view name = "blow";
   static constexpr Phase phase = Phase::impulse;
-  void act(Particle<Real>& centre, const Moment<Real>&) const {
-    centre.velocity = centre.velocity.cwiseAbs2();
+  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>&) const {
+    return centre.velocity.cwiseAbs2();
   }
 };
 
@@ -41,7 +41,7 @@ struct Motor {
   static constexpr std::string_view name = "motor";
   static constexpr Phase phase = when;
   Real speed = 1;
-  void act(Particle<Real>& centre, const Moment<Real>&) const { centre.velocity = {speed, 0, 0}; }
+  Vec3<Real> velocity(const Particle<Real>&, const Moment<Real>&) const { return {speed, 0, 0}; }
 };
 
 }  // namespace
@@ -299,9 +299,10 @@ TEST_CASE_TEMPLATE("A force of the user's own is planned, run and named like our
   const BodyHandle leaf = world.add("leaf", make_particle<Real>(2));
   world.add("rock", make_static_particle<Real>({0, 0, 0}));
   world.add(Breeze<Real>{});
-  const auto row = std::find_if(world.plan().rows.begin(), world.plan().rows.end(),
+  const Plan plan = world.plan();
+  const auto row = std::find_if(plan.rows.begin(), plan.rows.end(),
                                 [](const PlanRow& r) { return r.effect == "breeze"; });
-  REQUIRE(row != world.plan().rows.end());
+  REQUIRE(row != plan.rows.end());
   CHECK(row->visited == 1);
   CHECK(row->reason == "not 1: nothing can move them");
   for (int n = 0; n < 3000; ++n) world.step();
@@ -324,8 +325,8 @@ TEST_CASE_TEMPLATE("The order of work is kick, blow, damping, drift", Real, EVER
 }
 
 //! [phases]
-TEST_CASE_TEMPLATE("A velocity that act() writes in the impulse phase moves a body; in others, not",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("A velocity that an effect writes moves a body, in whatever phase", Real,
+                   EVERY_PRECISION) {
   const auto after_a_second = [](const auto& motor) {
     World<Real> world(steps_per_second(64));
     const BodyHandle ball = world.add("ball", make_particle<Real>(1));
@@ -333,23 +334,27 @@ TEST_CASE_TEMPLATE("A velocity that act() writes in the impulse phase moves a bo
     for (int n = 0; n < 64; ++n) world.step();
     return world.body(ball).centre;
   };
-  CHECK(after_a_second(Motor<Real, Phase::impulse>{}).position.x() == 1);
-  const Particle<Real> others[] = {
-      after_a_second(Motor<Real, Phase::force>{}), after_a_second(Motor<Real, Phase::kick>{}),
-      after_a_second(Motor<Real, Phase::damping>{}), after_a_second(Motor<Real, Phase::drift>{})};
-  for (const Particle<Real>& centre : others) {
-    CHECK(centre.velocity.x() == 1);
-    CHECK(centre.position.x() == 0);
-  }
-  // Nor does the guard look at a body that is not to move.
   const Real none = std::numeric_limits<Real>::quiet_NaN();
-  CHECK_THROWS_AS(after_a_second(Motor<Real, Phase::impulse>{none}), SimulationError);
-  CHECK_FALSE(is_finite(after_a_second(Motor<Real, Phase::damping>{none}).velocity));
+  const auto check = [&](const auto& motor, const auto& broken, Real expected) {
+    CHECK(after_a_second(motor).velocity.x() == 1);
+    CHECK(after_a_second(motor).position.x() == expected);
+    CHECK_THROWS_WITH_AS(after_a_second(broken),
+                         doctest::Contains("motor gives a velocity of (nan, 0, 0) m/s"),
+                         SimulationError);
+  };
+  using enum Phase;
+  check(Motor<Real, force>{}, Motor<Real, force>{none}, 1);
+  check(Motor<Real, kick>{}, Motor<Real, kick>{none}, 1);
+  check(Motor<Real, impulse>{}, Motor<Real, impulse>{none}, 1);
+  check(Motor<Real, damping>{}, Motor<Real, damping>{none}, 1);
+  // Behind the drift of the first step, it misses one of 64.
+  check(Motor<Real, drift>{}, Motor<Real, drift>{none}, Real(63) / 64);
 }
 //! [phases]
 
-TEST_CASE_TEMPLATE("A body of no inverse mass that could turn is turned by a torque, not by a push",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "A body of no inverse mass that can turn is turned by a torque, and by a push off its centre",
+    Real, EVERY_PRECISION) {
   const auto spin_after_a_step = [](const auto& effect) {
     World<Real> world(steps_per_second(64));
     RigidBody<Real> flywheel = ball_body<Real>({0, 0, 0}, {0, 0, 0}, {0, 0, 0});
@@ -362,7 +367,8 @@ TEST_CASE_TEMPLATE("A body of no inverse mass that could turn is turned by a tor
   // 2 N m on 0.2 kg m² either way.
   CHECK(std::abs(spin_after_a_step(SteadyTorque<Real>{{0, 0, 2}}) - Real(10) / 64) <=
         16 * unit_roundoff<Real>);
-  CHECK(spin_after_a_step(Thruster<Real>{.force_body = {0, 1, 0}, .point = {2, 0, 0}}) == 0);
+  const Thruster<Real> thruster{.force_body = {0, 1, 0}, .point = {2, 0, 0}};
+  CHECK(std::abs(spin_after_a_step(thruster) - Real(10) / 64) <= 16 * unit_roundoff<Real>);
 }
 
 TEST_CASE_TEMPLATE("A steady torque spins a ball up by τ t/I, and the books have its work", Real,

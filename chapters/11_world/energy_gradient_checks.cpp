@@ -1,4 +1,5 @@
 #include <course/checks.hpp>
+#include <course/push_on.hpp>
 #include <course/random_world.hpp>
 
 using namespace tumble;
@@ -72,7 +73,7 @@ void check_effect(const Effect& effect, const RigidBody<Real>& body, Witness for
   const auto energy = [&](const RigidBody<Witness>& at) {
     return witness.potential_energy({at.centre, at.top});
   };
-  const Push<Real> push = ours.push_on({body.centre, body.top}, 0);
+  const Push<Real> push = push_on<Real>(ours, {body.centre, body.top}, 0);
   const Witness roundings = 64 * static_cast<Witness>(unit_roundoff<Real>) * force_scale;
   check_slopes(energy, body, push.force, push.torque, roundings, 2 * arm * roundings);
 }
@@ -168,7 +169,7 @@ TEST_CASE_TEMPLATE("Force and torques of a spring between bodies are the slopes 
     ++tried;
     const EffectOf<Real, SpringBetween<Real>> ours(effect);
     REQUIRE(ours.traits().stores_energy);
-    const PairPush<Real> push = ours.push_on(state, other, 0);
+    const PairPush<Real> push = push_on<Real>(ours, state, other, 0);
     const SpringBetween<Witness> witness{
         .spring = {effect.spring.stiffness, effect.spring.damping, effect.spring.rest_length,
                    effect.spring.only_pulls},

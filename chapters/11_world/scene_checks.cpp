@@ -1,5 +1,6 @@
 #include <course/bad_scenes.hpp>
 #include <course/checks.hpp>
+#include <course/exhaustive.hpp>
 #include <course/random_world.hpp>
 #include <course/shipped_scenes.hpp>
 #include <course/tumbling_problems.hpp>
@@ -65,6 +66,23 @@ TEST_CASE_TEMPLATE(
   }
 }
 //! [shipped]
+
+//! [exhaustive]
+TEST_CASE_TEMPLATE("Every shipped scene moves by plan as when nothing is known of any body", Real,
+                   EVERY_PRECISION) {
+  for (const std::filesystem::path& path : shipped_scenes()) {
+    CAPTURE(path.stem().string());
+    Scene<Real> scene = read_scene_file<Real>(path, {.most_copies = 1000});
+    settle(scene.world);
+    World<Real> exhaustive = scene.world;
+    for (int n = 0; n < (scene.world.body_count() > 100 ? 60 : 240); ++n) {
+      scene.world.step();
+      exhaustive.step_exhaustively();
+    }
+    CHECK(difference_in_value(scene.world.bodies(), exhaustive.bodies()) == "");
+  }
+}
+//! [exhaustive]
 
 TEST_CASE_TEMPLATE("All 100,000 drops of the rain move by plan as by the reference run, to the bit",
                    Real, EVERY_PRECISION) {

@@ -28,9 +28,8 @@ int main(int argument_count, char** arguments) {
       notebook.table("scenes", {"scene", "title", "bodies", "effects that run", "simulated (s)"});
   for (const std::filesystem::path& path : course::shipped_scenes()) {
     Scene<double> scene = read_scene_file<double>(path);
-    scene.world.plan();
     scenes.row(path.stem().string(), scene.title, std::to_string(scene.world.body_count()),
-               std::to_string(scene.world.passes().size()), text_of(scene.duration));
+               std::to_string(scene.world.plan().passes()), text_of(scene.duration));
   }
   course::Table bodies = notebook.table("scene_keys", {"object", "key", "unit", "required"});
   write_keys(bodies, object_kinds);

@@ -2,6 +2,7 @@
 // here, by textbook formulas or by hand, and share nothing with the loader.
 #include <course/bad_scenes.hpp>
 #include <course/checks.hpp>
+#include <course/push_on.hpp>
 #include <tumble/scene/read_scene.hpp>
 
 using namespace tumble;
@@ -27,7 +28,7 @@ const Entry<double>& only_effect(const Scene<double>& scene) {
 
 /// What the scene's one effect does to its body number `index` at some time.
 Push<double> push_of(const Scene<double>& scene, BodyIndex index = 0, double time = 0) {
-  return only_effect(scene).effect->push_on(state_of(scene.world.bodies(), index), time);
+  return push_on(*only_effect(scene).effect, state_of(scene.world.bodies(), index), time);
 }
 
 /// The largest number that is compared times this bounds what a dozen operations round.
@@ -368,13 +369,13 @@ TEST_CASE("A spring between bodies holds each where the file says, in that body'
   const Entry<double>& entry = only_effect(scene);
   CHECK(entry.effect->name() == "chain");
   const Bodies<double>& all = scene.world.bodies();
-  const PairPush<double> push = entry.effect->push_on(state_of(all, 0), state_of(all, 1), 0);
+  const PairPush<double> push = push_on(*entry.effect, state_of(all, 0), state_of(all, 1), 0.0);
   // 3 m apart along z, and neither end moves along it: 10 N/m · 2 m.
   CHECK(close(push.force_on_first, {0, 0, 20}));
   CHECK(close(push.torque_on_first, {0, 20, 0}));    // −x × 20 z
   CHECK(close(push.torque_on_second, {-10, 0, 0}));  // (0, 0.5, 1) × −20 z
-  CHECK(scene.world.slots().index_of(entry.targets[0]) == 0);
-  CHECK(scene.world.slots().index_of(entry.targets[1]) == 1);
+  CHECK(scene.world.index_of(entry.targets[0]) == 0);
+  CHECK(scene.world.index_of(entry.targets[1]) == 1);
 }
 
 TEST_CASE("A spring to a point is drawn from where it holds the body to where it hangs") {
@@ -417,8 +418,7 @@ TEST_CASE("An effect is for the bodies that it names, one copy among them, or fo
     const Entry<double>& entry = only_effect(scene);
     CHECK(entry.everyone == entry.targets.empty());
     std::vector<BodyIndex> list;
-    for (const BodyHandle& handle : entry.targets)
-      list.push_back(scene.world.slots().index_of(handle));
+    for (const BodyHandle& handle : entry.targets) list.push_back(scene.world.index_of(handle));
     return list;
   };
   using List = std::vector<BodyIndex>;

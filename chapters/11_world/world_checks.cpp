@@ -51,7 +51,7 @@ TEST_CASE_TEMPLATE("A stale handle says so, and its slot's next body is another 
   world.remove(first);
   CHECK(complaint_of_any([&] {
           world.set_velocity(first, {1, 0, 0});
-        }) == "stale handle: body 0, generation 0, has been removed or never was in this world");
+        }) == "stale handle: body 0, generation 1, has been removed");
   const BodyHandle fourth = world.add("fourth", make_particle<Real>(1, {4, 0, 0}));
   CHECK(fourth.slot == first.slot);
   CHECK_FALSE(world.contains(first));
@@ -62,6 +62,29 @@ TEST_CASE_TEMPLATE("A stale handle says so, and its slot's next body is another 
   CHECK(world.name_of(second) == "second");
 }
 //! [stale]
+
+//! [foreign]
+TEST_CASE_TEMPLATE("A handle that nobody gave out, or another world, is refused; a copy knows it",
+                   Real, EVERY_PRECISION) {
+  World<Real> world, other;
+  const BodyHandle body = world.add("body", make_particle<Real>(1));
+  const BodyHandle foreign = other.add("foreign", make_particle<Real>(1));
+  const EffectHandle gravity = world.add(Gravity<Real>{});
+  const EffectHandle foreign_gravity = other.add(Gravity<Real>{});
+  CHECK(complaint_of_any([&] { (void)world.body(BodyHandle{}); }) ==
+        "empty handle: no world gave it out; add() and find() do");
+  CHECK(complaint_of_any([&] { (void)world.body(foreign); }) ==
+        "foreign handle: body 0 is one of another world");
+  CHECK_FALSE(world.contains(foreign));
+  CHECK(complaint_of_any([&] { world.remove(foreign_gravity); }) ==
+        "stale handle: effect 1 has been removed or never was in this world");
+  World<Real> copy = world;
+  copy.remove(gravity);
+  copy.set_velocity(body, {1, 0, 0});
+  CHECK(copy.body(body).centre.velocity.x() == 1);
+  CHECK(world.body(body).centre.velocity.x() == 0);
+}
+//! [foreign]
 
 TEST_CASE_TEMPLATE("Bodies keep their tops while others are removed", Real, EVERY_PRECISION) {
   Dice dice(5);
@@ -336,22 +359,4 @@ TEST_CASE_TEMPLATE("A body that does nothing to the others changes no bit of how
   CHECK(same_bits(a.top.orientation.imaginary, b.top.orientation.imaginary));
   CHECK(a.top.orientation.real == b.top.orientation.real);
   CHECK(same_bits(a.top.angular_momentum_body, b.top.angular_momentum_body));
-}
-
-TEST_CASE_TEMPLATE(
-    "What is changed through keeping() passes by the world: the plan does not see it", Real,
-    EVERY_PRECISION) {
-  World<Real> world;
-  const BodyHandle ball = world.add("ball", ball_body<Real>({0, 0, 0}));
-  const RigidBody<Real> spinning = ball_body<Real>({0, 0, 0}, {0, 0, 3});
-  const auto turned = [&] {
-    const Quaternion<Real> before = world.body(ball).top.orientation;
-    world.step();
-    return !same_bits(world.body(ball).top.orientation.imaginary, before.imaginary);
-  };
-  CHECK_FALSE(turned());
-  world.keeping().set_body(0, spinning);
-  CHECK_FALSE(turned());
-  world.replace(ball, spinning);
-  CHECK(turned());
 }

@@ -16,23 +16,23 @@ struct Fuse {
 };
 
 template <class Real, Phase when>
-struct ActOnCentre {
-  static constexpr std::string_view name = "own act on centres";
+struct OwnVelocity {
+  static constexpr std::string_view name = "own velocity";
   static constexpr Phase phase = when;
   Fuse<Real> fuse;
-  void act(Particle<Real>& centre, const Moment<Real>& moment) const {
-    centre.velocity *= fuse(moment.time) * Real(0.99);
-    centre.velocity.x() += moment.time_step * centre.position.y();
+  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>& moment) const {
+    return fuse(moment.time) * Real(0.99) * centre.velocity +
+           moment.time_step * Vec3<Real>(centre.position.y(), 0, 0);
   }
 };
 
 template <class Real, Phase when>
-struct ActOnTop {
-  static constexpr std::string_view name = "own act on tops";
+struct OwnSpin {
+  static constexpr std::string_view name = "own spin";
   static constexpr Phase phase = when;
   Fuse<Real> fuse;
-  void act(Top<Real>& top, const Moment<Real>& moment) const {
-    top.angular_momentum_body *= fuse(moment.time) * Real(0.99);
+  Vec3<Real> angular_momentum_body(const Top<Real>& top, const Moment<Real>& moment) const {
+    return fuse(moment.time) * Real(0.99) * top.angular_momentum_body;
   }
 };
 
@@ -124,16 +124,16 @@ TEST_CASE_TEMPLATE(
     "Effects of the user's own, of every form and in every phase, move packs as one by one, and "
     "fail alike",
     Real, EVERY_PRECISION) {
-  CHECK(is_same_until_burnt_out<Real>(ActOnCentre<Real, Phase::force>{}));
-  CHECK(is_same_until_burnt_out<Real>(ActOnCentre<Real, Phase::kick>{}));
-  CHECK(is_same_until_burnt_out<Real>(ActOnCentre<Real, Phase::impulse>{}));
-  CHECK(is_same_until_burnt_out<Real>(ActOnCentre<Real, Phase::damping>{}));
-  CHECK(is_same_until_burnt_out<Real>(ActOnCentre<Real, Phase::drift>{}));
-  CHECK(is_same_until_burnt_out<Real>(ActOnTop<Real, Phase::force>{}));
-  CHECK(is_same_until_burnt_out<Real>(ActOnTop<Real, Phase::kick>{}));
-  CHECK(is_same_until_burnt_out<Real>(ActOnTop<Real, Phase::impulse>{}));
-  CHECK(is_same_until_burnt_out<Real>(ActOnTop<Real, Phase::damping>{}));
-  CHECK(is_same_until_burnt_out<Real>(ActOnTop<Real, Phase::drift>{}));
+  CHECK(is_same_until_burnt_out<Real>(OwnVelocity<Real, Phase::force>{}));
+  CHECK(is_same_until_burnt_out<Real>(OwnVelocity<Real, Phase::kick>{}));
+  CHECK(is_same_until_burnt_out<Real>(OwnVelocity<Real, Phase::impulse>{}));
+  CHECK(is_same_until_burnt_out<Real>(OwnVelocity<Real, Phase::damping>{}));
+  CHECK(is_same_until_burnt_out<Real>(OwnVelocity<Real, Phase::drift>{}));
+  CHECK(is_same_until_burnt_out<Real>(OwnSpin<Real, Phase::force>{}));
+  CHECK(is_same_until_burnt_out<Real>(OwnSpin<Real, Phase::kick>{}));
+  CHECK(is_same_until_burnt_out<Real>(OwnSpin<Real, Phase::impulse>{}));
+  CHECK(is_same_until_burnt_out<Real>(OwnSpin<Real, Phase::damping>{}));
+  CHECK(is_same_until_burnt_out<Real>(OwnSpin<Real, Phase::drift>{}));
   CHECK(is_same_until_burnt_out<Real>(OwnAcceleration<Real>{}));
   CHECK(is_same_until_burnt_out<Real>(OwnTorque<Real>{}));
   CHECK(is_same_until_burnt_out<Real>(OwnForce<Real>{}));

@@ -86,9 +86,8 @@ int main(int argument_count, char** arguments) {
       same ? "no" : "some");
   course::expect(same, "the three worlds agree to the bit");
 
-  notebook.value("steps_to_repeat", std::to_string(InPacks<float>::steps_to_repeat));
   notebook.value("smallest_share", std::to_string(InPacks<float>::smallest_share));
-  notebook.value("passes", std::to_string(world.passes().size()));
+  notebook.value("passes", std::to_string(world.plan().passes()));
   notebook.value("width", std::to_string(width));
   notebook.value("width_double", std::to_string(natural_width<double>));
   notebook.value("bytes_point", std::to_string(sizeof(Particle<Packed>) / width));

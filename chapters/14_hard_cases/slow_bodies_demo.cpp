@@ -15,11 +15,13 @@ const int count = 4096;
 /// Damping as one writes it first. It stops at no speed, however small.
 template <class Real>
 struct NaiveDamping {
-  static constexpr std::string_view name = "naive damping", reads{}, writes = "velocity";
+  static constexpr std::string_view name = "naive damping";
   static constexpr Phase phase = Phase::damping;
   Real fraction;
   std::string_view why_skipped(const Facts&) const { return ""; }
-  void act(Particle<Real>& centre, const Moment<Real>&) const { centre.velocity *= fraction; }
+  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>&) const {
+    return fraction * centre.velocity;
+  }
   template <class Wide>
   NaiveDamping<Wide> widened() const {
     return {fraction};
@@ -27,12 +29,13 @@ struct NaiveDamping {
 };
 template <class Real>
 struct NaiveSpinDamping {
-  static constexpr std::string_view name = "naive damping of spin", reads{},
-                                    writes = "angular momentum";
+  static constexpr std::string_view name = "naive damping of spin";
   static constexpr Phase phase = Phase::damping;
   Real fraction;
   std::string_view why_skipped(const Facts&) const { return ""; }
-  void act(Top<Real>& top, const Moment<Real>&) const { top.angular_momentum_body *= fraction; }
+  Vec3<Real> angular_momentum_body(const Top<Real>& top, const Moment<Real>&) const {
+    return fraction * top.angular_momentum_body;
+  }
   template <class Wide>
   NaiveSpinDamping<Wide> widened() const {
     return {fraction};

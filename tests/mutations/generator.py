@@ -16,7 +16,7 @@ assigning = {"+=": ("add_to", ["-=", "="]), "-=": ("take_from", ["+="]), "*=": (
 symmetric = {"max", "min", "hypot", "dot", "swap", "same_bits", "cwiseProduct", "cwiseMax", "cwiseMin"}
 # Tables that the compiler computes, but that may as well be computed when the program starts.
 late_variables = {"row", "from", "portions", "rule", "weight", "turning_ladder", "motion_ladder", "torque_ladder", "quarter_turn",
-                  "sine_series", "cosine_series", "element_slack", "steps_to_repeat", "smallest_share", "packs_in_block"}
+                  "sine_series", "cosine_series", "element_slack", "short_list", "smallest_share", "packs_in_block"}
 integers = {"bool", "int", "unsigned", "size_t", "int64_t", "uint32_t", "uint64_t"}
 no_calls = {"if", "for", "while", "sizeof", "decltype", "noexcept", "alignof", "static_assert", "requires", "catch",
             "return", "throw", "operator", "alignas"}

@@ -44,6 +44,15 @@ run t_handle --plan
 verify "--plan ends well" ends_with 0
 verify "--plan prints the plan" says "tumbling: splitting"
 verify "--plan takes no step" says_not "steps per second"
+run everything --check-plan --until 0.2
+verify "--check-plan ends well" ends_with 0
+verify "--check-plan prints the plan" says "tumbling: splitting"
+verify "--check-plan finds no difference" says "every number of every motion is the same"
+run t_handle --check-plan --precision float --method splitting_without_sine --until 0.2
+verify "nor in float by another method" says "every number of every motion is the same"
+run t_handle --check-plan --csv path.csv
+verify "--check-plan writes no files" complains "--check-plan compares two runs and writes no files; --csv can't go with it"
+verify "and ends as for a wrong command line" ends_with 2
 run t_handle --until 0.1
 verify "it simulates until the time that is asked for" says "24 steps of 0.00416667 s"
 verify "it tells the steps per second" says "steps per second"

@@ -38,7 +38,8 @@ class Dice {
 /// A torque that is the same for all bodies and at all times.
 template <class Real>
 struct SteadyTorque {
-  static constexpr std::string_view name = "steady torque", reads{};
+  static constexpr std::string_view name = "steady torque";
+  static constexpr Quantities reads = quantity::none;
   Vec3<Real> steady = Vec3<Real>::Zero();  ///< N m, world axes
   Vec3<Real> torque(const Top<Real>&, Real) const { return steady; }
   template <class Wide>
@@ -86,7 +87,7 @@ void add_random_effect(World<Real, Keeping>& world, Dice& dice,
   const Real amount = dice.one_in(4) ? 0 : Real(0.5) + dice.real<Real>() / 4;
   const Vec3<Real> direction = dice.one_in(3) ? Vec3<Real>(0, 0, 0) : dice.vector<Real>();
   const std::vector<BodyHandle> some = {bodies[dice.below(bodies.size())]};
-  const bool has_top = !is_point(world.bodies(), world.slots().index_of(some[0]));
+  const bool has_top = !world.is_point(some[0]);
   const Vec3<Real> place = has_top ? direction : Vec3<Real>(0, 0, 0);
   const auto add = [&](const auto& effect) {
     if (dice.one_in(2))
@@ -150,7 +151,7 @@ template <class Real, class Keeping>
 void meddle(World<Real, Keeping>& world, Dice& dice, int number) {
   if (world.body_count() == 0) return;
   const BodyHandle body = world.handle_at(static_cast<BodyIndex>(dice.below(world.body_count())));
-  const bool has_top = !is_point(world.bodies(), world.slots().index_of(body));
+  const bool has_top = !world.is_point(body);
   switch (dice.below(7)) {
     case 0:
       return world.set_velocity(body, dice.vector<Real>());

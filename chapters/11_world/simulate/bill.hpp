@@ -10,7 +10,7 @@
 
 namespace tumble::simulate {
 
-/// The passes of the plan run in their order on a copy of the bodies, with a look at the clock
+/// The parts of a step run in their order on a copy of the bodies, with a look at the clock
 /// before and after each, and beside them whole steps on a copy of the world. So all lines come
 /// from one run. Each round takes a few milliseconds and begins where the world is now. We
 /// report the median of the rounds, less what reading the clock costs.
@@ -21,9 +21,9 @@ class Bill {
  public:
   /// `most_steps` is how many steps are known to succeed.
   Bill(World<Real, Keeping> world, std::int64_t most_steps)
-      : world_(std::move(world)), passes_(world_.passes().size()) {
-    for (const PlanRow& row : world_.plan().rows)
-      if (row.visited > 0) rows_.push_back(row);
+      : world_(std::move(world)),
+        parts_(world_.keeping().parts(world_.work())),
+        passes_(parts_.size()) {
     samples_.resize(passes_ + 1);
     steps_in_round_ = 1;
     while (2 * steps_in_round_ <= std::min<std::int64_t>(most_steps, 1 << 16) && round() < 2e6)
@@ -38,13 +38,13 @@ class Bill {
     std::vector<double> times;
     for (std::size_t i = 0; i < passes_; ++i) times.push_back(median(samples_[i]));
     const double sum = std::accumulate(times.begin(), times.end(), 0.0);
-    std::string text = line("effect", "bodies", "ns per body and step", "part of the passes");
+    std::string text = line("effect", "bodies", "ns per body and step", "part of the step");
     for (std::size_t i = 0; i < passes_; ++i)
-      text += line(rows_[i].effect, std::to_string(rows_[i].visited),
-                   number(times[i] / static_cast<double>(rows_[i].visited)),
+      text += line(parts_[i].name, std::to_string(parts_[i].bodies),
+                   number(times[i] / static_cast<double>(parts_[i].bodies)),
                    number(100 * times[i] / sum) + " %");
     const std::size_t count = world_.body_count();
-    return text + line("a whole step, with its guard", std::to_string(count),
+    return text + line("a whole step", std::to_string(count),
                        number(median(samples_.back()) / static_cast<double>(count)), "");
   }
 
@@ -79,7 +79,7 @@ class Bill {
       const Moment<Real> moment = moment_of(world_.ticks() + step, world_.time_step());
       for (std::size_t i = 0; i < passes_; ++i) {
         const Clock::time_point before = Clock::now();
-        measured.keeping().run_pass(measured.planned(), i, moment);
+        measured.keeping().run_part(measured.work(), i, moment);
         times[i] += nanoseconds(Clock::now() - before);
       }
       const Clock::time_point before = Clock::now();
@@ -96,8 +96,8 @@ class Bill {
   }
 
   World<Real, Keeping> world_;
+  std::vector<typename Keeping::Part> parts_;
   std::size_t passes_;
-  std::vector<PlanRow> rows_;
   std::vector<std::vector<double>> samples_;  // ns for each step, of the passes and of the whole
   std::int64_t steps_in_round_ = 1;
 };

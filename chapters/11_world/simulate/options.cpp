@@ -18,6 +18,8 @@ constexpr const char* help = R"(simulate SCENE [OPTION...]
 SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or the path of a scene file.
 
   --plan              print the plan and do nothing else
+  --check-plan        step the scene by its plan, and beside it without: every effect visits every body, and all are kicked,
+                      drift and turn; say where the two part, if they do
   --dt SECONDS        another time step, 1e-6 to 3600; rounded to whole nanoseconds
   --until SECONDS     simulate this long instead of the scene's duration, to the nearest whole number of steps
   --method METHOD     turn by another rule of chapter 8, or by a rung of chapter 13; for a METHOD that does not exist
@@ -47,7 +49,7 @@ signal that ended it: 130 after Ctrl-C.
 const std::vector<std::string> options_with_value = {"dt",    "until",   "method", "precision",
                                                      "csv",   "jsonl",   "plot",   "view",
                                                      "every", "threads", "books",  "seed"};
-const std::vector<std::string> switches = {"plan", "no-ledger", "bill", "help"};
+const std::vector<std::string> switches = {"plan", "check-plan", "no-ledger", "bill", "help"};
 
 double seconds(const std::string& option, const std::string& text) {
   double value = 0;
@@ -146,6 +148,7 @@ Options read(const cxxopts::ParseResult& given) {
   if (given.count("scene") == 0) throw UsageError("which scene? --help lists the options");
   options.scene = find_scene(text("scene"));
   options.only_plan = is_on(given, "plan");
+  options.check_plan = is_on(given, "check-plan");
   options.ledger = !is_on(given, "no-ledger");
   options.bill = is_on(given, "bill");
   if (!options.ledger && given.count("books"))
@@ -194,6 +197,11 @@ Options read(const cxxopts::ParseResult& given) {
   options.plot = path("plot");
   options.view = path("view");
   options.books = path("books");
+  if (options.check_plan)
+    for (const char* output : {"csv", "jsonl", "plot", "view", "books"})
+      if (given.count(output) > 0)
+        throw UsageError("--check-plan compares two runs and writes no files; --" +
+                         std::string(output) + " can't go with it");
   require_different_files(options);
   return options;
 }

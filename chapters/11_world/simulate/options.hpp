@@ -30,7 +30,7 @@ class UsageError : public std::runtime_error {
 struct Options {
   std::filesystem::path scene;
   bool is_float = false;
-  bool only_plan = false, ledger = true, bill = false;
+  bool only_plan = false, check_plan = false, ledger = true, bill = false;
   SceneChanges changes;
   std::string said;             ///< how --dt was rounded; empty if it was not given
   std::optional<double> until;  ///< s

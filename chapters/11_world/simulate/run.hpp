@@ -12,6 +12,7 @@
 #include "plot.hpp"
 #include "progress.hpp"
 #include "simulated_scene.hpp"
+#include "steps_until.hpp"
 #include "view.hpp"
 
 namespace tumble::simulate {
@@ -127,20 +128,6 @@ ExitCode take_steps(Scene<Real, Keeping>& scene, Ledger<Real>& ledger, const Opt
   return code;
 }
 
-/// The steps whose end comes nearest to the end of the simulation.
-/// @throws UsageError if that is none.
-template <class Real, class Keeping>
-std::int64_t steps_until(const Scene<Real, Keeping>& scene, const Options& options) {
-  const double h = time_step_of<double>(scene.world.step_length());
-  const double duration = options.until.value_or(scene.duration);
-  const std::int64_t steps = std::llround(duration / h);
-  if (steps == 0)
-    throw UsageError((options.until ? "--until is " : "the scene lasts ") + text_of(duration) +
-                     " s; that is less than half a step of " + text_of(h) +
-                     " s, and only whole steps are taken");
-  return steps;
-}
-
 template <class Real, class Keeping>
 void print_scene(Scene<Real, Keeping>& scene, const Options& options, std::int64_t steps) {
   std::printf("%s\n", scene.title.c_str());
@@ -168,6 +155,7 @@ ExitCode run(const Options& options) {
   using Keeping = InPacks<Real>;
   SceneInPacks<Real> scene = scene_of<Real>(options);
   const std::int64_t steps = steps_until(scene, options);
+  scene.world.on_warning([](const std::string&) {});  // they stand below the plan
   if (options.only_plan) {
     print_scene(scene, options, steps);
     return all_simulated;

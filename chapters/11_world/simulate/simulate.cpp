@@ -6,6 +6,7 @@
 #include <system_error>
 #include <tumble/scene/scene_error.hpp>
 
+#include "check_plan.hpp"
 #include "interrupts.hpp"
 #include "options.hpp"
 #include "output_file.hpp"
@@ -29,6 +30,7 @@ int answer(int argument_count, char** arguments) {
   try {
     const std::optional<Options> options = read_options(argument_count, arguments);
     if (!options) return all_simulated;
+    if (options->check_plan) return check_plan(*options);
     return options->is_float ? run<float>(*options) : run<double>(*options);
   } catch (const UsageError& error) {
     return said(error.what(), bad_input);

@@ -14,6 +14,7 @@ namespace tumble {
 template <class Real>
 struct LinearDamping {
   static constexpr std::string_view name = "linear damping";
+  static constexpr Quantities reads = quantity::velocity;
   static constexpr Phase phase = Phase::damping;
   Real rate = 0;      ///< k, 1/s
   Real fraction = 1;  ///< e^(−k h), which prepare() computes
@@ -21,12 +22,14 @@ struct LinearDamping {
   void check() const { checked_damping_rate(rate, "linear damping"); }
   void prepare(Real time_step) { fraction = fraction_kept(rate, time_step); }
   std::string_view why_skipped(const Facts& facts) const {
-    return rate == 0         ? "its rate is zero"
-           : facts.is_static ? "nothing can move them"
-           : !facts.moves    ? "at rest, and nothing can move them"
-                             : "";
+    return rate == 0      ? "its rate is zero"
+           : !facts.moves ? "at rest, and nothing can move them"
+                          : "";
   }
-  void act(Particle<Real>& centre, const Moment<Real>&) const { damp(centre, fraction); }
+  Vec3<Real> velocity(Particle<Real> centre, const Moment<Real>&) const {
+    damp(centre, fraction);
+    return centre.velocity;
+  }
   template <class Wide>
   LinearDamping<Wide> widened() const {
     return {rate, fraction};
@@ -38,6 +41,7 @@ struct LinearDamping {
 template <class Real>
 struct AngularDamping {
   static constexpr std::string_view name = "angular damping";
+  static constexpr Quantities reads = quantity::spin;
   static constexpr Phase phase = Phase::damping;
   Real rate = 0;      ///< k, 1/s
   Real fraction = 1;  ///< e^(−k h), which prepare() computes
@@ -49,7 +53,10 @@ struct AngularDamping {
            : !facts.turns ? "no spin and nothing that can give torque"
                           : "";
   }
-  void act(Top<Real>& top, const Moment<Real>&) const { damp(top, fraction); }
+  Vec3<Real> angular_momentum_body(Top<Real> top, const Moment<Real>&) const {
+    damp(top, fraction);
+    return top.angular_momentum_body;
+  }
   template <class Wide>
   AngularDamping<Wide> widened() const {
     return {rate, fraction};
@@ -60,7 +67,7 @@ struct AngularDamping {
 template <class Real>
 struct QuadraticDrag {
   static constexpr std::string_view name = "quadratic drag";
-  static constexpr std::string_view reads = "velocity";
+  static constexpr Quantities reads = quantity::velocity;
   Real coefficient = 0;                  ///< ½ ρ C A, kg/m, see drag_coefficient()
   Vec3<Real> wind = Vec3<Real>::Zero();  ///< m/s, world axes
 
@@ -94,7 +101,7 @@ struct QuadraticDrag {
 template <class Real>
 struct Magnus {
   static constexpr std::string_view name = "Magnus force";
-  static constexpr std::string_view reads = "velocity, spin";
+  static constexpr Quantities reads = quantity::velocity | quantity::orientation | quantity::spin;
   Real strength = 0;                     ///< S, kg
   Vec3<Real> wind = Vec3<Real>::Zero();  ///< m/s, world axes
 
@@ -125,7 +132,7 @@ struct Magnus {
 template <class Real>
 struct Buoyancy {
   static constexpr std::string_view name = "buoyancy";
-  static constexpr std::string_view reads = "position";
+  static constexpr Quantities reads = quantity::position;
   Real density = 1000;        ///< ρ of the liquid, kg/m³
   Real radius = 0;            ///< r of the balls, m
   Real surface = 0;           ///< the height z of the surface, m

@@ -11,7 +11,7 @@ namespace tumble {
 template <class Real>
 struct Gravity {
   static constexpr std::string_view name = "gravity";
-  static constexpr std::string_view reads = "mass";
+  static constexpr Quantities reads = quantity::mass;
   Vec3<Real> gravity = {0, 0, Real(-9.81)};  ///< g, m/s², world axes
 
   void check() const { require_finite("gravity", gravity, "m/s^2"); }
@@ -34,7 +34,7 @@ struct Gravity {
 template <class Real>
 struct GravityAsAcceleration {
   static constexpr std::string_view name = "gravity as acceleration";
-  static constexpr std::string_view reads{};
+  static constexpr Quantities reads = quantity::none;
   Vec3<Real> gravity = {0, 0, Real(-9.81)};  ///< g, m/s², world axes
 
   void check() const { require_finite("gravity", gravity, "m/s^2"); }
@@ -59,7 +59,7 @@ struct GravityAsAcceleration {
 template <class Real>
 struct PointGravity {
   static constexpr std::string_view name = "point gravity";
-  static constexpr std::string_view reads = "mass, position";
+  static constexpr Quantities reads = quantity::mass | quantity::position;
   Real strength = 0;                       ///< G M, m³/s²
   Vec3<Real> centre = Vec3<Real>::Zero();  ///< m, world axes
 

@@ -2,17 +2,21 @@
 /// Handles: names for bodies that stay right while other bodies come and go.
 #pragma once
 
+#include <atomic>
 #include <stdexcept>
 #include <string>
 #include <tumble/bodies.hpp>
 
 namespace tumble {
 
-/// A body of a world. The generation tells a body from one that had its slot before.
+/// A body of a world. The generation tells a body from one that had its slot before, and the family
+/// tells its world, and the copies of that, from others. A handle that no world gave out has
+/// generation 0, which is nobody's.
 //! [handle]
 struct BodyHandle {
   std::uint32_t slot = 0;
   std::uint32_t generation = 0;
+  std::uint64_t family = 0;
   friend bool operator==(const BodyHandle&, const BodyHandle&) = default;
 };
 //! [handle]
@@ -20,6 +24,7 @@ struct BodyHandle {
 /// An effect of a world.
 struct EffectHandle {
   std::uint64_t number = 0;
+  std::uint64_t family = 0;
   friend bool operator==(const EffectHandle&, const EffectHandle&) = default;
 };
 
@@ -37,7 +42,7 @@ class Slots {
     free_.pop_back();
     slots_[slot].index = index;
     slot_of_.push_back(slot);
-    return {slot, slots_[slot].generation};
+    return {slot, slots_[slot].generation, family_};
   }
 
   /// Forgets a body; the last one moves to its place, as in take_out().
@@ -52,28 +57,40 @@ class Slots {
   }
 
   bool contains(BodyHandle body) const {
-    return body.slot < slots_.size() && slots_[body.slot].generation == body.generation &&
-           slots_[body.slot].index != no_index;
+    return body.family == family_ && body.slot < slots_.size() &&
+           slots_[body.slot].generation == body.generation && slots_[body.slot].index != no_index;
   }
 
-  /// @throws std::out_of_range if the handle is stale.
+  /// What the handles of this world, and of its copies, have in common.
+  std::uint64_t family() const { return family_; }
+
+  /// @throws std::out_of_range if the handle is stale, or another world's, or nobody's.
   BodyIndex index_of(BodyHandle body) const {
+    if (body.generation == 0)
+      throw std::out_of_range("empty handle: no world gave it out; add() and find() do");
+    if (body.family != family_)
+      throw std::out_of_range("foreign handle: body " + std::to_string(body.slot) +
+                              " is one of another world");
     if (!contains(body))
       throw std::out_of_range("stale handle: body " + std::to_string(body.slot) + ", generation " +
-                              std::to_string(body.generation) +
-                              ", has been removed or never was in this world");
+                              std::to_string(body.generation) + ", has been removed");
     return slots_[body.slot].index;
   }
 
   BodyHandle handle_of(BodyIndex index) const {
-    return {slot_of_[index], slots_[slot_of_[index]].generation};
+    return {slot_of_[index], slots_[slot_of_[index]].generation, family_};
   }
 
  private:
   struct Slot {
     BodyIndex index = no_index;
-    std::uint32_t generation = 0;
+    std::uint32_t generation = 1;
   };
+  static std::uint64_t next_family() {
+    static std::atomic<std::uint64_t> families = 0;
+    return ++families;
+  }
+  std::uint64_t family_ = next_family();
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> slot_of_;  // for each array element
   std::vector<std::uint32_t> free_;

@@ -3,91 +3,13 @@
 #pragma once
 
 #include <cstdio>
+#include <tumble/ledger_line.hpp>
 #include <tumble/world.hpp>
 
 namespace tumble {
 
-/// A line of the books: an amount of energy (J), momentum (kg m/s) and angular momentum about the
-/// world's origin (kg m²/s), world axes.
-struct LedgerLine {
-  std::string name;
-  double energy = 0;
-  Vec3d momentum = Vec3d::Zero();
-  Vec3d angular_momentum = Vec3d::Zero();
-
-  LedgerLine& operator+=(const LedgerLine& other) {
-    energy += other.energy;
-    momentum += other.momentum;
-    angular_momentum += other.angular_momentum;
-    return *this;
-  }
-  LedgerLine& operator-=(const LedgerLine& other) {
-    energy -= other.energy;
-    momentum -= other.momentum;
-    angular_momentum -= other.angular_momentum;
-    return *this;
-  }
-};
-
-/// What one body has.
-template <class Real>
-LedgerLine holdings_of(const BodyState<Real>& body) {
-  const Particle<double> centre{.position = body.centre.position.template cast<double>(),
-                                .velocity = body.centre.velocity.template cast<double>(),
-                                .inverse_mass = static_cast<double>(body.centre.inverse_mass)};
-  const Vec3d angular_velocity = angular_velocity_body(body.top).template cast<double>();
-  const Vec3d angular_momentum = body.top.angular_momentum_body.template cast<double>();
-  const Quaternion<double> q{static_cast<double>(body.top.orientation.real),
-                             body.top.orientation.imaginary.template cast<double>()};
-  const Vec3d p = momentum(centre);
-  return {{},
-          kinetic_energy(centre) + angular_velocity.dot(angular_momentum) / 2,
-          p,
-          centre.position.cross(p) + rotate(q, angular_momentum)};
-}
-
-/// What all bodies have.
-template <class Real>
-LedgerLine holdings_of(const Bodies<Real>& bodies) {
-  LedgerLine sum;
-  for (BodyIndex body = 0; body < bodies.centres.size(); ++body)
-    sum += holdings_of(state_of(bodies, body));
-  return sum;
-}
-
-/// What a push gives a body in the kick of `time_step` seconds, exactly but for rounding. `before`
-/// and `after` are the body around the kick, when it has not yet moved.
-///
-/// With Δv = h ΣF/m the energy grows by ½ m (v' + v)·(v' − v) = h ΣF · ½ (v + v'). The sum falls
-/// apart into the effects' shares, and the same holds for L, with ½ (ω + ω').
-//! [work_of]
-template <class Real>
-LedgerLine work_of(const Push<Real>& push, const BodyState<Real>& before,
-                   const BodyState<Real>& after, Real time_step) {
-  const double h = static_cast<double>(time_step);
-  LedgerLine work;
-  if (!is_static(before.centre)) {
-    const Vec3d mean = (before.centre.velocity.template cast<double>() +
-                        after.centre.velocity.template cast<double>()) /
-                       2;
-    work.momentum = h * push.force.template cast<double>();
-    work.energy = work.momentum.dot(mean);
-    work.angular_momentum = before.centre.position.template cast<double>().cross(work.momentum);
-  }
-  const Vec3<Real> torque_body =
-      free_part<Real>(before.top, rotate_back(before.top.orientation, push.torque));
-  const Vec3d mean_spin = (angular_velocity_body(before.top).template cast<double>() +
-                           angular_velocity_body(after.top).template cast<double>()) /
-                          2;
-  work.energy += h * torque_body.template cast<double>().dot(mean_spin);
-  work.angular_momentum +=
-      h * rotate<Real>(before.top.orientation, torque_body).template cast<double>();
-  return work;
-}
-//! [work_of]
-
 /// The books. They are kept beside the world and never touch it: a step with books is the same to
-/// the bit as one without.
+/// the bit as one without. They take the step on a copy first, one effect after another.
 template <class Real>
 class Ledger {
  public:
@@ -98,30 +20,9 @@ class Ledger {
   //! [ledger_step]
   template <class Keeping>
   void step(World<Real, Keeping>& world) {
-    const Bodies<Real> before = world.bodies();
-    const Real time = world.time();
-    const std::vector<Pass<Real>> passes = world.passes();
-    std::vector<Line> lines = lines_;
-    for (const Pass<Real>& pass : passes)
-      if (pushes(*pass.effect) || pass.effect->phase() > Phase::kick) line_of(lines, *pass.effect);
-    Bodies<Real> kicked = before;
-    LedgerLine last;
-    bool all_kicked = false;
-    world.step([&](const AnyEffect<Real>& effect) {
-      if (effect.phase() <= Phase::kick) {
-        if (effect.phase() == Phase::kick) kicked = world.bodies();
-        return;
-      }
-      if (!all_kicked) last = holdings_of(kicked);
-      all_kicked = true;
-      LedgerLine change = holdings_of(world.bodies());
-      const LedgerLine now = change;
-      change -= last;
-      line_of(lines, effect) += change;
-      last = now;
-    });
-    for (const Pass<Real>& pass : passes)
-      book_pushes(pass, before, kicked, time, world.time_step(), lines);
+    Lines lines = lines_;
+    book_step(world.bodies(), world.work(), world.moment(), lines);
+    world.step();
     lines_ = std::move(lines);
   }
   //! [ledger_step]
@@ -136,88 +37,109 @@ class Ledger {
   }
 
   /// What each effect put in so far.
-  std::vector<LedgerLine> lines() const {
-    std::vector<LedgerLine> lines;
-    for (const Line& line : lines_) lines.push_back(line.sum);
-    return lines;
-  }
+  const std::vector<LedgerLine>& lines() const { return lines_; }
 
   /// What is neither start nor any line: rounding, if the books are right.
   template <class Keeping>
   LedgerLine rest(const World<Real, Keeping>& world) const {
     LedgerLine rest = now(world);
     rest -= start_;
-    for (const Line& line : lines_) rest -= line.sum;
+    for (const LedgerLine& line : lines_) rest -= line;
     return rest;
   }
 
   /// The energy (J) stored in the effects that know theirs: gravity and springs.
   template <class Keeping>
-  static double stored(World<Real, Keeping>& world) {
+  static double stored(const World<Real, Keeping>& world) {
     const Bodies<Real>& bodies = world.bodies();
     double sum = 0;
-    for (const Pass<Real>& pass : world.passes()) {
-      if (!pass.effect->traits().stores_energy) continue;
-      const std::vector<BodyIndex>& members = pass.group.members;
-      if (pass.effect->traits().joins_two)
-        for (std::size_t i = 0; i < members.size(); i += 2)
-          sum += static_cast<double>(pass.effect->potential_energy(
-              state_of(bodies, members[i]), state_of(bodies, members[i + 1])));
-      else
-        for_each_index(pass.group, bodies.centres.size(), [&](BodyIndex body) {
-          sum += static_cast<double>(pass.effect->potential_energy(state_of(bodies, body)));
-        });
+    for (const Entry<Real>& entry : world.effects()) {
+      if (!entry.effect->traits().stores_energy) continue;
+      const auto add = [&](BodyIndex first, BodyIndex second) {
+        sum += static_cast<double>(
+            entry.effect->potential_energy(state_of(bodies, first), state_of(bodies, second)));
+      };
+      entry.visits.group.for_each([&](BodyIndex body) { add(body, body); });
+      for (const BodyPair& pair : entry.visits.pairs) add(pair.first, pair.second);
     }
     return sum;
   }
 
  private:
-  struct Line {
-    const AnyEffect<Real>* effect;
-    LedgerLine sum;
-  };
+  using Lines = std::vector<LedgerLine>;
 
-  static LedgerLine& line_of(std::vector<Line>& lines, const AnyEffect<Real>& effect) {
-    for (Line& line : lines)
-      if (line.effect == &effect || line.sum.name == effect.name()) return line.sum;
-    lines.push_back({&effect, {effect.name(), 0, Vec3d::Zero(), Vec3d::Zero()}});
-    return lines.back().sum;
+  static LedgerLine& line_of(Lines& lines, const std::string& name) {
+    for (LedgerLine& line : lines)
+      if (line.name == name) return line;
+    lines.push_back({name, 0, Vec3d::Zero(), Vec3d::Zero()});
+    return lines.back();
   }
 
-  static bool pushes(const AnyEffect<Real>& effect) {
-    return effect.traits().gives_force || effect.traits().gives_acceleration ||
-           effect.traits().gives_torque;
-  }
-
-  static void book_pushes(const Pass<Real>& pass, const Bodies<Real>& before,
-                          const Bodies<Real>& kicked, Real time, Real time_step,
-                          std::vector<Line>& lines) {
-    const AnyEffect<Real>& effect = *pass.effect;
-    if (!pushes(effect)) return;
-    LedgerLine& line = line_of(lines, effect);
-    const auto book = [&](BodyIndex body, const Push<Real>& push) {
-      line += work_of(push, state_of(before, body), state_of(kicked, body), time_step);
+  /// The step on a copy. What changes momenta or places at once is booked as the difference that it
+  /// makes; forces and torques, which act together, each by its share of the kick, see work_of().
+  //! [book_step]
+  static void book_step(Bodies<Real> bodies, const Work<Real>& work, const Moment<Real>& moment,
+                        Lines& lines) {
+    const Real h = moment.time_step;
+    const auto book = [&](const std::string& name, const auto& change) {
+      const LedgerLine had = holdings_of(bodies);
+      change();
+      LedgerLine gained = holdings_of(bodies);
+      line_of(lines, name) += gained -= had;
     };
-    const std::vector<BodyIndex>& members = pass.group.members;
-    if (effect.traits().joins_two) {
-      for (std::size_t i = 0; i < members.size(); i += 2) {
-        const PairPush<Real> push =
-            effect.push_on(state_of(before, members[i]), state_of(before, members[i + 1]), time);
-        book(members[i], {push.force_on_first, push.torque_on_first});
-        book(members[i + 1], {-push.force_on_first, push.torque_on_second});
+    const auto book_phase = [&](Phase phase) {
+      for (const std::size_t i : work.in_phase[static_cast<std::size_t>(phase)]) {
+        const Entry<Real>& entry = work.effects[i];
+        book(entry.effect->name(), [&] { entry.effect->run(bodies, entry.visits, moment); });
       }
-    } else {
-      const bool tops = effect.traits().visits_tops;
-      for_each_index(pass.group, tops ? before.tops.size() : before.centres.size(),
-                     [&](BodyIndex member) {
-                       const BodyIndex body = tops ? before.body_of[member] : member;
-                       book(body, effect.push_on(state_of(before, body), time));
-                     });
+    };
+    Bodies<Real> alone = bodies;  // for one force at a time
+    for (const std::size_t i : work.in_phase[static_cast<std::size_t>(Phase::force)])
+      line_of(lines, work.effects[i].effect->name());  // lines stand in the order of the scene
+    run(work, Phase::force, bodies, moment);
+    add(work.inputs, bodies);
+    book_phase(Phase::kick);
+    const Bodies<Real> summed = bodies;
+    for_each_of(work.pushed, bodies.centres, [&](auto& centre) { kick(centre, h); });
+    for_each_of(work.torqued, bodies.tops, [&](auto& top) { kick(top, h); });
+    for (const std::size_t i : work.in_phase[static_cast<std::size_t>(Phase::force)]) {
+      work.effects[i].effect->run(alone, work.effects[i].visits, moment);
+      book_kick(alone, summed, bodies, h, line_of(lines, work.effects[i].effect->name()));
+    }
+    add(work.inputs, alone);
+    if (!work.inputs.empty()) book_kick(alone, summed, bodies, h, line_of(lines, "input"));
+    book_phase(Phase::impulse);
+    book_phase(Phase::damping);
+    if (!work.movers.empty())
+      book("drift", [&] {
+        for_each_of(work.movers, bodies.centres, [&](auto& centre) { drift(centre, h); });
+      });
+    if (!work.steady.empty())
+      book("steady turning", [&] {
+        for_each_of(work.steady, bodies.tops, [&](auto& top) { turn_steadily(top, h); });
+      });
+    if (!work.tumbling.empty())
+      book("tumbling: " + work.rule->name(),
+           [&] { work.rule->turn(bodies.tops, work.tumbling, h); });
+    book_phase(Phase::drift);
+  }
+  //! [book_step]
+
+  /// Books the sums that an effect alone has made, and empties them.
+  static void book_kick(Bodies<Real>& alone, const Bodies<Real>& before, const Bodies<Real>& kicked,
+                        Real h, LedgerLine& line) {
+    for (BodyIndex body = 0; body < alone.centres.size(); ++body) {
+      const BodyState<Real> one = state_of(alone, body);
+      const Push<Real> push{one.centre.force, one.top.torque};
+      if (push.force == Vec3<Real>::Zero() && push.torque == Vec3<Real>::Zero()) continue;
+      line += work_of(push, state_of(before, body), state_of(kicked, body), h);
+      clear_force(alone.centres[body]);
+      if (!is_point(alone, body)) clear_torque(alone.tops[alone.top_of[body]]);
     }
   }
 
   LedgerLine start_;
-  std::vector<Line> lines_;
+  Lines lines_;
 };
 
 /// The books as a table of text: energy in J, momentum in kg m/s, and angular momentum about the

@@ -1,86 +1,83 @@
 /// @file
-/// The simplest way to keep the bodies of a world and to run its passes: one after another.
+/// The step, for bodies that lie in plain arrays and are visited one by one.
 #pragma once
 
-#include <optional>
 #include <tumble/guard.hpp>
+#include <tumble/tumbling.hpp>
 
 namespace tumble {
 
-/// Bodies in plain arrays, and passes that visit them one by one.
-///
-/// A World leaves to this class where its bodies are and how a pass gets to them. Chapter 12 has
-/// another, for many bodies.
+/// Keeps the bodies of a World and steps them. Chapter 12 has another, for many bodies.
 template <class Real>
 class OneByOne {
  public:
-  std::size_t body_count() const { return bodies_.centres.size(); }
-  std::size_t top_count() const { return bodies_.tops.size(); }
-  bool is_point(BodyIndex body) const { return tumble::is_point(bodies_, body); }
+  explicit OneByOne(Bodies<Real> bodies = {}) : bodies_(std::move(bodies)) {}
   const Bodies<Real>& bodies() const { return bodies_; }
-  void set_bodies(Bodies<Real> bodies) { bodies_ = std::move(bodies); }
+  std::size_t top_count() const { return bodies_.tops.size(); }
+  BodyIndex top_of(BodyIndex body) const { return bodies_.top_of[body]; }
+  BodyIndex body_of(BodyIndex top) const { return bodies_.body_of[top]; }
 
   /// The body; a point has a top that is locked about every axis.
   RigidBody<Real> body(BodyIndex body) const {
     const BodyState<Real> state = state_of(bodies_, body);
     return {.centre = state.centre, .top = state.top};
   }
-  /// Of a point only the centre is kept.
-  void set_body(BodyIndex body, const RigidBody<Real>& state) {
-    bodies_.centres[body] = state.centre;
-    if (!is_point(body)) bodies_.tops[bodies_.top_of[body]] = state.top;
-  }
 
-  /// Appends a body; `top` is null for a point. @return its index
-  BodyIndex append(const Particle<Real>& centre, const Top<Real>* top) {
-    return tumble::append(bodies_, centre, top);
-  }
-  /// Takes a body out; the last one gets its place.
-  void take_out(BodyIndex body) { tumble::take_out(bodies_, body); }
+  /// One step. @return the body that it led nowhere, if it did: all are then as they were before
+  //! [step]
+  std::optional<BodyIndex> step(const Work<Real>& work, const Moment<Real>& moment) {
+    const Real h = moment.time_step;
+    std::vector<Particle<Real>>& centres = bodies_.centres;
+    std::vector<Top<Real>>& tops = bodies_.tops;
+    before_.remember(bodies_, work);
 
-  /// The effect in the form that step() runs.
+    run(work, Phase::force, bodies_, moment);
+    add(work.inputs, bodies_);
+
+    run(work, Phase::kick, bodies_, moment);
+    for_each_of(work.pushed, centres, [&](auto& centre) { kick(centre, h), clear_force(centre); });
+    for_each_of(work.torqued, tops, [&](auto& top) { kick(top, h), clear_torque(top); });
+
+    run(work, Phase::impulse, bodies_, moment);
+    run(work, Phase::damping, bodies_, moment);
+
+    for_each_of(work.movers, centres, [&](auto& centre) { drift(centre, h); });
+    for_each_of(work.steady, tops, [&](auto& top) { turn_steadily(top, h); });
+    work.rule->turn(tops, work.tumbling, h);
+    run(work, Phase::drift, bodies_, moment);
+
+    const std::optional<BodyIndex> lost = first_lost(bodies_, work);
+    if (lost) before_.restore(bodies_, work);
+    return lost;
+  }
+  //! [step]
+
+ private:
+  template <class, class>
+  friend class World;
+  template <class, class>
+  friend class NamedBodies;
+  template <class, class>
+  friend class Scenery;
+
   template <class Effect>
   static std::shared_ptr<const AnyEffect<Real>> erased(const Effect& effect) {
     return std::make_shared<const EffectOf<Real, Effect>>(effect);
   }
-
-  /// Called when there is another plan.
-  void plan_changed(const Planned<Real>&) {}
-
-  /// Step number `tick`; `after_pass` is called with the effect of each pass that has run.
-  /// @return why it could not be taken, if so; the bodies are then as they were before it
-  //! [step]
-  template <class AfterPass>
-  std::optional<Stopped<Real>> step(const Planned<Real>& planned, std::int64_t tick, Real time_step,
-                                    const AfterPass& after_pass) {
-    const Moment<Real> moment = moment_of(tick, time_step);
-    remember(bodies_, before_);
-    for (const Pass<Real>& pass : planned.passes) {
-      pass.effect->act(bodies_, pass.group, moment);
-      after_pass(*pass.effect);
-    }
-    const std::optional<BodyIndex> lost = first_lost(bodies_, planned);
-    return lost ? std::optional(taken_back(planned, *lost, moment)) : std::nullopt;
+  template <class Rule>
+  static std::shared_ptr<const AnyRule<Real>> erased_rule(const Rule& rule) {
+    return std::make_shared<const RuleOf<Real, Rule>>(rule);
   }
-  //! [step]
-
-  /// One pass of the plan alone, to measure what it costs.
-  void run_pass(const Planned<Real>& planned, std::size_t pass, const Moment<Real>& moment) {
-    planned.passes[pass].effect->act(bodies_, planned.passes[pass].group, moment);
+  void set_bodies(Bodies<Real> bodies) { bodies_ = std::move(bodies); }
+  /// Of a point only the centre is kept.
+  void set_body(BodyIndex body, const RigidBody<Real>& state) {
+    bodies_.centres[body] = state.centre;
+    if (const BodyIndex top = bodies_.top_of[body]; top != no_index) bodies_.tops[top] = state.top;
   }
-
- private:
-  /// The body as it was before it drifted: the step once more, as far as that. Then all is as it
-  /// was before the step.
-  Stopped<Real> taken_back(const Planned<Real>& planned, BodyIndex lost,
-                           const Moment<Real>& moment) {
-    restore(bodies_, before_);
-    for (const Pass<Real>& pass : planned.passes)
-      if (pass.effect->phase() < Phase::drift) pass.effect->act(bodies_, pass.group, moment);
-    const Stopped<Real> stopped{lost, this->body(lost)};
-    restore(bodies_, before_);
-    return stopped;
+  BodyIndex append(const Particle<Real>& centre, const Top<Real>* top) {
+    return tumble::append(bodies_, centre, top);
   }
+  void take_out(BodyIndex body) { tumble::take_out(bodies_, body); }
 
   Bodies<Real> bodies_;
   Before<Real> before_;

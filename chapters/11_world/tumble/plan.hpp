@@ -3,12 +3,7 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
-#include <string>
-#include <tumble/effect.hpp>
-#include <utility>
-#include <vector>
+#include <tumble/planner.hpp>
 
 namespace tumble {
 
@@ -30,10 +25,15 @@ struct PlanRow {
 };
 //! [plan_row]
 
-/// What each step will do, in this order, and nothing else.
+/// What each step does, in this order.
 struct Plan {
   std::vector<PlanRow> rows;
   std::vector<std::string> warnings;  ///< what may go wrong, such as a step too long for a spring
+  /// The lines of those that visit somebody.
+  std::size_t passes() const {
+    return static_cast<std::size_t>(
+        std::count_if(rows.begin(), rows.end(), [](const PlanRow& row) { return row.visited; }));
+  }
 };
 
 /// Counts why bodies are skipped, and makes the sentence of a row of it.
@@ -63,23 +63,83 @@ class Reasons {
   std::vector<std::pair<std::string_view, std::size_t>> counts_;
 };
 
-/// What is different between two plans, a sentence for each effect that visits more bodies now or
-/// fewer; `tick` and `why` say when that came and what called for it.
-inline std::vector<std::string> news_between(const Plan& old, const Plan& now, std::int64_t tick,
-                                             const std::string& why) {
-  std::vector<std::string> news;
-  for (const PlanRow& row : now.rows) {
-    const auto before = std::find_if(old.rows.begin(), old.rows.end(), [&](const PlanRow& other) {
-      return other.effect == row.effect;
-    });
-    const std::size_t visited = before == old.rows.end() ? 0 : before->visited;
-    if (visited != row.visited)
-      news.push_back("step " + std::to_string(tick) + ": " + row.effect + " visits " +
-                     std::to_string(row.visited) + " of " + std::to_string(row.of) + ", before " +
-                     std::to_string(visited) + " (" + why + ")");
-  }
-  return news;
+/// The line of an effect of the scene.
+template <class Real, class Roster>
+PlanRow row_of(const Entry<Real>& entry, const Planner<Real>& planner, const Roster& roster) {
+  const AnyEffect<Real>& effect = *entry.effect;
+  const std::vector<Facts>& facts = planner.facts();
+  Reasons reasons;
+  const auto ask = [&](std::string_view why) {
+    if (!why.empty()) reasons.add(why);
+  };
+  const bool in_pairs = effect.traits().joins_two() && !effect.traits().finds_pairs;
+  if (in_pairs)
+    for (std::size_t i = 0; i < entry.targets.size(); i += 2) {
+      std::string_view why = effect.why_skipped(Facts{});
+      const bool fixed =
+          [&](BodyHandle body) {
+            return !why_unwritable(effect.traits().writes, facts[roster.index_of(body)]).empty();
+          }(entry.targets[i]) &&
+          !why_unwritable(effect.traits().writes, facts[roster.index_of(entry.targets[i + 1])])
+               .empty();
+      ask(fixed ? "nothing can move either of the two" : why);
+    }
+  else if (entry.everyone)
+    for (const Facts& body : facts) ask(effect.why_skipped(body));
+  else
+    for (const BodyHandle body : entry.targets)
+      ask(effect.why_skipped(facts[roster.index_of(body)]));
+  return {effect.name(),
+          effect.phase(),
+          entry.visits.size(),
+          entry.everyone ? facts.size() : entry.targets.size() / (in_pairs ? 2 : 1),
+          text_of(effect.traits().reads),
+          text_of(effect.traits().writes),
+          reasons.sentence(in_pairs ? "pair" : "body")};
 }
+
+/// The line of a motion that every world has.
+inline PlanRow row_of(const Motion& motion, const Group& group, const std::vector<Facts>& facts,
+                      const std::string& name = {}) {
+  Reasons reasons;
+  for (const Facts& body : facts)
+    if (const std::string_view why = motion.why_skipped(body); !why.empty()) reasons.add(why);
+  return {name.empty() ? std::string(motion.name) : name,
+          motion.phase,
+          group.size(),
+          facts.size(),
+          text_of(motion.reads),
+          text_of(motion.writes),
+          reasons.sentence("body")};
+}
+
+/// The lines of all, in the order of a step.
+//! [rows_of]
+template <class Real, class Roster>
+std::vector<PlanRow> rows_of(const Planner<Real>& planner, const Roster& roster) {
+  const Work<Real>& work = planner.work();
+  std::vector<PlanRow> rows;
+  const auto add_scene = [&](Phase phase) {
+    for (const Entry<Real>& entry : work.effects)
+      if (entry.effect->phase() == phase) rows.push_back(row_of(entry, planner, roster));
+  };
+  const auto add_motion = [&](const Motion& motion, const Group& group,
+                              const std::string& name = {}) {
+    rows.push_back(row_of(motion, group, planner.facts(), name));
+  };
+  add_scene(Phase::force);
+  add_scene(Phase::kick);
+  add_motion(kick_motion, work.pushed);
+  add_motion(kick_of_spin, work.torqued);
+  add_scene(Phase::impulse);
+  add_scene(Phase::damping);
+  add_motion(drift_motion, work.movers);
+  add_motion(steady_turning, work.steady);
+  add_motion(tumbling_motion, work.tumbling, "tumbling: " + work.rule->name());
+  add_scene(Phase::drift);
+  return rows;
+}
+//! [rows_of]
 
 /// The plan as a table of text, like a database's EXPLAIN. Effects that nobody calls for are listed
 /// below the others: they are no pass at all.

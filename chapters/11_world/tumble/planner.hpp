@@ -1,169 +1,180 @@
 /// @file
-/// From what a scene calls for to the passes that a step runs.
+/// Keeps the groups of a step right while the scene changes.
 #pragma once
 
-#include <tumble/handles.hpp>
-#include <tumble/pass.hpp>
-#include <tumble/plan.hpp>
+#include <tumble/plan_groups.hpp>
+#include <utility>
 
 namespace tumble {
 
-/// An effect in the world's list, with the bodies that it is meant for.
+/// Keeps facts and groups. Each change touches the groups of the bodies that it concerns, and no
+/// others. `roster` says which body has which place, and what it is, see NamedBodies.
+//! [planner]
 template <class Real>
-struct Entry {
-  EffectHandle handle;
-  std::shared_ptr<const AnyEffect<Real>> effect;
-  bool everyone = true;
-  std::vector<BodyHandle> targets = {};  ///< else these; for joins, first and second in turn
-};
+class Planner : public PlanGroups<Real> {
+  using Base = PlanGroups<Real>;
+  using Base::entry_of, Base::for_each_entry_of, Base::join, Base::list_phase, Base::list_phases;
+  using Base::find, Base::disown, Base::meet, Base::refresh, Base::refresh_targets;
+  using Base::work_, Base::alone_, Base::facts_, Base::own_, Base::everyone_;
 
-/// What has happened to a body so far, other than by effects.
-struct History {
-  bool has_moved = false;   ///< it was given a velocity
-  bool has_turned = false;  ///< it was given a spin
-};
+ public:
+  void turn_by(std::shared_ptr<const AnyRule<Real>> rule) {
+    work_.rule = std::move(rule);
+    ++work_.version;
+  }
 
-/// The bodies that an effect is meant for, as indices.
-//! [targets]
-template <class Real>
-std::vector<BodyIndex> targets_of(const Entry<Real>& entry, const Slots& slots,
-                                  std::size_t body_count) {
-  std::vector<BodyIndex> targets;
-  if (entry.everyone)
-    for (BodyIndex body = 0; body < body_count; ++body) targets.push_back(body);
-  else
-    for (const BodyHandle target : entry.targets) targets.push_back(slots.index_of(target));
-  return targets;
-}
-//! [targets]
+  /// A body was appended.
+  template <class Roster>
+  void add_body(const Roster& roster) {
+    alone_.emplace_back();
+    facts_.emplace_back();
+    own_.emplace_back();
+    refresh(static_cast<BodyIndex>(facts_.size() - 1), roster);
+  }
 
-/// What a body is, whatever acts on it.
-template <class Real>
-Facts facts_alone(const BodyState<Real>& body, bool is_point, const History& history) {
-  Facts facts;
-  facts.is_static = is_static(body.centre);
-  facts.is_point = is_point;
-  facts.can_turn = body.top.inverse_moments != Vec3<Real>::Zero();
-  facts.is_gyroscopic = is_gyroscopic(body.top);
-  facts.moves = history.has_moved;
-  facts.turns = facts.can_turn && history.has_turned;
-  return facts;
-}
+  /// A body is other than it was.
+  template <class Roster>
+  void change_body(BodyIndex body, const Roster& roster) {
+    refresh(body, roster);
+    for (const std::uint64_t number : own_[body]) join(entry_of(number), roster);
+  }
 
-/// Notes what an effect that visits a body does for it. @return true if that is news
-template <class Real>
-bool note(Facts& facts, const AnyEffect<Real>& effect) {
-  const Facts before = facts;
-  facts.is_pushed |= effect.traits().gives_force;
-  facts.is_torqued |= effect.traits().gives_torque && !facts.is_point;
-  facts.moves |= effect.traits().gives_motion && !facts.is_static;
-  facts.turns |= effect.traits().gives_spin && facts.can_turn;
-  return facts.is_pushed != before.is_pushed || facts.is_torqued != before.is_torqued ||
-         facts.moves != before.moves || facts.turns != before.turns;
-}
+  /// A body is about to go: its own effects go, and the last body and the last top get its places.
+  template <class Roster>
+  void forget_body(BodyHandle handle, const Roster& roster) {
+    release(handle, roster);
+    const BodyIndex body = roster.index_of(handle), top = roster.top_of(body);
+    const auto last = static_cast<BodyIndex>(facts_.size() - 1);
+    for_each_entry_of(last, [&](Entry<Real>& entry) {
+      if (entry.effect->traits().visits_tops()) return;
+      entry.visits.group.replace_by_last(body, last);
+      list_phase(entry);
+    });
+    for (Group* group : {&work_.pushed, &work_.movers}) group->replace_by_last(body, last);
+    if (top != no_index) {
+      const BodyIndex last_top = roster.last_top();
+      for_each_entry_of(roster.body_of(last_top), [&](Entry<Real>& entry) {
+        if (!entry.effect->traits().visits_tops()) return;
+        entry.visits.group.replace_by_last(top, last_top);
+        list_phase(entry);
+      });
+      for (Group* group : {&work_.torqued, &work_.steady, &work_.tumbling})
+        group->replace_by_last(top, last_top);
+    }
+    replace_by_last(alone_, body);
+    replace_by_last(facts_, body);
+    replace_by_last(own_, body);
+  }
 
-/// What is known of every body. One effect can call for another, as a first torque calls for the
-/// Magnus force; so the list is gone through until it brings no news. It ends: a fact only ever
-/// turns from false to true.
-//! [facts_of_all]
-template <class Real>
-std::vector<Facts> facts_of_all(const Bodies<Real>& bodies, const std::vector<History>& histories,
-                                const std::vector<Entry<Real>>& entries, const Slots& slots) {
-  const std::size_t count = bodies.centres.size();
-  std::vector<Facts> facts(count);
-  for (BodyIndex body = 0; body < count; ++body)
-    facts[body] = facts_alone(state_of(bodies, body), is_point(bodies, body), histories[body]);
-  for (bool news = true; news;) {
-    news = false;
-    for (const Entry<Real>& entry : entries) {
-      const std::vector<BodyIndex> targets = targets_of(entry, slots, count);
-      const std::size_t stride = entry.effect->traits().joins_two ? 2 : 1;
-      for (std::size_t i = 0; i < targets.size(); i += stride) {
-        Facts &first = facts[targets[i]], &last = facts[targets[i + stride - 1]];
-        const bool skipped = stride == 2 ? !entry.effect->why_skipped(first, last).empty()
-                                         : !entry.effect->why_skipped(first).empty();
-        if (skipped) continue;
-        news |= note(first, *entry.effect);
-        if (stride == 2) news |= note(last, *entry.effect);
+  /// It has gone: the body in its place has the pairs that it had.
+  template <class Roster>
+  void join_again(BodyIndex body, const Roster& roster) {
+    ++work_.version;
+    if (body < own_.size())
+      for (const std::uint64_t number : own_[body]) join(entry_of(number), roster);
+  }
+
+  /// An effect came.
+  template <class Roster>
+  void add_effect(Entry<Real> entry, const Roster& roster) {
+    const std::uint64_t number = entry.handle.number;
+    if (entry.everyone) everyone_.push_back(number);
+    for (const BodyHandle target : entry.targets) own_[roster.index_of(target)].push_back(number);
+    work_.effects.push_back(std::move(entry));
+    meet(number, roster);
+  }
+
+  /// The effect becomes another one, for the same bodies.
+  template <class Roster>
+  void replace_effect(std::uint64_t number, std::shared_ptr<const AnyEffect<Real>> effect,
+                      const Roster& roster) {
+    Entry<Real>& entry = entry_of(number);
+    entry.effect = std::move(effect);
+    entry.visits = {};
+    list_phases();
+    meet(number, roster);
+  }
+
+  /// The effect goes.
+  template <class Roster>
+  void remove_effect(std::uint64_t number, const Roster& roster) {
+    const auto found = find(number);
+    const bool everyone = found->everyone;
+    const std::vector<BodyHandle> targets = std::move(found->targets);
+    const auto place = static_cast<std::size_t>(found - work_.effects.begin());
+    for (auto& list : work_.in_phase) {
+      std::erase(list, place);
+      for (std::size_t& later : list) later -= later > place;
+    }
+    work_.effects.erase(found);
+    std::erase(everyone_, number);
+    ++work_.version;
+    for (const BodyHandle target : targets) disown(roster.index_of(target), number);
+    refresh_targets(everyone, targets, roster);
+  }
+
+  /// What was known of the bodies at another time is known again.
+  template <class Roster>
+  void know_again(const std::vector<bool>& moved, const std::vector<bool>& turned,
+                  const Roster& roster) {
+    for (BodyIndex body = 0; body < facts_.size(); ++body) {
+      if (alone_[body].moves == moved[body] && alone_[body].turns == turned[body]) continue;
+      alone_[body].moves = moved[body];
+      alone_[body].turns = turned[body];
+      refresh(body, roster);
+    }
+  }
+
+  /// True if an effect that is meant for this body can limit the step.
+  bool holds_spring(BodyIndex body) {
+    bool found = false;
+    for_each_entry_of(body, [&](const Entry<Real>& entry) { found |= is_spring(*entry.effect); });
+    return found;
+  }
+
+  /// A push for the next step alone.
+  template <class Roster>
+  void add_input(BodyIndex body, const Push<Real>& push, const Roster& roster) {
+    work_.inputs.push_back({body, push});
+    note(alone_[body], quantity::force | quantity::torque);
+    refresh(body, roster);
+  }
+  /// The step was taken, with its inputs.
+  template <class Roster>
+  void end_inputs(const Roster& roster) {
+    for (const Input<Real>& input : std::exchange(work_.inputs, {})) {
+      alone_[input.body].is_pushed = alone_[input.body].is_torqued = false;
+      refresh(input.body, roster);
+    }
+  }
+  //! [planner]
+
+ private:
+  /// Takes a body out of the effects that are meant for some.
+  template <class Roster>
+  void release(BodyHandle body, const Roster& roster) {
+    const BodyIndex index = roster.index_of(body);
+    while (!own_[index].empty()) {
+      const std::uint64_t number = own_[index].back();
+      Entry<Real>& entry = entry_of(number);
+      const std::ptrdiff_t stride = entry.effect->traits().joins_two() ? 2 : 1;
+      std::vector<BodyHandle> kept, gone;
+      for (auto first = entry.targets.begin(); first != entry.targets.end(); first += stride) {
+        auto& list = std::find(first, first + stride, body) == first + stride ? kept : gone;
+        list.insert(list.end(), first, first + stride);
       }
+      if (kept.empty()) {
+        remove_effect(number, roster);
+        continue;
+      }
+      entry.targets = std::move(kept);
+      entry.visits.group.erase(entry.effect->traits().visits_tops() ? roster.top_of(index) : index);
+      for (const BodyHandle target : gone) disown(roster.index_of(target), number);
+      join(entry, roster);
+      list_phase(entry);
+      refresh_targets(false, gone, roster);
     }
   }
-  return facts;
-}
-//! [facts_of_all]
-
-/// One pass of a step.
-template <class Real>
-struct Pass {
-  std::shared_ptr<const AnyEffect<Real>> effect;
-  Group group;
 };
-
-/// Asks the effect's predicate for each of its targets, gathers those that need it, and writes the
-/// row of the plan.
-//! [planned_pass]
-template <class Real>
-Pass<Real> planned_pass(const Entry<Real>& entry, const Bodies<Real>& bodies, const Slots& slots,
-                        const std::vector<Facts>& facts, PlanRow& row) {
-  const AnyEffect<Real>& effect = *entry.effect;
-  const std::vector<BodyIndex> targets = targets_of(entry, slots, bodies.centres.size());
-  const std::size_t stride = effect.traits().joins_two ? 2 : 1;
-  Pass<Real> pass{entry.effect, {}};
-  Reasons reasons;
-  for (std::size_t i = 0; i < targets.size(); i += stride) {
-    const Facts &first = facts[targets[i]], &last = facts[targets[i + stride - 1]];
-    const std::string_view why =
-        stride == 2 ? effect.why_skipped(first, last) : effect.why_skipped(first);
-    if (!why.empty()) {
-      reasons.add(why);
-      continue;
-    }
-    ++row.visited;
-    for (std::size_t k = i; k < i + stride; ++k)
-      pass.group.members.push_back(effect.traits().visits_tops ? bodies.top_of[targets[k]]
-                                                               : targets[k]);
-  }
-  const std::size_t all = effect.traits().visits_tops ? bodies.tops.size() : bodies.centres.size();
-  if (entry.everyone && pass.group.members.size() == all) pass.group = {true, {}};
-  row.effect = effect.name();
-  row.phase = effect.phase();
-  row.of = targets.size() / stride;
-  row.reads = effect.traits().reads;
-  row.writes = effect.traits().writes;
-  row.reason = reasons.sentence(stride == 2 ? "pair" : "body");
-  return pass;
-}
-//! [planned_pass]
-
-/// A plan with the passes that carry it out.
-template <class Real>
-struct Planned {
-  Plan plan;
-  std::vector<Pass<Real>> passes;
-  std::vector<Facts> facts;
-  std::vector<BodyIndex> movers;   ///< the bodies whose centres can move
-  std::vector<BodyIndex> turners;  ///< the tops that can turn
-};
-
-/// Makes the plan for effects that are given in the order of a step.
-//! [make_plan]
-template <class Real>
-Planned<Real> make_plan(const Bodies<Real>& bodies, const std::vector<History>& histories,
-                        const std::vector<Entry<Real>>& entries, const Slots& slots) {
-  Planned<Real> planned;
-  planned.facts = facts_of_all(bodies, histories, entries, slots);
-  for (const Entry<Real>& entry : entries) {
-    PlanRow row;
-    Pass<Real> pass = planned_pass(entry, bodies, slots, planned.facts, row);
-    if (row.visited > 0) planned.passes.push_back(std::move(pass));
-    planned.plan.rows.push_back(std::move(row));
-  }
-  for (BodyIndex body = 0; body < planned.facts.size(); ++body) {
-    if (planned.facts[body].moves) planned.movers.push_back(body);
-    if (planned.facts[body].turns) planned.turners.push_back(bodies.top_of[body]);
-  }
-  return planned;
-}
-//! [make_plan]
 
 }  // namespace tumble

@@ -3,16 +3,15 @@
 #pragma once
 
 #include <limits>
-#include <tumble/pass.hpp>
-#include <tumble/planner.hpp>
 #include <tumble/semi_implicit_euler.hpp>
+#include <tumble/work.hpp>
 
 namespace tumble {
 
 /// How easily a force at distance `arm` (m) from the centre of mass moves the point that it acts
 /// at, at most: 1/m + arm²/I with the smallest moment, 1/kg.
 template <class Real>
-Real largest_inverse_mass_at(const BodyState<Real>& body, Real arm) {
+Real largest_inverse_mass_at(const RigidBody<Real>& body, Real arm) {
   return body.centre.inverse_mass + arm * arm * body.top.inverse_moments.maxCoeff();
 }
 
@@ -33,27 +32,30 @@ struct SpringLimit {
   std::size_t entry = 0;
 };
 
-template <class Real>
-SpringLimit<Real> spring_limit(const Bodies<Real>& bodies, const std::vector<Entry<Real>>& entries,
-                               const Slots& slots) {
+/// `roster` has the bodies and knows the place of a handle, see NamedBodies.
+template <class Real, class Roster>
+SpringLimit<Real> spring_limit(const std::vector<Entry<Real>>& entries, const Roster& roster) {
   struct End {
     std::size_t entry;
     BodyIndex body;
     Real inverse_mass;
   };
-  const std::size_t count = bodies.centres.size();
+  const std::size_t count = roster.size();
   std::vector<Real> root_stiffness(count, Real(0)), root_damping(count, Real(0));
   std::vector<End> ends;
   std::vector<std::size_t> ends_of_spring;  // one or two
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const SpringTerms<Real> terms = entries[i].effect->traits().spring_terms;
-    if (terms.stiffness == 0 && terms.damping == 0) continue;
-    const std::vector<BodyIndex> targets = targets_of(entries[i], slots, count);
-    const std::size_t stride = entries[i].effect->traits().joins_two ? 2 : 1;
+    if (!is_spring(*entries[i].effect)) continue;
+    std::vector<BodyIndex> targets;
+    if (entries[i].everyone)
+      for (BodyIndex body = 0; body < count; ++body) targets.push_back(body);
+    for (const BodyHandle target : entries[i].targets) targets.push_back(roster.index_of(target));
+    const std::size_t stride = entries[i].effect->traits().joins_two() ? 2 : 1;
     for (std::size_t k = 0; k < targets.size(); ++k) {
       const Real arm = k % stride == 0 ? terms.arm_first : terms.arm_second;
       const BodyIndex body = targets[k];
-      ends.push_back({i, body, largest_inverse_mass_at(state_of(bodies, body), arm)});
+      ends.push_back({i, body, largest_inverse_mass_at(roster.body(body), arm)});
       if (k % stride == 0) ends_of_spring.push_back(stride);
       root_stiffness[body] += std::sqrt(terms.stiffness);
       root_damping[body] += std::sqrt(terms.damping);

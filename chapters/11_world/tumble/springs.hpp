@@ -2,7 +2,7 @@
 /// Springs with dampers, from a body to a point of the world and from body to body.
 #pragma once
 
-#include <tumble/pass.hpp>
+#include <tumble/any_effect.hpp>
 
 namespace tumble {
 
@@ -120,7 +120,7 @@ struct SpringBetween {
     return {spring.stiffness, spring.damping, attachment_first.norm(), attachment_second.norm()};
   }
   bool gives_torque() const { return needs_top() || needs_second_top(); }
-  std::string_view why_skipped(const Facts&, const Facts&) const {
+  std::string_view why_skipped() const {
     return spring.stiffness == 0 && spring.damping == 0 ? "it neither pulls nor damps" : "";
   }
   PairPush<Real> push(const BodyState<Real>& first, const BodyState<Real>& second, Real) const {

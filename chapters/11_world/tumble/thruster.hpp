@@ -11,7 +11,7 @@ namespace tumble {
 //! [thruster]
 template <class Real>
 struct Thruster {
-  static constexpr std::string_view reads = "time, orientation";
+  static constexpr Quantities reads = quantity::time | quantity::orientation;
   Vec3<Real> force_body = Vec3<Real>::Zero();          ///< F, N, body axes
   Vec3<Real> point = Vec3<Real>::Zero();               ///< p, where it acts, m, body axes
   Real from = 0;                                       ///< s, when it starts to burn

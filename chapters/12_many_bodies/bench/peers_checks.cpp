@@ -20,14 +20,14 @@ Vec3d vector(const Triple& v) {
 constexpr int seconds = 2;
 
 template <class Bodies>
-Motion after_two_seconds(const Setting& setting, std::size_t n = 0) {
+course::bench::Motion after_two_seconds(const Setting& setting, std::size_t n = 0) {
   Bodies bodies(setting);
   bodies.run(seconds * setting.rate);
   return bodies.motion(n);
 }
 
 /// Where gravity and damping bring a body: the solution of v' = g − k v.
-Motion exact_flight(const Start& start, double t) {
+course::bench::Motion exact_flight(const Start& start, double t) {
   const double k = damping_rate, kept = std::exp(-k * t), path = (1 - kept) / k;
   const Vec3d g(0, 0, gravity), v = vector(start.velocity);
   return {triple_of((vector(start.position) + path * v + (t - path) / k * g).eval()),
@@ -47,7 +47,8 @@ void check_flight(double unit_roundoff) {
     const double fastest = vector(start.velocity).norm() + g * t;
     const double farthest = vector(start.position).norm() + fastest * t;
     const double roundings = 8 * t / h * unit_roundoff;
-    const Motion motion = after_two_seconds<Bodies>(setting, n), exact = exact_flight(start, t);
+    const course::bench::Motion motion = after_two_seconds<Bodies>(setting, n),
+                                exact = exact_flight(start, t);
     CHECK((vector(motion.velocity) - vector(exact.velocity)).norm() <=
           t * h * g * k / 2 + roundings * fastest);
     CHECK((vector(motion.position) - vector(exact.position)).norm() <=
@@ -104,7 +105,7 @@ TEST_CASE_TEMPLATE("The plain loop takes our steps: its bodies are where the wor
   // and three turns. What that changes in the phase is summed once more.
   const double roundings = 60 * steps * course::unit_roundoff<Real>;
   for (std::size_t n = 0; n < setting.count; ++n) {
-    const Motion ours = world.motion(n), its = plain.motion(n);
+    const course::bench::Motion ours = world.motion(n), its = plain.motion(n);
     const auto differ = [](const Triple& a, const Triple& b) {
       return (vector(a) - vector(b)).norm();
     };
@@ -153,8 +154,8 @@ TEST_CASE(
 }
 
 TEST_CASE("Bullet's functions called one by one do what its world does") {
-  const Motion world = after_two_seconds<BulletWorld>({.count = 2}, 1);
-  const Motion functions = after_two_seconds<BulletFunctions>({.count = 2}, 1);
+  const course::bench::Motion world = after_two_seconds<BulletWorld>({.count = 2}, 1);
+  const course::bench::Motion functions = after_two_seconds<BulletFunctions>({.count = 2}, 1);
   const double roundings = 60 * seconds * 60 * course::unit_roundoff<btScalar>;
   CHECK((vector(world.position) - vector(functions.position)).norm() <=
         roundings * vector(world.position).norm());

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <algorithm>
+#include <tumble/group.hpp>
 #include <tumble/pack.hpp>
-#include <tumble/pass.hpp>
 
 namespace tumble {
 
@@ -29,30 +29,48 @@ struct PackGroup {
 };
 //! [pack_group]
 
-/// Sorts members of an array with `count` elements, or everyone, into packs. An empty lane at the
-/// end may be visited too: it holds a body that nobody looks at.
+/// Sorts the members of a group into packs. The lanes that are left over in the last pack belong to
+/// nobody and are not visited.
 template <class Real, int width>
-PackGroup<Real, width> pack_group(bool everyone, std::vector<BodyIndex> members,
-                                  std::size_t count) {
+PackGroup<Real, width> pack_group(const Group& members) {
   PackGroup<Real, width> group;
-  const auto pack_count = static_cast<std::uint32_t>((count + width - 1) / width);
-  if (everyone && pack_count > 0) group.whole.push_back({0, pack_count});
-  std::sort(members.begin(), members.end());
-  for (auto member = members.begin(); member != members.end();) {
-    const std::uint32_t pack = *member / width;
-    PartOfPack<Real, width> part{pack, {}};
-    int visited = 0;
-    for (; member != members.end() && *member / width == pack; ++member, ++visited)
-      part.members.lanes[*member % width] = -1;
-    const std::size_t lanes = std::min<std::size_t>(width, count - std::size_t{pack} * width);
-    if (static_cast<std::size_t>(visited) < lanes)
-      group.parts.push_back(part);
+  const auto add = [&](std::uint32_t pack, const PackMask<Real, width>& part, int visited) {
+    if (visited < width)
+      group.parts.push_back({pack, part});
     else if (!group.whole.empty() && group.whole.back().end == pack)
       ++group.whole.back().end;
     else
       group.whole.push_back({pack, pack + 1});
+  };
+  std::vector<BodyIndex> sorted;
+  std::size_t first = 0;
+  if (members.is_listed()) {
+    members.for_each([&](BodyIndex i) { sorted.push_back(i); });
+    std::sort(sorted.begin(), sorted.end());
+  } else if (!members.empty()) {
+    first = members.size() / width * width;
+    if (first > 0) group.whole.push_back({0, static_cast<std::uint32_t>(first / width)});
+    for (; first < members.size(); ++first) sorted.push_back(static_cast<BodyIndex>(first));
+  }
+  for (auto member = sorted.begin(); member != sorted.end();) {
+    const std::uint32_t pack = *member / width;
+    PackMask<Real, width> part{};
+    int visited = 0;
+    for (; member != sorted.end() && *member / width == pack; ++member, ++visited)
+      part.lanes[*member % width] = -1;
+    add(pack, part, visited);
   }
   return group;
+}
+
+/// How many members there are.
+template <class Real, int width>
+std::size_t count_of(const PackGroup<Real, width>& group) {
+  std::size_t count = 0;
+  for (const WholePacks& packs : group.whole) count += std::size_t{packs.end - packs.begin} * width;
+  for (const auto& part : group.parts)
+    for (int lane = 0; lane < width; ++lane) count += part.members[lane];
+  return count;
 }
 
 /// Calls `visit` with the beginning and the end of each row of packs, between `begin` and `end`,

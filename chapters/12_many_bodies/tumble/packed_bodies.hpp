@@ -135,4 +135,16 @@ bool is_point(const PackedBodies<Real, width>& bodies, BodyIndex body) {
   return bodies.top_of[body] == no_index;
 }
 
+/// One body; a point has a top that is locked about every axis.
+template <class Real, int width>
+RigidBody<Real> body_at(const PackedBodies<Real, width>& bodies, BodyIndex body) {
+  return {.centre = bodies.centres[body],
+          .top = is_point(bodies, body) ? Top<Real>{} : bodies.tops[bodies.top_of[body]]};
+}
+template <class Real, int width>
+void set_body_at(PackedBodies<Real, width>& bodies, BodyIndex body, const RigidBody<Real>& state) {
+  bodies.centres.set(body, state.centre);
+  if (!is_point(bodies, body)) bodies.tops.set(bodies.top_of[body], state.top);
+}
+
 }  // namespace tumble

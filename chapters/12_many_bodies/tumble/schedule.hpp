@@ -1,5 +1,5 @@
 /// @file
-/// In which order blocks of packs go through the passes of a plan.
+/// In which order blocks of packs go through the work of a step.
 #pragma once
 
 #include <tumble/guard.hpp>
@@ -7,61 +7,120 @@
 
 namespace tumble {
 
-/// A pass of a plan, sorted into packs.
+/// What a pass does to each block.
+enum class Act { remember, effect, inputs, kick, drift, turn_steadily, tumble, guard };
+
+/// One thing that is done to the bodies of a group, which is sorted into packs.
 template <class Real, int width>
 struct PackedPass {
-  std::size_t pass;  ///< which of the plan's
-  const PackedEffect<Real, width>* effect;
-  PackGroup<Real, width> group;
+  Act act;
+  PackGroup<Real, width> group = {};
+  std::size_t entry = 0;  ///< which of the scene's effects, if it is one
+  const PackedEffect<Real, width>* effect = nullptr;  ///< that one
+  const PackedRule<Real, width>* rule = nullptr;      ///< for those that tumble
 };
 
-/// Passes that each block of bodies can go through from first to last without regard to others.
-///
+/// Passes that each block of one array can go through from first to last, and the blocks in which
+/// any of them has members: by the number of their first pack.
+template <class Real, int width>
+struct Row {
+  std::vector<PackedPass<Real, width>> passes;
+  std::vector<std::uint32_t> blocks;
+};
+
 /// An effect on centres alone and one on tops alone do not meet, so a stage has a row of passes for
-/// each. An effect that sees both must come after everything before it: it is a stage of its own.
+/// each. An effect that sees both must come after everything before it: it begins a stage.
 //! [stage]
 template <class Real, int width>
 struct Stage {
-  std::vector<PackedPass<Real, width>> on_centres, on_tops;
   std::vector<PackedPass<Real, width>> on_both;  ///< one or none
+  Row<Real, width> on_centres, on_tops;
 };
 //! [stage]
 
-/// A plan for packs.
+/// The work of a step for packs.
 template <class Real, int width>
-struct Schedule {
-  std::vector<Stage<Real, width>> stages;
-  PackGroup<Real, width> movers, turners;
-};
+class Schedule {
+ public:
+  /// A block's particles and tops together fit the smallest cache: some 20 kB.
+  static constexpr std::uint32_t packs_in_block = 32;
 
-/// Sorts the passes of a plan into stages, in their order.
-//! [schedule]
-template <class Real, int width>
-Schedule<Real, width> schedule_of(const Planned<Real>& planned, std::size_t body_count,
-                                  std::size_t top_count) {
-  Schedule<Real, width> schedule;
-  schedule.stages.emplace_back();
-  for (std::size_t i = 0; i < planned.passes.size(); ++i) {
-    const Pass<Real>& pass = planned.passes[i];
-    const auto* effect = dynamic_cast<const PackedEffect<Real, width>*>(pass.effect.get());
-    const bool tops = pass.effect->traits().visits_tops;
-    PackedPass<Real, width> packed{i, effect, {}};
-    if (!pass.effect->traits().joins_two)
-      packed.group = pack_group<Real, width>(pass.group.everyone, pass.group.members,
-                                             tops ? top_count : body_count);
-    if (effect->sees_both()) {
-      schedule.stages.emplace_back().on_both.push_back(std::move(packed));
-      schedule.stages.emplace_back();
-    } else {
-      Stage<Real, width>& stage = schedule.stages.back();
-      (tops ? stage.on_tops : stage.on_centres).push_back(std::move(packed));
+  /// Work that has another version than this needs another schedule.
+  std::uint64_t version = 0;
+  std::vector<Stage<Real, width>> stages;
+
+  Schedule() = default;
+  //! [schedule]
+  explicit Schedule(const Work<Real>& work) : version(work.version), stages(1) {
+    on_centres(Act::remember, work.movers);
+    on_tops(Act::remember, work.steady);
+    on_tops(Act::remember, work.tumbling);
+    add_effects(work, Phase::force);
+    if (!work.inputs.empty()) on_both({Act::inputs});
+    add_effects(work, Phase::kick);
+    on_centres(Act::kick, work.pushed);
+    on_tops(Act::kick, work.torqued);
+    add_effects(work, Phase::impulse);
+    add_effects(work, Phase::damping);
+    on_centres(Act::drift, work.movers);
+    on_tops(Act::turn_steadily, work.steady);
+    on_tops(Act::tumble, work.tumbling);
+    if (!work.tumbling.empty())
+      stages.back().on_tops.passes.back().rule =
+          dynamic_cast<const PackedRule<Real, width>*>(work.rule.get());
+    add_effects(work, Phase::drift);
+    on_centres(Act::guard, work.movers);
+    on_tops(Act::guard, work.steady);
+    on_tops(Act::guard, work.tumbling);
+    for (Stage<Real, width>& stage : stages)
+      for (Row<Real, width>* row : {&stage.on_centres, &stage.on_tops}) find_blocks(*row);
+  }
+  //! [schedule]
+
+ private:
+  void on_centres(Act act, const Group& group) { add(stages.back().on_centres, act, group); }
+  void on_tops(Act act, const Group& group) { add(stages.back().on_tops, act, group); }
+  void on_both(PackedPass<Real, width> pass) {
+    stages.emplace_back().on_both.push_back(std::move(pass));
+  }
+  void add(Row<Real, width>& row, Act act, const Group& group) {
+    if (!group.empty()) row.passes.push_back({act, pack_group<Real, width>(group)});
+  }
+
+  void add_effects(const Work<Real>& work, Phase phase) {
+    for (const std::size_t i : work.in_phase[static_cast<std::size_t>(phase)]) {
+      const Entry<Real>& entry = work.effects[i];
+      PackedPass<Real, width> pass{
+          Act::effect, pack_group<Real, width>(entry.visits.group), i,
+          dynamic_cast<const PackedEffect<Real, width>*>(entry.effect.get())};
+      const Sees sees = entry.effect->traits().sees;
+      if (sees == Sees::centre)
+        stages.back().on_centres.passes.push_back(std::move(pass));
+      else if (sees == Sees::top)
+        stages.back().on_tops.passes.push_back(std::move(pass));
+      else
+        on_both(std::move(pass));
     }
   }
-  schedule.movers = pack_group<Real, width>(false, planned.movers, body_count);
-  schedule.turners = pack_group<Real, width>(false, planned.turners, top_count);
-  return schedule;
-}
-//! [schedule]
+
+  static void find_blocks(Row<Real, width>& row) {
+    std::vector<std::uint32_t>& blocks = row.blocks;
+    for (const PackedPass<Real, width>& pass : row.passes) {
+      const std::size_t known = blocks.size();
+      const auto add_block = [&](std::uint32_t pack) {
+        const std::uint32_t first = pack / packs_in_block * packs_in_block;
+        if (blocks.size() == known || blocks.back() != first) blocks.push_back(first);
+      };
+      for (const WholePacks& packs : pass.group.whole)
+        for (std::uint32_t pack = packs.begin / packs_in_block * packs_in_block; pack < packs.end;
+             pack += packs_in_block)
+          add_block(pack);
+      for (const auto& part : pass.group.parts) add_block(part.pack);
+    }
+    std::sort(blocks.begin(), blocks.end());
+    blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
+  }
+};
 
 /// True if one of the group's members in the packs from `begin` to before `end` is no longer whole.
 template <class Real, int width, class Packed>

@@ -2,10 +2,10 @@
 #include <string_view>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
+#include <tumble/in_packs.hpp>
 #include <tumble/solids.hpp>
 #include <tumble/spheres.hpp>
 #include <tumble/thruster.hpp>
-#include <tumble/world.hpp>
 
 using namespace tumble;
 
@@ -36,26 +36,94 @@ void add_idle_effects(World<float>& world) {
   world.add(Thruster<float>{}, {world.find("ball 0")});
 }
 
+/// `resting` boxes that nothing moves, and behind them `active` ones that fall and tumble. They are
+/// whole blocks of packs, so that the active ones lie alike in packs, however many rest.
+template <class AnyWorld>
+AnyWorld boxes(int resting, int active) {
+  AnyWorld world;
+  const auto shape = mass_properties(Box<float>{{1, 2, 3}}, 2);
+  std::vector<BodyHandle> falling;
+  for (int n = 0; n < resting + active; ++n) {
+    const bool rests = n < resting;
+    const Vec3f spin = rests ? Vec3f(0, 0, 0) : Vec3f(1, 2, 3);
+    const BodyHandle box = world.add(
+        "box " + std::to_string(n), make_rigid_body<float>("box", shape, {}, {0, 0, 0}, spin).body);
+    if (!rests) falling.push_back(box);
+  }
+  world.add(LinearDamping<float>{.rate = 0.01f});
+  world.add(AngularDamping<float>{.rate = 0.01f});
+  if (active > 0) world.add(Gravity<float>{}, falling);
+  return world;
+}
+
 /// What is counted. Not taken into its caller, so that it can be found by its name.
-[[gnu::noinline]] void steps_that_are_counted(World<float>& world) {
+template <class AnyWorld>
+[[gnu::noinline]] void steps_that_are_counted(AnyWorld& world) {
   for (int step = 0; step < 100; ++step) world.step();
+}
+
+/// A box goes from the middle, where the last gets its place; another one comes, gets its first
+/// spin, is replaced and gets a velocity.
+template <class AnyWorld>
+[[gnu::noinline]] void changes_that_are_counted(AnyWorld& world, const RigidBody<float>& box) {
+  const BodyHandle middle = world.handle_at(static_cast<BodyIndex>(world.body_count() / 2));
+  const std::string name = world.name_of(middle);
+  world.remove(middle);
+  const BodyHandle body = world.add(name, box);
+  world.set_angular_velocity(body, {0, 0, 1});
+  world.replace(body, box);
+  world.set_velocity(body, {0, 0, 1});
+}
+
+/// Changes of one of so many boxes that fall and tumble, under six effects.
+int count_changes_among(int count) {
+  const auto shape = mass_properties(Box<float>{{1, 2, 3}}, 2);
+  auto world = boxes<World<float>>(0, count);
+  world.add(QuadraticDrag<float>{.coefficient = 0.1f});
+  world.add(Magnus<float>{.strength = 0.1f});
+  world.add(GravityAsAcceleration<float>{});
+  const RigidBody<float> box = make_rigid_body<float>("box", shape).body;
+  for (int n = 0; n < 10; ++n) changes_that_are_counted(world, box);
+  return 0;
+}
+
+template <class AnyWorld>
+int count_steps_of(AnyWorld world) {
+  world.step();  // tells what is new
+  steps_that_are_counted(world);
+  return 0;
 }
 
 }  // namespace
 
 /// idle_effects never|idle|needed: steps a world that never heard of most effects; or has them and
-/// needs none; or has one that it needs.
+/// needs none; or has one that it needs. With one|many|few|few_of_many it steps one box at rest,
+/// 200 blocks of 1024 of them, 12 active boxes behind one such block, and behind all; with
+/// packs_one and so on the same in packs.
 int main(int argument_count, char** arguments) {
   const std::string_view kind = argument_count == 2 ? arguments[1] : "";
+  const int block = 1024, many = 200 * block;
+  if (kind == "changes_of_few") return count_changes_among(block);
+  if (kind == "changes_of_many") return count_changes_among(20 * block);
+  if (kind == "one") return count_steps_of(boxes<World<float>>(1, 0));
+  if (kind == "many") return count_steps_of(boxes<World<float>>(many, 0));
+  if (kind == "few") return count_steps_of(boxes<World<float>>(block, 12));
+  if (kind == "few_of_many") return count_steps_of(boxes<World<float>>(many, 12));
+  if (kind == "packs_one") return count_steps_of(boxes<ManyBodies<float>>(1, 0));
+  if (kind == "packs_many") return count_steps_of(boxes<ManyBodies<float>>(many, 0));
+  if (kind == "packs_few") return count_steps_of(boxes<ManyBodies<float>>(block, 12));
+  if (kind == "packs_few_of_many") return count_steps_of(boxes<ManyBodies<float>>(many, 12));
   World<float> world = coasting();
   if (kind == "idle")
     add_idle_effects(world);
   else if (kind == "needed")
     world.add(Gravity<float>{});
   else if (kind != "never") {
-    std::fputs("usage: idle_effects never|idle|needed\n", stderr);
+    std::fputs(
+        "usage: idle_effects "
+        "never|idle|needed|[packs_](one|many|few|few_of_many)|changes_of_(few|many)\n",
+        stderr);
     return 2;
   }
-  world.step();  // makes the plan
-  steps_that_are_counted(world);
+  return count_steps_of(world);
 }

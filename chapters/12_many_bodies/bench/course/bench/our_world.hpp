@@ -41,7 +41,6 @@ class OurWorld {
         world_.add(std::to_string(n), body.centre);
     }
     add_effects(setting.scene, vector(torque));
-    world_.plan();
     world_.keeping().use_threads(setting.threads);
   }
 

@@ -1,0 +1,67 @@
+#include "check_plan.hpp"
+
+#include <course/exhaustive.hpp>
+#include <course/scene_rules.hpp>
+#include <cstdio>
+#include <tumble/scene/read_scene.hpp>
+
+#include "steps_until.hpp"
+
+namespace tumble::simulate {
+namespace {
+
+/// Steps, and says why not if that could not be done.
+template <class Step>
+std::string complaint_of(const Step& step) {
+  try {
+    step();
+  } catch (const SimulationError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+template <class Real>
+ExitCode check(const Options& options) {
+  Scene<Real> scene =
+      read_scene_file<Real, OneByOne<Real>, course::SceneRules>(options.scene, options.changes);
+  const std::int64_t steps = steps_until(scene, options);
+  World<Real>& planned = scene.world;
+  planned.on_warning([](const std::string&) {});
+  course::settle(planned);
+  World<Real> exhaustive = planned;
+  std::printf("%s", table_of(planned.plan()).c_str());
+  const auto parted = [&](const std::string& where) {
+    std::printf("they part in step %lld, at %.6g s: %s\n", static_cast<long long>(planned.ticks()),
+                static_cast<double>(planned.time()), where.c_str());
+    return step_failed;
+  };
+  for (std::int64_t step = 1; step <= steps; ++step) {
+    const std::string complaint = complaint_of([&] { planned.step(); });
+    const std::string other = complaint_of([&] { exhaustive.step_exhaustively(); });
+    if (other != complaint)
+      return parted("by plan it ends with \"" + complaint + "\", and without with \"" + other +
+                    "\"");
+    const auto difference = course::first_difference(planned.bodies(), exhaustive.bodies());
+    if (!difference.what.empty())
+      return parted("'" + planned.name_of(planned.handle_at(difference.body)) +
+                    "' differs in its " + difference.what);
+    if (!complaint.empty()) {
+      std::printf("%s\n", complaint.c_str());
+      break;
+    }
+  }
+  std::printf(
+      "%lld steps by plan, and as many with nothing known of any body: every number of every "
+      "motion is the same\n",
+      static_cast<long long>(planned.ticks()));
+  return all_simulated;
+}
+
+}  // namespace
+
+ExitCode check_plan(const Options& options) {
+  return options.is_float ? check<float>(options) : check<double>(options);
+}
+
+}  // namespace tumble::simulate

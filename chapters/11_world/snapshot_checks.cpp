@@ -1,0 +1,88 @@
+// Saving a world's motion, and coming back to it.
+#include <course/checks.hpp>
+#include <course/random_world.hpp>
+#include <tumble/snapshot_file.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+template <class Real>
+std::string complaint_of_reading(const std::string& text) {
+  std::istringstream in(text);
+  try {
+    read_snapshot<Real>(in);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "nothing thrown";
+}
+
+}  // namespace
+
+//! [rewind]
+TEST_CASE_TEMPLATE("A world that is taken back moves on with the same bits, from memory or a file",
+                   Real, EVERY_PRECISION) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    CAPTURE(seed);
+    Dice dice(seed);
+    World<Real> world = random_world<Real>(dice, 8);
+    for (int n = 0; n < 5; ++n) world.step();
+    const Snapshot<Real> saved = world.save();
+    std::stringstream file;
+    write_snapshot(file, saved);
+    for (int n = 0; n < 20; ++n) world.step();
+    const Bodies<Real> there = world.bodies();
+    for (int again = 0; again < 2; ++again) {
+      // In between somebody plays with it.
+      for (BodyIndex body = 0; body < world.body_count(); ++body)
+        world.apply_impulse_at(world.handle_at(body), dice.vector<Real>(), dice.vector<Real>());
+      world.step();
+      world.restore(again ? read_snapshot<Real>(file) : saved);
+      CHECK(world.ticks() == 5);
+      for (int n = 0; n < 20; ++n) world.step();
+      REQUIRE(same_motion(there, world.bodies()));
+    }
+  }
+}
+//! [rewind]
+
+TEST_CASE_TEMPLATE("A snapshot of other bodies is refused with both counts", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  world.add("a", make_particle<Real>(1));
+  const Snapshot<Real> saved = world.save();
+  world.add("b", make_particle<Real>(1));
+  try {
+    world.restore(saved);
+    FAIL("it was taken");
+  } catch (const std::invalid_argument& error) {
+    CHECK(std::string(error.what()) ==
+          "the snapshot has 1 bodies, 0 of them with a top; the world has 2 and 0");
+  }
+}
+
+TEST_CASE_TEMPLATE("A damaged file is refused and says why, whichever letter has changed", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  world.add("a", make_particle<Real>(1, {1, 2, 3}, {Real(0.1), 0, 0}));
+  std::ostringstream out;
+  write_snapshot(out, world.save());
+  const std::string good = out.str(), refused = "not a snapshot that can be used: ";
+  CHECK(complaint_of_reading<Real>(good) == "nothing thrown");
+  CHECK(complaint_of_reading<Real>("a poem") ==
+        refused + "it does not begin with \"tumble snapshot \"");
+  CHECK(complaint_of_reading<Real>(good.substr(0, good.size() / 2)) ==
+        refused + "its end is missing");
+  std::string newer = good;
+  newer[newer.find('1')] = '2';
+  CHECK(complaint_of_reading<Real>(newer) == refused + "it is of version 2, and this is 1");
+  using Other = std::conditional_t<std::is_same_v<Real, float>, double, float>;
+  CHECK(complaint_of_reading<Other>(good).find("its numbers have ") == refused.size());
+  for (std::size_t i = 0; i < good.find("checksum"); ++i) {
+    std::string damaged = good;
+    damaged[i] = damaged[i] == '0' ? '1' : '0';
+    CHECK(complaint_of_reading<Real>(damaged) != "nothing thrown");
+  }
+}

@@ -1,0 +1,184 @@
+/// @file
+/// An effect of whatever type, so that a world can keep all of them in one list.
+#pragma once
+
+#include <memory>
+#include <tumble/group.hpp>
+#include <tumble/kernel.hpp>
+#include <utility>
+
+namespace tumble {
+
+/// What of a spring limits the time step.
+template <class Real>
+struct SpringTerms {
+  Real stiffness = 0;   ///< N/m
+  Real damping = 0;     ///< N s/m
+  Real arm_first = 0;   ///< how far from the centre of mass it holds the (first) body, m
+  Real arm_second = 0;  ///< and the second
+};
+
+/// What a world knows of an effect without asking it about a body.
+template <class Real>
+struct EffectTraits {
+  std::string name;
+  Phase phase = Phase::force;
+  Sees sees = Sees::nothing;
+  Quantities reads, writes;
+  bool needs_top = false;  ///< the (first) body must not be a point
+  bool needs_second_top = false;
+  bool stores_energy = false;
+  bool finds_pairs = false;             ///< it says itself which pairs it joins, in each step anew
+  SpringTerms<Real> spring_terms = {};  ///< without stiffness, if it is no spring
+  bool joins_two() const { return sees == Sees::pair; }
+  bool visits_tops() const { return sees == Sees::top; }
+};
+
+/// One function runs the effect on all that it visits; so nothing is virtual for each body.
+//! [any_effect]
+template <class Real>
+class AnyEffect {
+ public:
+  virtual ~AnyEffect() = default;
+  const EffectTraits<Real>& traits() const { return traits_; }
+  const std::string& name() const { return traits_.name; }
+  Phase phase() const { return traits_.phase; }
+  /// Runs the effect's function on a group or on pairs.
+  virtual void run(Bodies<Real>& bodies, const Visits& visits,
+                   const Moment<Real>& moment) const = 0;
+  /// Empty if the body needs the effect, else why it does not. Of an effect on two: if any do.
+  virtual std::string_view why_skipped(const Facts& facts) const = 0;
+  /// The energy (J) that the effect stores for a body, or for two, where it knows one.
+  virtual Real potential_energy(const BodyState<Real>& first,
+                                const BodyState<Real>& second) const = 0;
+  //! [any_effect]
+
+ protected:
+  explicit AnyEffect(EffectTraits<Real> traits) : traits_(std::move(traits)) {}
+
+ private:
+  EffectTraits<Real> traits_;
+};
+
+/// True if the effect has terms of a spring.
+template <class Real>
+bool is_spring(const AnyEffect<Real>& effect) {
+  const SpringTerms<Real>& terms = effect.traits().spring_terms;
+  return terms.stiffness != 0 || terms.damping != 0;
+}
+
+/// What of its form the effect writes: a spring that holds its body at the centre gives no torque.
+template <class Real, class Effect>
+Quantities writes_of(const Effect& effect) {
+  const Quantities all = form_of<Effect, Real>().writes;
+  if constexpr (requires { effect.gives_torque(); })
+    if (!effect.gives_torque()) return {all.bits & ~quantity::torque.bits};
+  (void)effect;
+  return all;
+}
+
+/// What the effect says that it reads, or all that it sees.
+template <class Real, class Effect>
+constexpr Quantities reads_of() {
+  constexpr Sees sees = form_of<Effect, Real>().sees;
+  constexpr Quantities seen = sees == Sees::centre ? quantity::of_centre
+                              : sees == Sees::top  ? quantity::of_top
+                                                   : quantity::of_body;
+  if constexpr (requires { Effect::reads; }) {
+    static_assert(seen.has(Effect::reads), "the effect's function does not see what it reads");
+    return Effect::reads;
+  } else {
+    return seen;
+  }
+}
+
+/// @cond the base class says what it does
+/// AnyEffect for one type of effect.
+template <class Real, class Effect>
+class EffectOf : public AnyEffect<Real> {
+  static constexpr Form form = form_of<Effect, Real>();
+  static_assert(form.count == 1, "an effect has exactly one function, see effect.hpp");
+
+ public:
+  explicit EffectOf(const Effect& effect) : AnyEffect<Real>(traits_of(effect)), effect_(effect) {}
+  const Effect& effect() const { return effect_; }
+
+  void run(Bodies<Real>& bodies, const Visits& visits, const Moment<Real>& moment) const override {
+    if constexpr (form.sees == Sees::centre) {
+      for_each_of(visits.group, bodies.centres,
+                  [&](Particle<Real>& centre) { visit(effect_, centre, moment); });
+    } else if constexpr (form.sees == Sees::top) {
+      for_each_of(visits.group, bodies.tops, [&](Top<Real>& top) { visit(effect_, top, moment); });
+    } else if constexpr (form.sees == Sees::body) {
+      visits.group.for_each([&](BodyIndex body) {
+        Top<Real> none;
+        const BodyInPlace<Real> one = in_place(bodies, body, none);
+        visit(effect_, one.centre, one.top, moment);
+      });
+    } else if constexpr (FindsPairs<Effect, Real>) {
+      std::vector<BodyPair> found;
+      effect_.find_pairs(std::as_const(bodies), found);
+      for (const BodyPair& pair : found) run_on(bodies, pair, moment);
+    } else {
+      for (const BodyPair& pair : visits.pairs) run_on(bodies, pair, moment);
+    }
+  }
+
+  std::string_view why_skipped(const Facts& facts) const override {
+    if constexpr (form.sees != Sees::pair)
+      return tumble::why_skipped<Real>(effect_, facts, this->traits().writes);
+    else if constexpr (requires { effect_.why_skipped(); })
+      return effect_.why_skipped();
+    else
+      return {};
+  }
+
+  Real potential_energy([[maybe_unused]] const BodyState<Real>& first,
+                        [[maybe_unused]] const BodyState<Real>& second) const override {
+    if constexpr (requires { effect_.potential_energy(first); })
+      return effect_.potential_energy(first);
+    else if constexpr (requires { effect_.potential_energy(first, second); })
+      return effect_.potential_energy(first, second);
+    else
+      return 0;
+  }
+
+ private:
+  void run_on(Bodies<Real>& bodies, const BodyPair& pair, const Moment<Real>& moment) const {
+    Top<Real> none, second_none;
+    visit<Effect, Real>(effect_, in_place(bodies, pair.first, none),
+                        in_place(bodies, pair.second, second_none), moment);
+  }
+
+  static BodyInPlace<Real> in_place(Bodies<Real>& bodies, BodyIndex body, Top<Real>& none) {
+    const BodyIndex top = bodies.top_of[body];
+    return {bodies.centres[body], top == no_index ? none : bodies.tops[top]};
+  }
+
+  static EffectTraits<Real> traits_of(const Effect& effect) {
+    EffectTraits<Real> traits{.name = std::string(effect.name),
+                              .phase = phase_of<Effect, Real>(),
+                              .sees = form.sees,
+                              .reads = reads_of<Real, Effect>(),
+                              .writes = writes_of<Real>(effect)};
+    traits.needs_top = form.sees == Sees::top;
+    if constexpr (requires { effect.needs_top(); }) traits.needs_top = effect.needs_top();
+    if constexpr (requires { effect.needs_second_top(); })
+      traits.needs_second_top = effect.needs_second_top();
+    constexpr bool of_one = requires(const BodyState<Real>& body) {
+      effect.potential_energy(body);
+    };
+    constexpr bool of_two = requires(const BodyState<Real>& body) {
+      effect.potential_energy(body, body);
+    };
+    traits.stores_energy = of_one || of_two;
+    traits.finds_pairs = FindsPairs<Effect, Real>;
+    if constexpr (requires { effect.spring_terms(); }) traits.spring_terms = effect.spring_terms();
+    return traits;
+  }
+
+  Effect effect_;
+};
+/// @endcond
+
+}  // namespace tumble

@@ -1,0 +1,135 @@
+/// @file
+/// Why a step could not be taken: the step once more on a copy, effect by effect.
+#pragma once
+
+#include <stdexcept>
+#include <tumble/guard.hpp>
+#include <tumble/sine_cosine.hpp>
+#include <tumble/tumbling.hpp>
+
+namespace tumble {
+
+/// A step could not be taken. The world is as it was before.
+class SimulationError : public std::runtime_error {
+ public:
+  SimulationError(const std::string& sentence, std::string body_name, std::string effect_name,
+                  double at_time)
+      : std::runtime_error(sentence),
+        body(std::move(body_name)),
+        effect(std::move(effect_name)),
+        time(at_time) {}
+  std::string body;    ///< whose motion could not be computed
+  std::string effect;  ///< which effect is to blame; empty if it is none alone
+  double time;         ///< s, at the start of the step
+};
+
+/// What no finite turn is found for, as the end of a sentence: the angle |ω| h (rad), and how far
+/// sine_cosine() reaches.
+template <class Real>
+std::string turn_too_far(const Top<Real>& top, Same<Real> time_step) {
+  const Vec3<Real> spin = angular_velocity_body(top);
+  const Real angle = time_step * std::hypot(spin[0], spin[1], spin[2]);  // no square overflows
+  return text_of(angle) + " rad in this step, and no finite orientation was found; at most " +
+         text_of(2 * SineCosineConstants<Real>::limit) + " rad can be turned";
+}
+
+/// What of a body is no number, as the middle of a sentence; empty if all is one.
+template <class Real>
+std::string not_finite_in(const Particle<Real>& centre, const Top<Real>& top) {
+  const auto said = [](const char* what, const Vec3<Real>& value, const char* unit) {
+    return std::string(what).append(text_of(value)).append(unit);
+  };
+  const Quaternion<Real>& q = top.orientation;
+  if (!is_finite(centre.force)) return said("a force of ", centre.force, " N");
+  if (!is_finite(top.torque)) return said("a torque of ", top.torque, " N m");
+  if (!is_finite(centre.velocity)) return said("a velocity of ", centre.velocity, " m/s");
+  if (!is_finite(top.angular_momentum_body))
+    return said("an angular momentum of ", top.angular_momentum_body, " kg m^2/s, body axes,");
+  if (!is_finite(centre.position)) return said("a position of ", centre.position, " m");
+  if (!is_finite(q.imaginary) || !std::isfinite(q.real)) return "an orientation that is no number";
+  return {};
+}
+
+/// The step in which a body was lost, once more.
+template <class Real>
+class Replay {
+ public:
+  /// `bodies` are as they were before the step.
+  Replay(Bodies<Real> bodies, const Work<Real>& work, BodyIndex lost)
+      : bodies_(std::move(bodies)), work_(work), lost_(lost) {}
+
+  /// What went wrong, as a sentence; `culprit` becomes the effect to blame, if it is one.
+  std::string find(const Moment<Real>& moment, const AnyEffect<Real>*& culprit) {
+    const Real h = moment.time_step;
+    if (ask_each(Phase::force, moment, culprit, true)) return sentence_;
+    run(work_, Phase::force, bodies_, moment);
+    add(work_.inputs, bodies_);
+    if (ask_each(Phase::kick, moment, culprit, false)) return sentence_;
+    for_each_of(work_.pushed, bodies_.centres, [&](auto& one) { kick(one, h), clear_force(one); });
+    for_each_of(work_.torqued, bodies_.tops, [&](auto& one) { kick(one, h), clear_torque(one); });
+    if (is_lost()) return reason(bodies_, h);
+    for (const Phase phase : {Phase::impulse, Phase::damping})
+      if (ask_each(phase, moment, culprit, false)) return sentence_;
+    const Bodies<Real> kicked = bodies_;
+    for_each_of(work_.movers, bodies_.centres, [&](auto& one) { drift(one, h); });
+    for_each_of(work_.steady, bodies_.tops, [&](auto& one) { turn_steadily(one, h); });
+    work_.rule->turn(bodies_.tops, work_.tumbling, h);
+    if (!is_lost() && ask_each(Phase::drift, moment, culprit, false)) return sentence_;
+    return reason(kicked, h);
+  }
+
+ private:
+  bool is_lost() const {
+    const BodyState<Real> body = state_of(bodies_, lost_);
+    return !not_finite_in(body.centre, body.top).empty();
+  }
+
+  /// Runs the effects of a phase until one gives the lost body what is no number. `alone`: each by
+  /// itself, for those that add to a sum.
+  bool ask_each(Phase phase, const Moment<Real>& moment, const AnyEffect<Real>*& culprit,
+                bool alone) {
+    for (const std::size_t i : work_.in_phase[static_cast<std::size_t>(phase)]) {
+      const Entry<Real>& entry = work_.effects[i];
+      entry.effect->run(bodies_, entry.visits, moment);
+      const BodyState<Real> body = state_of(bodies_, lost_);
+      const std::string what = not_finite_in(body.centre, body.top);
+      if (alone) {
+        for (Particle<Real>& centre : bodies_.centres) clear_force(centre);
+        for (Top<Real>& top : bodies_.tops) clear_torque(top);
+      }
+      if (what.empty()) continue;
+      culprit = entry.effect.get();
+      sentence_ = culprit->name() + " gives " + what + "; every component must be finite";
+      return true;
+    }
+    return false;
+  }
+
+  /// Why a body that no effect alone has spoilt is lost, by how it was before it drifted.
+  std::string reason(const Bodies<Real>& kicked, Real h) const {
+    const BodyState<Real> body = state_of(kicked, lost_);
+    if (!is_finite(Vec3<Real>(body.centre.position + h * body.centre.velocity)))
+      return "with a velocity of " + text_of(body.centre.velocity) +
+             " m/s the step would lead to no finite position";
+    return "it would turn by " + turn_too_far(body.top, h);
+  }
+
+  Bodies<Real> bodies_;
+  const Work<Real>& work_;
+  BodyIndex lost_;
+  std::string sentence_;
+};
+
+/// The error for a body that was led nowhere. `bodies` are as they were before the step.
+template <class Real>
+SimulationError failure(const std::string& name, BodyIndex lost, const Bodies<Real>& bodies,
+                        const Work<Real>& work, std::int64_t tick, Real time_step) {
+  const Moment<Real> moment = moment_of(tick, time_step);
+  const AnyEffect<Real>* culprit = nullptr;
+  const std::string why = Replay<Real>(bodies, work, lost).find(moment, culprit);
+  return {"'" + name + "' at " + text_of(moment.time) + " s (step " + std::to_string(tick) +
+              "): " + why + "; the world is as it was before this step",
+          name, culprit ? culprit->name() : std::string(), static_cast<double>(moment.time)};
+}
+
+}  // namespace tumble

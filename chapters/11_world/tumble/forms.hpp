@@ -1,0 +1,144 @@
+/// @file
+/// The forms that an effect's function can take: it is called after what it gives.
+#pragma once
+
+#include <concepts>
+#include <tumble/quantities.hpp>
+#include <tumble/terms.hpp>
+
+namespace tumble {
+
+/// What an effect's function can give. It is const and sees everything as const, so what it gives
+/// is all that it can change. `Seen` is what it sees: a Particle, a Top, or a BodyState, which is
+/// both.
+//! [forms]
+template <class Effect, class Seen, class Real>
+concept GivesForce = requires(const Effect& effect, const Seen& seen, const Real& time) {
+  { effect.force(seen, time) } -> std::convertible_to<Vec3<Real>>;
+};
+template <class Effect, class Seen, class Real>
+concept GivesTorque = requires(const Effect& effect, const Seen& seen, const Real& time) {
+  { effect.torque(seen, time) } -> std::convertible_to<Vec3<Real>>;
+};
+template <class Effect, class Seen, class Real>
+concept GivesPush = requires(const Effect& effect, const Seen& seen, const Real& time) {
+  { effect.push(seen, time) } -> std::same_as<Push<Real>>;
+};
+template <class Effect, class Seen, class Real>
+concept GivesAcceleration = requires(const Effect& effect, const Seen& seen, const Real& time) {
+  { effect.acceleration(seen, time) } -> std::convertible_to<Vec3<Real>>;
+};
+template <class Effect, class Seen, class Real>
+concept GivesVelocity = requires(const Effect& effect, const Seen& seen, const Moment<Real>& at) {
+  { effect.velocity(seen, at) } -> std::convertible_to<Vec3<Real>>;
+};
+template <class Effect, class Seen, class Real>
+concept GivesSpin = requires(const Effect& effect, const Seen& seen, const Moment<Real>& at) {
+  { effect.angular_momentum_body(seen, at) } -> std::convertible_to<Vec3<Real>>;
+};
+template <class Effect, class Seen, class Real>
+concept GivesPosition = requires(const Effect& effect, const Seen& seen, const Moment<Real>& at) {
+  { effect.position(seen, at) } -> std::convertible_to<Vec3<Real>>;
+};
+template <class Effect, class Seen, class Real>
+concept GivesOrientation = requires(const Effect& effect, const Seen& seen,
+                                    const Moment<Real>& at) {
+  { effect.orientation(seen, at) } -> std::same_as<Quaternion<Real>>;
+};
+//! [forms]
+
+/// A force on two bodies that the effect joins.
+template <class Effect, class Real>
+concept PushBetween = requires(const Effect& effect, const BodyState<Real>& body,
+                               const Real& time) {
+  { effect.push(body, body, time) } -> std::same_as<PairPush<Real>>;
+};
+/// A blow between two bodies, in the impulse phase. It meets the velocities that the blows before
+/// it have made.
+template <class Effect, class Real>
+concept BlowBetween = requires(const Effect& effect, const BodyState<Real>& body,
+                               const Moment<Real>& moment) {
+  { effect.blow(body, body, moment) } -> std::same_as<PairBlow<Real>>;
+};
+
+/// Such an effect may say itself which bodies meet, in each step anew: a contact does.
+template <class Effect, class Real>
+concept FindsPairs = requires(const Effect& effect, const Bodies<Real>& bodies,
+                              std::vector<BodyPair>& pairs) {
+  effect.find_pairs(bodies, pairs);
+};
+
+/// A force that sees the centre alone, as most do.
+template <class Effect, class Real>
+concept ForceOnCentre = GivesForce<Effect, Particle<Real>, Real>;
+
+/// What an effect's function sees.
+enum class Sees { nothing, centre, top, body, pair };
+
+/// What the form of an effect's function says.
+struct Form {
+  Sees sees = Sees::nothing;
+  Quantities writes;
+  int count = 0;  ///< functions; an effect has one
+};
+
+/// What the effect gives to who sees `Seen`.
+template <class Effect, class Seen, class Real>
+constexpr Form form_seeing(Sees sees) {
+  Form form;
+  const auto gives = [&](bool does, Quantities what) {
+    if (does) form = {sees, form.writes | what, form.count + 1};
+  };
+  constexpr bool centre = !std::same_as<Seen, Top<Real>>, top = !std::same_as<Seen, Particle<Real>>;
+  gives(centre && GivesForce<Effect, Seen, Real>, quantity::force);
+  gives(top && GivesTorque<Effect, Seen, Real>, quantity::torque);
+  gives(centre && top && GivesPush<Effect, Seen, Real>, quantity::force | quantity::torque);
+  gives(centre && GivesAcceleration<Effect, Seen, Real>, quantity::velocity);
+  gives(centre && GivesVelocity<Effect, Seen, Real>, quantity::velocity);
+  gives(top && GivesSpin<Effect, Seen, Real>, quantity::spin);
+  gives(centre && GivesPosition<Effect, Seen, Real>, quantity::position);
+  gives(top && GivesOrientation<Effect, Seen, Real>, quantity::orientation);
+  return form;
+}
+
+template <class Effect, class Real>
+constexpr Form form_of() {
+  const Form centre = form_seeing<Effect, Particle<Real>, Real>(Sees::centre);
+  const Form top = form_seeing<Effect, Top<Real>, Real>(Sees::top);
+  const Form body = form_seeing<Effect, BodyState<Real>, Real>(Sees::body);
+  Form form = centre.count ? centre : top.count ? top : body;
+  form.count = centre.count + top.count + body.count;
+  if (PushBetween<Effect, Real>)
+    form = {Sees::pair, quantity::force | quantity::torque, form.count + 1};
+  if (BlowBetween<Effect, Real>)
+    form = {Sees::pair, quantity::velocity | quantity::spin, form.count + 1};
+  return form;
+}
+
+/// An effect that visits bodies one by one.
+template <class Effect, class Real>
+concept EffectOnOne = form_of<Effect, Real>()
+.count > 0 && form_of<Effect, Real>().sees != Sees::pair;
+
+/// An effect that visits two bodies at a time.
+template <class Effect, class Real>
+concept EffectOnTwo = form_of<Effect, Real>()
+.sees == Sees::pair;
+
+/// The phase in which the effect acts: that of what it gives, or, if it writes a velocity, a spin
+/// or a place itself, the one that it names.
+template <class Effect, class Real>
+constexpr Phase phase_of() {
+  if constexpr (requires {
+                  { Effect::phase } -> std::convertible_to<Phase>;
+                })
+    return Effect::phase;
+  else if (form_of<Effect, Real>().writes.has_any(quantity::force | quantity::torque))
+    return Phase::force;
+  else if (BlowBetween<Effect, Real>)
+    return Phase::impulse;
+  else
+    return Phase::kick;
+}
+
+}  // namespace tumble

@@ -1,0 +1,94 @@
+/// @file
+/// A snapshot as a file.
+#pragma once
+
+#include <cstdlib>
+#include <istream>
+#include <iterator>
+#include <ostream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <tumble/snapshot.hpp>
+
+namespace tumble {
+
+/// Calls `visit` with each number of a snapshot, in the order of a file.
+template <class AnySnapshot, class Visit>
+void for_each_number(AnySnapshot& snapshot, const Visit& visit) {
+  for (auto* list : {&snapshot.positions, &snapshot.velocities, &snapshot.angular_momenta})
+    for (auto& vector : *list)
+      for (int axis = 0; axis < 3; ++axis) visit(vector[axis]);
+  for (auto& q : snapshot.orientations) {
+    visit(q.real);
+    for (int axis = 0; axis < 3; ++axis) visit(q.imaginary[axis]);
+  }
+}
+
+/// Adds bytes to a checksum: Fowler, Noll and Vo's, which sees every single changed letter.
+inline std::uint64_t checksum_of(std::string_view text) {
+  std::uint64_t sum = 14695981039346656037ull;
+  for (const char letter : text)
+    sum = (sum ^ static_cast<unsigned char>(letter)) * 1099511628211ull;
+  return sum;
+}
+
+/// Writes a snapshot as text: a line that says what it is, the numbers in hexadecimal, so that none
+/// is rounded, and a checksum.
+template <class Real>
+void write_snapshot(std::ostream& out, const Snapshot<Real>& snapshot) {
+  std::ostringstream text;
+  text << "tumble snapshot 1, " << 8 * sizeof(Real) << " bits, bodies " << snapshot.positions.size()
+       << ", tops " << snapshot.orientations.size() << ", ticks " << snapshot.ticks << '\n'
+       << std::hexfloat;
+  for (const std::vector<bool>* flags : {&snapshot.has_moved, &snapshot.has_turned}) {
+    for (const bool flag : *flags) text << (flag ? '1' : '0');
+    text << '\n';
+  }
+  for_each_number(snapshot, [&](const Real& number) { text << number << '\n'; });
+  out << text.str() << "checksum " << std::hex << checksum_of(text.str()) << '\n';
+}
+
+/// Reads what write_snapshot() has written.
+/// @throws std::invalid_argument with what is wrong, if it is something else or is damaged.
+template <class Real>
+Snapshot<Real> read_snapshot(std::istream& in) {
+  const std::string all{std::istreambuf_iterator<char>(in), {}};
+  const auto refuse = [](const std::string& why) -> std::invalid_argument {
+    return std::invalid_argument("not a snapshot that can be used: " + why);
+  };
+  const std::string mark = "tumble snapshot ";
+  if (all.compare(0, mark.size(), mark) != 0)
+    throw refuse("it does not begin with \"" + mark + "\"");
+  const std::size_t end = all.rfind("checksum ");
+  if (end == std::string::npos) throw refuse("its end is missing");
+  std::uint64_t told = 0;
+  std::istringstream(all.substr(end + 9)) >> std::hex >> told;
+  int version = 0;
+  std::size_t bits = 0, bodies = 0, tops = 0;
+  std::istringstream text(all.substr(0, end));
+  std::string word;
+  Snapshot<Real> snapshot;
+  text >> word >> word >> version >> word >> bits >> word >> word >> bodies >> word >> word >>
+      tops >> word >> word >> snapshot.ticks;
+  if (version != 1) throw refuse("it is of version " + std::to_string(version) + ", and this is 1");
+  if (told != checksum_of(all.substr(0, end))) throw refuse("its checksum is wrong: it is damaged");
+  if (bits != 8 * sizeof(Real))
+    throw refuse("its numbers have " + std::to_string(bits) + " bits, and the world's " +
+                 std::to_string(8 * sizeof(Real)));
+  for (std::vector<bool>* flags : {&snapshot.has_moved, &snapshot.has_turned}) {
+    if (bodies == 0) continue;
+    text >> word;
+    for (const char flag : word) flags->push_back(flag == '1');
+  }
+  for (auto* list : {&snapshot.positions, &snapshot.velocities}) list->resize(bodies);
+  snapshot.orientations.resize(tops);
+  snapshot.angular_momenta.resize(tops);
+  for_each_number(snapshot, [&](Real& number) {
+    text >> word;
+    number = static_cast<Real>(std::strtod(word.c_str(), nullptr));
+  });
+  return snapshot;
+}
+
+}  // namespace tumble

@@ -1,0 +1,78 @@
+/// @file
+/// What effects and steps speak of: phases, facts, pushes and moments.
+#pragma once
+
+#include <tumble/bodies.hpp>
+
+namespace tumble {
+
+/// The parts of a step, in their order.
+//! [phase]
+enum class Phase {
+  force,    ///< forces and torques are summed; nothing moves
+  kick,     ///< the sums change the momenta
+  impulse,  ///< blows meet the new velocities
+  damping,  ///< speeds fade
+  drift     ///< positions and orientations follow
+};
+//! [phase]
+
+/// What is known of a body between two changes of the scene. A predicate asks this and nothing
+/// else, so its answer holds until somebody changes the scene.
+//! [facts]
+struct Facts {
+  bool is_static = false;      ///< no force can move it
+  bool is_point = false;       ///< it has no top
+  bool can_turn = false;       ///< it has a top that is not locked about all axes
+  bool is_gyroscopic = false;  ///< its moments differ, and no axis is locked
+  bool is_pushed = false;      ///< an effect gives it a force
+  bool is_torqued = false;     ///< an effect gives it a torque
+  bool moves = false;          ///< it has had a velocity, or something can give it one
+  bool turns = false;          ///< it has had a spin, or something can give it one
+  friend bool operator==(const Facts&, const Facts&) = default;
+};
+//! [facts]
+
+/// What one effect does to one body in the force phase, both in world axes.
+template <class Real>
+struct Push {
+  Vec3<Real> force = Vec3<Real>::Zero();   ///< N, at the centre of mass
+  Vec3<Real> torque = Vec3<Real>::Zero();  ///< N m, about the centre of mass
+};
+
+/// What one effect does to two bodies that it joins: the force on the first, its opposite on the
+/// second, and a torque on each about its own centre of mass. World axes, N and N m.
+template <class Real>
+struct PairPush {
+  Vec3<Real> force_on_first = Vec3<Real>::Zero();
+  Vec3<Real> torque_on_first = Vec3<Real>::Zero();
+  Vec3<Real> torque_on_second = Vec3<Real>::Zero();
+};
+
+/// The same for a blow between two bodies, in N s and N m s.
+template <class Real>
+struct PairBlow {
+  Vec3<Real> impulse_on_first = Vec3<Real>::Zero();
+  Vec3<Real> turn_on_first = Vec3<Real>::Zero();
+  Vec3<Real> turn_on_second = Vec3<Real>::Zero();
+};
+
+/// Two bodies that an effect joins.
+struct BodyPair {
+  BodyIndex first, second;
+};
+
+/// When a step happens and how long it lasts.
+template <class Real>
+struct Moment {
+  Real time = 0;       ///< s, at the start of the step
+  Real time_step = 0;  ///< s
+};
+
+/// When step number `tick` happens: at n h, with two roundings however many steps there were.
+template <class Real>
+Moment<Real> moment_of(std::int64_t tick, Real time_step) {
+  return {static_cast<Real>(tick) * time_step, time_step};
+}
+
+}  // namespace tumble
