@@ -107,7 +107,7 @@ std::vector<Measurement> measured(const Problem<Body, Gather>& problem, const ch
   const double longest_run = is_engine ? effort.longest_run_of_engines : effort.longest_run;
   double best_error = std::numeric_limits<double>::infinity();
   int since_best = 0;
-  for (int n = 0; n < 60 && since_best < 6; ++n) {
+  for (int n = 0; n < 60 && since_best < 9; ++n) {
     const double knob = contestant.chooses_steps ? std::pow(10, -(n + 1) / 3.0)  // less than 1
                                                  : std::round(std::pow(2, n / 2.0));
     if (contestant.chooses_steps && knob < 2e-15) break;
