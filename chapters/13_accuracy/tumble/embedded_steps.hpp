@@ -23,39 +23,45 @@ struct RowWithin {
   static constexpr auto& row = Pair::dense[i];
 };
 
-/// The square of how far numbers are off, in terms of what is allowed: a place `tolerance` m and a
-/// velocity as many m/s for each second of the step, and a few roundings on top, for no step can be
-/// better.
+/// The square of how far numbers are off at the end of a step, in terms of what is allowed: a place
+/// `tolerance` m and a velocity as many m/s for each second of the step, and a few roundings on
+/// top, for no step can be better.
 //! [error_of_particle]
 template <class Real>
 [[gnu::always_inline]] inline Real square_of_error(const Numbers<Real, 6>& error,
-                                                   const Numbers<Real, 6>& at, Same<Real> tolerance,
+                                                   const Numbers<Real, 6>& start,
+                                                   const Numbers<Real, 6>&, Same<Real> tolerance,
                                                    Same<Real> time_step) {
   const Real allowed = tolerance * time_step, rounding = 4 * std::numeric_limits<Real>::epsilon();
   const auto part = [&](std::size_t i) {
-    const Vec3<Real> off(error[i], error[i + 1], error[i + 2]), size(at[i], at[i + 1], at[i + 2]);
+    const Vec3<Real> off(error[i], error[i + 1], error[i + 2]),
+        size(start[i], start[i + 1], start[i + 2]);
     return off.squaredNorm() / (allowed * allowed + rounding * rounding * size.squaredNorm());
   };
-  return std::max(part(0), part(3));
+  return part(0) + part(3);
 }
 //! [error_of_particle]
 
 /// The same for a top: the orientation is off by an angle, for which `tolerance` rad are allowed a
 /// second, and L by a part of its size. The four numbers of a quaternion q that is off by δ are off
-/// by the angle 2 |Im(q* δ)|; along q itself they have no meaning.
+/// by the angle 2 |Im(q* δ)|; along q itself they have no meaning. The size of L is that at the
+/// start, for one that a bad step has blown up would excuse its own error.
 //! [error_of_top]
 template <class Real>
 [[gnu::always_inline]] inline Real square_of_error(const Numbers<Real, 7>& error,
-                                                   const Numbers<Real, 7>& at, Same<Real> tolerance,
-                                                   Same<Real> time_step) {
-  const Quaternion<Real> q = {at[0], {at[1], at[2], at[3]}},
+                                                   const Numbers<Real, 7>& start,
+                                                   const Numbers<Real, 7>& end,
+                                                   Same<Real> tolerance, Same<Real> time_step) {
+  const Quaternion<Real> q = {end[0], {end[1], end[2], end[3]}},
                          off = {error[0], {error[1], error[2], error[3]}};
+  const auto momentum = [](const Numbers<Real, 7>& numbers) {
+    return Vec3<Real>(numbers[4], numbers[5], numbers[6]).squaredNorm();
+  };
   const Real angle = 4 * (conjugate(q) * off).imaginary.squaredNorm();
-  const Real momentum = Vec3<Real>(at[4], at[5], at[6]).squaredNorm(),
-             off_momentum = Vec3<Real>(error[4], error[5], error[6]).squaredNorm();
-  const Real part = off_momentum == 0 ? Real(0) : off_momentum / momentum;
+  const Real size = momentum(start) == 0 ? momentum(end) : momentum(start);
+  const Real part = momentum(error) == 0 ? Real(0) : momentum(error) / size;
   const Real allowed = tolerance * time_step + 4 * std::numeric_limits<Real>::epsilon();
-  return std::max(angle, part) / (allowed * allowed);
+  return (angle + part) / (allowed * allowed);
 }
 //! [error_of_top]
 
@@ -89,6 +95,11 @@ class EmbeddedSteps {
       return rates_under(gather_, numbers, time_ + ahead, there_);
     });
     end_ = led<RowOfStep<typename Pair::Rule>>(start_, h, rates_);
+    if constexpr (count == 7) {
+      const Real factor = 1 / std::sqrt(end_[0] * end_[0] + end_[1] * end_[1] + end_[2] * end_[2] +
+                                        end_[3] * end_[3]);
+      end_ = each<Real, count>([&](auto n) { return n < 4 ? factor * end_[n] : end_[n]; });
+    }
     if constexpr (error_sees_end) look_at_end();
     return [&]<std::size_t... i>(std::index_sequence<i...>) {
       return together(std::array{error<i>()...});
@@ -102,12 +113,6 @@ class EmbeddedSteps {
     time_ += step_;
     start_ = end_;
     rates_[0] = rates_[looks];
-    if constexpr (count == 7) {  // the quaternion's length, to first order
-      const Real square = start_[0] * start_[0] + start_[1] * start_[1] + start_[2] * start_[2] +
-                          start_[3] * start_[3];
-      start_ = each<Real, count>(
-          [&](auto n) { return n < 4 ? (3 - square) / 2 * start_[n] : start_[n]; });
-    }
   }
 
   /// See first_step_of().
@@ -118,8 +123,9 @@ class EmbeddedSteps {
     State change = rates_under(gather_, there, time_ + ahead, there_);
     for (std::size_t n = 0; n < change.size(); ++n) change[n] -= rates_[0][n];
     return first_step_of<Real>(
-        std::sqrt(square_of_error(rates_[0], start_, tolerance_, Real(1))),
-        std::sqrt(square_of_error(change, start_, tolerance_, Real(1))) / ahead, power, seconds);
+        std::sqrt(square_of_error(rates_[0], start_, start_, tolerance_, Real(1))),
+        std::sqrt(square_of_error(change, start_, start_, tolerance_, Real(1))) / ahead, power,
+        seconds);
   }
 
   /// The body where the last step that was accepted ends.
@@ -183,7 +189,7 @@ class EmbeddedSteps {
   [[gnu::always_inline]] Real error() const {
     const State off = each<Real, count>(
         [&](auto n) { return step_ * weighed_number<RowOfError<Pair, i>, n>(rates_); });
-    return square_of_error(off, end_, tolerance_, step_);
+    return square_of_error(off, start_, end_, tolerance_, step_);
   }
 
   const Gather& gather_;

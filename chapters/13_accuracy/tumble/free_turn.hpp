@@ -31,7 +31,7 @@ class FreeTurn {
   }
 
   /// l', 1/s.
-  [[gnu::always_inline]] Numbers<Real, 3> rates(const Numbers<Real, 3>& l) const {
+  [[gnu::always_inline]] Numbers<Real, 3> rates(const Numbers<Real, 3>& l, Real = 0) const {
     return {differences_[0] * (l[1] * l[2]), differences_[1] * (l[2] * l[0]),
             differences_[2] * (l[0] * l[1])};
   }
@@ -58,15 +58,19 @@ class FreeTurn {
   }
   //! [top_at]
 
-  /// Starts anew from where the top is now, and returns its l.
-  Numbers<Real, 3> fold(const Numbers<Real, 3>& l, Real twist) {
+  /// Starts anew from where the top is now.
+  void fold(const Numbers<Real, 3>& l, Real twist) {
     top_ = top_at(l, twist);
     begin_at(top_.angular_momentum_body / size_);
-    return direction();
+  }
+
+  /// The square of the angle that an error of l is.
+  [[gnu::always_inline]] Real square(const Numbers<Real, 3>& off, const Numbers<Real, 3>&) const {
+    return off[0] * off[0] + off[1] * off[1] + off[2] * off[2];
   }
 
   /// l at the start.
-  Numbers<Real, 3> direction() const { return {first_[0], first_[1], first_[2]}; }
+  Numbers<Real, 3> numbers() const { return {first_[0], first_[1], first_[2]}; }
 
  private:
   void begin_at(const Vec3<Real>& l) {
@@ -111,7 +115,7 @@ template <class Rule, class Real>
     return turn_steadily(top, time_step);
   const FreeTurn<Real> free(top);
   std::array<Numbers<Real, 3>, Rule::rule.nodes.size()> rates;
-  const Numbers<Real, 3> start = free.direction();
+  const Numbers<Real, 3> start = free.numbers();
   rates[0] = free.rates(start);
   Real twist = static_cast<Real>(Rule::rule.weights[0]) * free.twist_rate(start);
   look<Rule>(start, time_step, rates, [&]<std::size_t i>(const Numbers<Real, 3>& l, Real, Look<i>) {

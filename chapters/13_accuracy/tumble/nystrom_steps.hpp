@@ -72,8 +72,8 @@ class NystromSteps {
     Three change = acceleration_at(there, ahead), gain = rates_[0];
     for (std::size_t n = 0; n < 3; ++n) change[n] -= rates_[0][n], gain[n] *= ahead;
     const auto size = [&](const Three& a, const Three& b) {
-      return std::sqrt(
-          square_of_error(joined(a, b), joined(place_, velocity_), tolerance_, Real(1)));
+      return std::sqrt(square_of_error(joined(a, b), joined(place_, velocity_),
+                                       joined(place_, velocity_), tolerance_, Real(1)));
     };
     return first_step_of<Real>(size(velocity_, rates_[0]), size(gain, change) / ahead, power,
                                seconds);
@@ -116,7 +116,8 @@ class NystromSteps {
       else
         return step_ * weighed_number<RowOfErrorsOfVelocities<Pair>, n - 3>(rates_);
     });
-    return square_of_error(off, joined(end_place_, end_velocity_), tolerance_, step_);
+    return square_of_error(off, joined(place_, velocity_), joined(end_place_, end_velocity_),
+                           tolerance_, step_);
   }
 
   const Gather& gather_;

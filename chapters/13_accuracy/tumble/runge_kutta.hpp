@@ -69,12 +69,17 @@ template <class Real>
 /// The rates of a free top, and a torque in body axes. About a locked axis L stays 0: whatever
 /// locks it bears the torque and L × ω.
 template <class Real>
-[[gnu::always_inline]] inline Numbers<Real, 7> with_torque_body(Numbers<Real, 7> rates,
+[[gnu::always_inline]] inline Numbers<Real, 7> with_torque_body(const Numbers<Real, 7>& rates,
                                                                 const Top<Real>& top,
                                                                 const Vec3<Same<Real>>& torque) {
-  const Vec3<Real> change = free_part<Real>(top, Vec3<Real>(rates[4], rates[5], rates[6]) + torque);
-  for (std::size_t axis = 0; axis < 3; ++axis) rates[4 + axis] = change[Eigen::Index(axis)];
-  return rates;
+  const auto free = [&](int axis) { return select(top.inverse_moments[axis] == 0, Real(0), 1); };
+  return {rates[0],
+          rates[1],
+          rates[2],
+          rates[3],
+          free(0) * (rates[4] + torque[0]),
+          free(1) * (rates[5] + torque[1]),
+          free(2) * (rates[6] + torque[2])};
 }
 
 /// The same with the torque gathered, which is given in world axes.
