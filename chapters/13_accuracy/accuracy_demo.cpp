@@ -102,7 +102,7 @@ void compare_step_by_step(Notebook& notebook, const std::vector<Measurement>& al
       ++pairs;
       least = std::min(least, ratio);
       widest = std::max(
-          {widest, ours->slowest / ours->nanoseconds, theirs->slowest / theirs->nanoseconds});
+          {widest, ours->median / ours->nanoseconds, theirs->median / theirs->nanoseconds});
       if (ratio < 1) losses.push_back({ratio, *ours, *theirs, digits});
     }
     ratios.row(problem, cells[0], cells[1], cells[2], cells[3], cells[4], cells[5], cells[6],
@@ -115,8 +115,8 @@ void compare_step_by_step(Notebook& notebook, const std::vector<Measurement>& al
                         "Odeint's", "its step, too", "its price"});
   for (const auto& [ratio, ours, theirs, digits] : losses)
     table.row(number("%.2f", ratio),
-              number("%.2f", theirs.nanoseconds / ours.slowest) + " to " +
-                  number("%.2f", theirs.slowest / ours.nanoseconds),
+              number("%.2f", theirs.nanoseconds / ours.median) + " to " +
+                  number("%.2f", theirs.median / ours.nanoseconds),
               ours.problem, number("1e-%.0f", digits), ours.method, knob_of(ours),
               time_of(ours.nanoseconds), theirs.method, knob_of(theirs),
               time_of(theirs.nanoseconds));
@@ -219,7 +219,7 @@ std::string text_of(const std::vector<Measurement>& all) {
     for (const std::string& word : {m.problem, m.precision, m.method, m.kind}) text += word + '\t';
     text += std::to_string(m.steps);
     for (const double value :
-         {m.knob, m.error, m.energy_error, m.momentum_error, m.nanoseconds, m.slowest, m.seconds})
+         {m.knob, m.error, m.energy_error, m.momentum_error, m.nanoseconds, m.median, m.seconds})
       text += '\t' + number(value);
     text += '\n';
   }

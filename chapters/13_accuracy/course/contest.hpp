@@ -19,7 +19,7 @@ struct Measurement {
   double error;      ///< of place (m) or orientation (rad) at the end
   double energy_error, momentum_error;  ///< relative, at the end
   double nanoseconds;                   ///< of the whole run, the best of several
-  double slowest;                       ///< the worst of them, ns
+  double median;                        ///< the middle one of them, ns
   double seconds;                       ///< that it simulated
 };
 
@@ -58,10 +58,10 @@ inline Effort wanted_effort() {
   return std::getenv("TUMBLE_FULL") != nullptr ? full : quick;
 }
 
-/// The times of the fastest and of the slowest of some runs, ns. Short ones are made in batches
+/// The times of the fastest and of the middle one of some runs, ns. Short ones are made in batches
 /// that a clock can time.
 struct Times {
-  double fastest = std::numeric_limits<double>::infinity(), slowest = 0;
+  double fastest, median;
 };
 template <class Run>
 Times times_of(const Run& run, int repetitions) {
@@ -73,12 +73,10 @@ Times times_of(const Run& run, int repetitions) {
            static_cast<double>(count);
   };
   const long count = 1 + static_cast<long>(20'000 / (time_of(1) + 1));
-  Times times;
-  for (int n = 0; n < repetitions; ++n) {
-    const double time = time_of(count);
-    times = {std::min(times.fastest, time), std::max(times.slowest, time)};
-  }
-  return times;
+  std::vector<double> times;
+  for (int n = 0; n < repetitions; ++n) times.push_back(time_of(count));
+  std::sort(times.begin(), times.end());
+  return {times.front(), times[times.size() / 2]};
 }
 
 template <class Run>
@@ -143,7 +141,7 @@ std::vector<Measurement> measured(const Problem<Body, Gather>& problem, const ch
          contestant.chooses_steps ? 0 : static_cast<long>(knob), error,
          relative(kept.energy - start.energy, start.energy),
          relative((kept.momentum - start.momentum).norm(), start.momentum.norm()), times.fastest,
-         times.slowest, problem.seconds});
+         times.median, problem.seconds});
     since_best = error < 0.9 * best_error || error > 0.1 ? 0 : since_best + 1;
     best_error = std::min(best_error, error);
     if (times.fastest > longest_run || contestant.kind == "exact") break;

@@ -145,7 +145,7 @@ class EmbeddedSteps {
     look_further();
     const Real rest = 1 - part;
     const auto beyond = [&]<std::size_t... i>(std::index_sequence<i...>) {
-      return std::array{weighed<RowWithin<Pair, i>>(rates_)...};
+      return std::array<State, Pair::dense.size()>{weighed<RowWithin<Pair, i>>(rates_)...};
     }
     (std::make_index_sequence<Pair::dense.size()>());
     State state;

@@ -156,6 +156,26 @@ template <class Row, class Real, std::size_t count, std::size_t s>
       [&](auto n) { return start[n] + time_step * weighed_number<Row, n>(rates); });
 }
 
+/// Where a look is made: the same, added up from the start on with the weights times h, so that
+/// from the look before it is one product and one sum. This rounds a little more; a look may.
+template <class Row, class Real, std::size_t count, std::size_t s>
+[[gnu::always_inline]] inline Numbers<Real, count> led_to_look(
+    const Numbers<Real, count>& start, Same<Real> time_step,
+    const std::array<Numbers<Real, count>, s>& rates) {
+  return each<Real, count>([&](auto n) {
+    Real sum = start[n];
+    [&]<std::size_t... j>(std::index_sequence<j...>) {
+      const auto add = [&]<std::size_t k>() {
+        constexpr long double weight = Row::row[k];
+        if constexpr (weight != 0) sum += (static_cast<Real>(weight) * time_step) * rates[k][n];
+      };
+      (add.template operator()<j>(), ...);
+    }
+    (std::make_index_sequence<Row::row.size()>());
+    return sum;
+  });
+}
+
 /// The number of a look, known when the program is compiled.
 template <std::size_t i>
 using Look = std::integral_constant<std::size_t, i>;
@@ -169,7 +189,7 @@ template <class Rule, class Real, std::size_t count, std::size_t room, class Rat
                                         const RatesAt& rates_at) {
   static constexpr auto& rule = Rule::rule;
   const auto one = [&]<std::size_t i>() {
-    const auto there = led<RowOfLook<Rule, i>>(start, time_step, rates);
+    const auto there = led_to_look<RowOfLook<Rule, i>>(start, time_step, rates);
     rates[i] = rates_at(there, static_cast<Real>(rule.nodes[i]) * time_step, Look<i>());
   };
   [&]<std::size_t... i>(std::index_sequence<i...>) {

@@ -26,7 +26,7 @@ inline float rough_exp2(float exponent) {
 //! [rough]
 
 /// Chooses steps so that each errs by what is allowed. If errors fall as h^power, the factor
-/// (1/error)^(1/power) leads there at once; a tenth is left to what the estimate does not see.
+/// (1/error)^(1/power) leads there at once; a seventh is left to what the estimate does not see.
 ///
 /// Alone that hunts where not the error but the stability of the method limits the step: too long
 /// and too short in turn. So the error before is looked at as well: 0.3/power integral and
@@ -40,8 +40,8 @@ class StepControl {
   float factor(float square) {
     if (!(square < std::numeric_limits<float>::max())) return failed(0.1F);
     const float digits = rough_log2(std::max(square, 1e-18F)) / 2;
-    if (square > 1) return failed(0.9F * rough_exp2(-digits / power_));
-    const float wanted = 0.9F * rough_exp2((-0.7F * digits + 0.4F * last_digits_) / power_);
+    if (square > 1) return failed(0.85F * rough_exp2(-digits / power_));
+    const float wanted = 0.85F * rough_exp2((-0.7F * digits + 0.4F * last_digits_) / power_);
     last_digits_ = digits;
     const float longest = has_failed_ ? 1.0F : 6.0F;  // not at once where one has just failed
     has_failed_ = false;
