@@ -24,6 +24,11 @@ std::string times(double ratio) {
   return number(ratio < 10 ? "%.1f ×" : "%.0f ×", ratio);
 }
 
+/// The step of a run, or what it was asked for where it chooses its steps.
+std::string knob_of(const Measurement& run) {
+  return run.steps == 0 ? number("tolerance %.0e", run.knob) : number("%.2g s", run.knob);
+}
+
 void write_csv(const std::filesystem::path& file, const std::vector<Measurement>& all) {
   std::ofstream csv(file);
   csv << "problem,precision,method,kind,\"step (s) or tolerance\",steps,\"error (rad or m)\","
@@ -48,10 +53,10 @@ void write_runs(const Notebook& notebook, const std::string& table,
 /// A row a problem: who meets the wish at what price.
 void write_prices(const Notebook& notebook, const std::vector<Measurement>& all,
                   const std::vector<std::string>& problems, double wanted) {
-  Table table = notebook.table(
-      "prices_" + power_of_ten(wanted),
-      {"problem", "cheapest", "price of 1 s", "next", "its price", "cheapest that steps, its step",
-       "its price", "Odeint's", "Simbody's", "Bullet's", "ODE's"});
+  Table table = notebook.table("prices_" + power_of_ten(wanted),
+                               {"problem", "cheapest", "price of 1 s", "next", "its price",
+                                "cheapest that steps, its step or tolerance", "its price",
+                                "Odeint's", "Simbody's", "Bullet's", "ODE's"});
   for (const std::string& problem : problems) {
     const auto list = cheapest(all, problem, wanted);
     const auto first = first_of(list, is_ours), step = first_of(list, is_rung);
@@ -66,10 +71,59 @@ void write_prices(const Notebook& notebook, const std::vector<Measurement>& all,
       return price(first_of(list, is_of(library)));
     };
     table.row(problem, name(first), time_of(first->nanoseconds / first->seconds), name(next),
-              price(next), name(step) + (step ? number(", %.2g s", step->knob) : std::string()),
-              price(step), price_of("Odeint"), price_of("Simbody"), price_of("Bullet"),
-              price_of("ODE"));
+              price(next), name(step) + (step ? ", " + knob_of(*step) : std::string()), price(step),
+              price_of("Odeint"), price_of("Simbody"), price_of("Bullet"), price_of("ODE"));
   }
+}
+
+/// Every pair of problem and wish by stepping alone: Odeint's cheapest by ours, and where that is
+/// under 1, what either did.
+void compare_step_by_step(Notebook& notebook, const std::vector<Measurement>& all,
+                          const std::vector<std::string>& problems) {
+  Table ratios = notebook.table("stepping", {"problem", "1e-1", "1e-2", "1e-3", "1e-4", "1e-5",
+                                             "1e-6", "1e-7", "1e-8", "1e-9", "1e-10"});
+  struct Loss {
+    double ratio;
+    Measurement ours, theirs;
+    int digits;
+  };
+  std::vector<Loss> losses;
+  int pairs = 0;
+  double least = 1e300, widest = 1;
+  for (const std::string& problem : problems) {
+    std::array<std::string, 10> cells;
+    for (int digits = 1; digits <= 10; ++digits) {
+      const auto list = cheapest(all, problem, std::pow(10, -digits));
+      const auto ours = first_of(list, is_rung), theirs = first_of(list, is_of("Odeint"));
+      cells[static_cast<std::size_t>(digits - 1)] = "–";
+      if (!ours || !theirs) continue;
+      const double ratio = theirs->nanoseconds / ours->nanoseconds;
+      cells[static_cast<std::size_t>(digits - 1)] = number("%.2f", ratio);
+      ++pairs;
+      least = std::min(least, ratio);
+      widest = std::max(
+          {widest, ours->median / ours->nanoseconds, theirs->median / theirs->nanoseconds});
+      if (ratio < 1) losses.push_back({ratio, *ours, *theirs, digits});
+    }
+    ratios.row(problem, cells[0], cells[1], cells[2], cells[3], cells[4], cells[5], cells[6],
+               cells[7], cells[8], cells[9]);
+  }
+  std::sort(losses.begin(), losses.end(),
+            [](const Loss& a, const Loss& b) { return a.ratio < b.ratio; });
+  Table table = notebook.table(
+      "stepping_lost", {"ratio", "spread", "problem", "wanted error", "ours", "its step", "price",
+                        "Odeint's", "its step, too", "its price"});
+  for (const auto& [ratio, ours, theirs, digits] : losses)
+    table.row(number("%.2f", ratio),
+              number("%.2f", theirs.nanoseconds / ours.median) + " to " +
+                  number("%.2f", theirs.median / ours.nanoseconds),
+              ours.problem, number("1e-%.0f", digits), ours.method, knob_of(ours),
+              time_of(ours.nanoseconds), theirs.method, knob_of(theirs),
+              time_of(theirs.nanoseconds));
+  notebook.value("stepping_least", number("%.2f", least));
+  notebook.value("stepping_lost", std::to_string(losses.size()));
+  notebook.value("stepping_won", std::to_string(pairs - static_cast<int>(losses.size())));
+  notebook.value("stepping_spread", number("%.0f", 100 * (widest - 1)));
 }
 
 /// Over all problems and wanted errors: how often ours is no dearer than Odeint's cheapest.
@@ -165,7 +219,7 @@ std::string text_of(const std::vector<Measurement>& all) {
     for (const std::string& word : {m.problem, m.precision, m.method, m.kind}) text += word + '\t';
     text += std::to_string(m.steps);
     for (const double value :
-         {m.knob, m.error, m.energy_error, m.momentum_error, m.nanoseconds, m.seconds})
+         {m.knob, m.error, m.energy_error, m.momentum_error, m.nanoseconds, m.median, m.seconds})
       text += '\t' + number(value);
     text += '\n';
   }
@@ -177,7 +231,7 @@ std::vector<Measurement> measurements_in(const std::string& text) {
   for (const std::vector<std::string>& row : cells_of(text)) {
     const auto value = [&](std::size_t n) { return std::strtod(row.at(n).c_str(), nullptr); };
     all.push_back({row.at(0), row.at(1), row.at(2), row.at(3), value(5), std::stol(row.at(4)),
-                   value(6), value(7), value(8), value(9), value(10)});
+                   value(6), value(7), value(8), value(9), value(10), value(11)});
   }
   return all;
 }
@@ -213,6 +267,7 @@ int main(int argument_count, char** arguments) {
                 times(step->nanoseconds / first->nanoseconds).c_str());
   }
   compare_with_odeint(notebook, all, problems);
+  compare_step_by_step(notebook, all, problems);
   compare_with_the_others(notebook, all, problems);
   notebook.value("runs", std::to_string(all.size()));
   notebook.value("problems", std::to_string(problems.size()));

@@ -1,3 +1,5 @@
+#include <course/own_steps.hpp>
+
 #include "contests.hpp"
 
 namespace tumble::course {
@@ -7,6 +9,7 @@ template <class Real>
 void contest_free_tops_in(Contest& contest) {
   for (const FreeProblem<Real>& problem : free_problems<Real>()) {
     auto list = contestants(problem, turning_ladder<Real>);
+    append(list, free_tops_by_own_steps(problem));
     list.push_back(exact_contestant(problem));
     append_peers(list, problem, peers::Torque::none, 0);
     measure_all(contest, problem, list, truth_of(problem));

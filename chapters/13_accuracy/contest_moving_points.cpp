@@ -1,3 +1,5 @@
+#include <course/own_steps.hpp>
+
 #include "contests.hpp"
 
 namespace tumble::course {
@@ -8,6 +10,10 @@ void contest_moving_points_in(Contest& contest) {
   const auto on = [&]<class Gather>(const Problem<Particle<Real>, Gather>& problem,
                                     peers::Force force, const std::array<double, 2>& parameters) {
     auto list = contestants(problem, motion_ladder<Real, Gather>);
+    append(list, by_own_steps(problem));
+    if (force != peers::Force::gravity_and_drag) list.push_back(nystrom_by_own_steps(problem));
+    if constexpr (requires { problem.gather.pull_energy(problem.start); })
+      append(list, in_transformed_time(problem));
     list.push_back(exact_contestant(problem));
     append_peers(list, problem, force, parameters);
     measure_all(contest, problem, list, truth_of(problem));

@@ -1,3 +1,5 @@
+#include <course/own_steps.hpp>
+
 #include "contests.hpp"
 
 namespace tumble::course {
@@ -8,6 +10,7 @@ void contest_torqued_tops_in(Contest& contest) {
   for (const auto& [name, spin] : {std::pair("heavy top, slow", 3), {"heavy top, fast", 20}}) {
     const auto problem = heavy_top<Real>(name, spin);
     auto list = contestants(problem, torque_ladder<Real, Weight<Real>>);
+    append(list, by_own_steps(problem));
     list.push_back(exact_contestant(problem));
     append_peers(list, problem, peers::Torque::weight, 1);
     measure_all(contest, problem, list, truth_of(problem));
@@ -20,6 +23,7 @@ void contest_torqued_tops_in(Contest& contest) {
       problem.name, exactly(problem.start), {}, problem.seconds};
   const auto truth = contestant(wide, torque_ladder<long double, Wide>.back()).run(2000);
   auto list = contestants(problem, torque_ladder<Real, Drive<Real>>);
+  append(list, by_own_steps(problem));
   append_peers(list, problem, peers::Torque::drive, 0);
   measure_all(contest, problem, list, truth);
 }

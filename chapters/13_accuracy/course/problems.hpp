@@ -32,8 +32,17 @@ template <class Real>
 struct Weight {
   Real weight_times_arm;  ///< M g l, N m
   void operator()(Top<Real>& top, Real) const {
-    const Vec3<Real> axis = rotate<Real>(top.orientation, Vec3<Real>::UnitZ());
-    top.torque = weight_times_arm * Vec3<Real>(-axis.y(), axis.x(), 0);
+    top.torque = torque_on_axis(rotate<Real>(top.orientation, Vec3<Real>::UnitZ()), 0);
+  }
+  /// The same in body axes, with the third row of the rotation matrix for the upright.
+  Vec3<Real> torque_body(const Quaternion<Real>& q, Real) const {
+    const Vec3<Real>& u = q.imaginary;
+    const Real twice = 2 * weight_times_arm;
+    return {twice * (u.y() * u.z() + q.real * u.x()), twice * (q.real * u.y() - u.x() * u.z()), 0};
+  }
+  /// The same of an axis, in world axes.
+  Vec3<Real> torque_on_axis(const Vec3<Real>& axis, Real) const {
+    return weight_times_arm * Vec3<Real>(-axis.y(), axis.x(), 0);
   }
   Kept kept(const Top<long double>& top) const {
     const Vec3<long double> axis = rotate<long double>(top.orientation, Vec3<long double>::UnitZ());
@@ -75,6 +84,10 @@ struct Star {
     const Real square = particle.position.squaredNorm();
     particle.force = (-strength / (square * std::sqrt(square))) * particle.position;
   }
+  /// The potential energy, with the other sign, J.
+  Real pull_energy(const Particle<Real>& particle) const {
+    return strength / std::sqrt(particle.position.squaredNorm());
+  }
   Kept kept(const Particle<long double>& particle) const {
     return {
         kinetic_energy(particle) - static_cast<long double>(strength) / particle.position.norm(),
@@ -94,6 +107,11 @@ struct GravityInAir {
     const Real lost = -std::expm1(-drag_rate * time);
     particle.position += lost / drag_rate * particle.velocity;
     particle.velocity -= lost * particle.velocity;
+  }
+  /// The drag as a force too, for whoever has no drift.
+  void in_full(Particle<Real>& particle, Real) const {
+    particle.force =
+        mass_of(particle) * (Vec3<Real>(0, 0, -gravity) - drag_rate * particle.velocity);
   }
   static Kept kept(const Particle<long double>&) { return {}; }
 };

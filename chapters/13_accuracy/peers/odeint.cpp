@@ -1,4 +1,5 @@
 #include <boost/numeric/odeint.hpp>
+#include <boost/numeric/odeint/stepper/symplectic_rkn_sb3a_m4_mclachlan.hpp>
 #include <cmath>
 #include <limits>
 #include <peers/peers.hpp>
@@ -61,6 +62,39 @@ struct PointEquations {
   }
 };
 
+using Coordinates = std::array<double, 3>;
+
+/// The same acceleration for a symplectic stepper, which takes place and velocity apart.
+template <Force force>
+struct Pull {
+  std::array<double, 2> parameters;
+
+  void operator()(const Coordinates& place, Coordinates& acceleration) const {
+    PointState rate;
+    PointEquations<force>{parameters}({place[0], place[1], place[2], 0, 0, 0}, rate, 0);
+    acceleration = {rate[3], rate[4], rate[5]};
+  }
+};
+
+/// Odeint's symplectic steppers, for forces of place alone.
+template <Force force>
+void append_symplectic(std::vector<Peer<PointState>>& list, const std::array<double, 2>& parameters,
+                       const PointState& start, double seconds) {
+  const auto add = [&]<class Stepper>(const char* name, Stepper) {
+    list.push_back({name, false, [=](double knob) {
+                      std::pair<Coordinates, Coordinates> state = {{start[0], start[1], start[2]},
+                                                                   {start[3], start[4], start[5]}};
+                      odeint::integrate_n_steps(Stepper(), Pull<force>{parameters}, state, 0.0,
+                                                seconds / knob, static_cast<std::size_t>(knob));
+                      const auto& [x, v] = state;
+                      return PointState{x[0], x[1], x[2], v[0], v[1], v[2]};
+                    }});
+  };
+  add("symplectic Euler", odeint::symplectic_euler<Coordinates>());
+  add("McLachlan, 4 stages", odeint::symplectic_rkn_sb3a_m4_mclachlan<Coordinates>());
+  add("McLachlan, 6 stages", odeint::symplectic_rkn_sb3a_mclachlan<Coordinates>());
+}
+
 /// NaN where the tolerance is so tight that no step meets it.
 template <class Stepper, class Equations, class State>
 State adapted(const Stepper& stepper, const Equations& equations, State state, double seconds) {
@@ -118,15 +152,21 @@ std::vector<Peer<TopState>> odeint_on_top(const TopProblem& problem) {
 
 std::vector<Peer<PointState>> odeint_on_point(Force force, const std::array<double, 2>& parameters,
                                               const PointState& start, double seconds) {
+  const auto all_for = [&]<Force the_force>() {
+    auto list = all(PointEquations<the_force>{parameters}, start, seconds);
+    if constexpr (the_force != Force::gravity_and_drag)
+      append_symplectic<the_force>(list, parameters, start, seconds);
+    return list;
+  };
   switch (force) {
     case Force::star:
-      return all(PointEquations<Force::star>{parameters}, start, seconds);
+      return all_for.template operator()<Force::star>();
     case Force::gravity_and_drag:
-      return all(PointEquations<Force::gravity_and_drag>{parameters}, start, seconds);
+      return all_for.template operator()<Force::gravity_and_drag>();
     case Force::spring:
       break;
   }
-  return all(PointEquations<Force::spring>{parameters}, start, seconds);
+  return all_for.template operator()<Force::spring>();
 }
 
 }  // namespace peers

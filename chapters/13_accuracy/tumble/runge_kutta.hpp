@@ -66,58 +66,150 @@ template <class Real>
 }
 //! [rates_of]
 
-/// The same with the torque gathered, which is given in world axes. About a locked axis L stays 0:
-/// whatever locks it bears the torque and L × ω.
+/// The rates of a free top, and a torque in body axes. About a locked axis L stays 0: whatever
+/// locks it bears the torque and L × ω.
+template <class Real>
+[[gnu::always_inline]] inline Numbers<Real, 7> with_torque_body(const Numbers<Real, 7>& rates,
+                                                                const Top<Real>& top,
+                                                                const Vec3<Same<Real>>& torque) {
+  const auto free = [&](int axis) { return select(top.inverse_moments[axis] == 0, Real(0), 1); };
+  return {rates[0],
+          rates[1],
+          rates[2],
+          rates[3],
+          free(0) * (rates[4] + torque[0]),
+          free(1) * (rates[5] + torque[1]),
+          free(2) * (rates[6] + torque[2])};
+}
+
+/// The same with the torque gathered, which is given in world axes.
 template <class Real>
 [[gnu::always_inline]] inline Numbers<Real, 7> rates_of(const Numbers<Real, 7>& numbers,
                                                         const Top<Real>& top) {
-  Numbers<Real, 7> rates = rates_of(numbers, top.inverse_moments);
   const Vec3<Real> torque = rotate_back(top.orientation, top.torque);
-  const Vec3<Real> change = free_part<Real>(top, Vec3<Real>(rates[4], rates[5], rates[6]) + torque);
-  for (std::size_t axis = 0; axis < 3; ++axis) rates[4 + axis] = change[Eigen::Index(axis)];
-  return rates;
+  return with_torque_body<Real>(rates_of(numbers, top.inverse_moments), top, torque);
 }
 
-/// start + h Σ weight_j rate_j, with the weights of look i of the rule, or those of the step where
-/// i is the number of looks. They are known when the program is compiled, so that nothing is spent
-/// on those that are 0.
-template <class Rule, std::size_t i, class Real, std::size_t count, std::size_t s, std::size_t... j>
-Numbers<Real, count> led(const Numbers<Real, count>& start, Same<Real> time_step,
-                         const std::array<Numbers<Real, count>, s>& rates,
-                         std::index_sequence<j...>) {
-  Numbers<Real, count> result;
-  for (std::size_t n = 0; n < count; ++n) {
-    Real sum = 0;
-    const auto add = [&]<std::size_t k>() {
-      constexpr long double weight = i < s ? Rule::rule.looks[i % s][k] : Rule::rule.weights[k];
+/// Σ weight_j rate_j for number n, with the weights that Row::row lists. They are known when the
+/// program is compiled, so that nothing is spent on those that are 0. The look just made comes
+/// last, so that the processor adds up the others while it waits for it.
+template <class Row, std::size_t n, class Real, std::size_t count, std::size_t s>
+[[gnu::always_inline]] inline Real weighed_number(
+    const std::array<Numbers<Real, count>, s>& rates) {
+  static constexpr auto first = [] {
+    std::size_t j = 0;
+    while (Row::row[j] == 0) ++j;
+    return j;
+  }();
+  Real sum = static_cast<Real>(Row::row[first]) * rates[first][n];
+  [&]<std::size_t... j>(std::index_sequence<j...>) {
+    [[maybe_unused]] const auto add = [&]<std::size_t k>() {
+      constexpr long double weight = Row::row[k];
       if constexpr (weight != 0) sum += static_cast<Real>(weight) * rates[k][n];
     };
-    (add.template operator()<j>(), ...);
-    result[n] = start[n] + time_step * sum;
+    (add.template operator()<first + 1 + j>(), ...);
   }
-  return result;
+  (std::make_index_sequence<Row::row.size() - first - 1>());
+  return sum;
 }
 
-/// The numbers after one step: look after look, and then all of them weighed.
-/// `rates_at(numbers, ahead)` answers for a state `ahead` seconds after the start; `first` is what
-/// it would say of the start.
+/// of(0), of(1), …, one by one and not in a loop. Out of a loop g++ would make sums of two or four
+/// numbers at once, and such a sum has to wait until the single numbers of the last look have all
+/// arrived in memory: that made a step twice as dear.
+//! [each]
+template <class Real, std::size_t count, class Of>
+[[gnu::always_inline]] inline Numbers<Real, count> each(const Of& of) {
+  return [&]<std::size_t... n>(std::index_sequence<n...>) {
+    return Numbers<Real, count>{of(std::integral_constant<std::size_t, n>())...};
+  }
+  (std::make_index_sequence<count>());
+}
+//! [each]
+
+/// Σ weight_j rate_j.
+template <class Row, class Real, std::size_t count, std::size_t s>
+[[gnu::always_inline]] inline Numbers<Real, count> weighed(
+    const std::array<Numbers<Real, count>, s>& rates) {
+  return each<Real, count>([&](auto n) { return weighed_number<Row, n>(rates); });
+}
+
+/// The rows of a rule's tableau: that of look i, and that of the whole step.
+template <class Rule, std::size_t i>
+struct RowOfLook {
+  static constexpr auto row = [] {
+    std::array<long double, i> first = {};
+    for (std::size_t j = 0; j < i; ++j) first[j] = Rule::rule.looks[i][j];
+    return first;
+  }();
+};
+template <class Rule>
+struct RowOfStep {
+  static constexpr auto& row = Rule::rule.weights;
+};
+
+/// start + h Σ weight_j rate_j.
+template <class Row, class Real, std::size_t count, std::size_t s>
+[[gnu::always_inline]] inline Numbers<Real, count> led(
+    const Numbers<Real, count>& start, Same<Real> time_step,
+    const std::array<Numbers<Real, count>, s>& rates) {
+  return each<Real, count>(
+      [&](auto n) { return start[n] + time_step * weighed_number<Row, n>(rates); });
+}
+
+/// Where a look is made: the same, added up from the start on with the weights times h, so that
+/// from the look before it is one product and one sum. This rounds a little more; a look may.
+template <class Row, class Real, std::size_t count, std::size_t s>
+[[gnu::always_inline]] inline Numbers<Real, count> led_to_look(
+    const Numbers<Real, count>& start, Same<Real> time_step,
+    const std::array<Numbers<Real, count>, s>& rates) {
+  return each<Real, count>([&](auto n) {
+    Real sum = start[n];
+    [&]<std::size_t... j>(std::index_sequence<j...>) {
+      const auto add = [&]<std::size_t k>() {
+        constexpr long double weight = Row::row[k];
+        if constexpr (weight != 0) sum += (static_cast<Real>(weight) * time_step) * rates[k][n];
+      };
+      (add.template operator()<j>(), ...);
+    }
+    (std::make_index_sequence<Row::row.size()>());
+    return sum;
+  });
+}
+
+/// The number of a look, known when the program is compiled.
+template <std::size_t i>
+using Look = std::integral_constant<std::size_t, i>;
+
+/// Makes all looks of a rule but the first, which `rates` holds already. `rates_at(numbers, ahead,
+/// Look<i>())` answers for a state `ahead` seconds after the start. `rates` may have room for more.
+//! [look]
+template <class Rule, class Real, std::size_t count, std::size_t room, class RatesAt>
+[[gnu::always_inline]] inline void look(const Numbers<Real, count>& start, Same<Real> time_step,
+                                        std::array<Numbers<Real, count>, room>& rates,
+                                        const RatesAt& rates_at) {
+  static constexpr auto& rule = Rule::rule;
+  const auto one = [&]<std::size_t i>() {
+    const auto there = led_to_look<RowOfLook<Rule, i>>(start, time_step, rates);
+    rates[i] = rates_at(there, static_cast<Real>(rule.nodes[i]) * time_step, Look<i>());
+  };
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    (one.template operator()<i + 1>(), ...);
+  }
+  (std::make_index_sequence<rule.nodes.size() - 1>());
+}
+//! [look]
+
+/// The numbers after one step: look after look, and then all of them weighed. `first` is what
+/// rates_at() would say of the start.
 //! [after_step]
 template <class Rule, class Real, std::size_t count, class RatesAt>
 Numbers<Real, count> after_step(const Numbers<Real, count>& start,
                                 const Numbers<Real, count>& first, Same<Real> time_step,
                                 const RatesAt& rates_at) {
-  static constexpr auto& rule = Rule::rule;
-  constexpr std::size_t s = rule.nodes.size();
-  std::array<Numbers<Real, count>, s> rates = {first};
-  const auto look = [&]<std::size_t i>() {
-    const auto there = led<Rule, i>(start, time_step, rates, std::make_index_sequence<i>());
-    rates[i] = rates_at(there, static_cast<Real>(rule.nodes[i]) * time_step);
-  };
-  [&]<std::size_t... i>(std::index_sequence<i...>) {
-    (look.template operator()<i + 1>(), ...);
-  }
-  (std::make_index_sequence<s - 1>());
-  return led<Rule, s>(start, time_step, rates, std::make_index_sequence<s>());
+  std::array<Numbers<Real, count>, Rule::rule.nodes.size()> rates;
+  rates[0] = first;
+  look<Rule>(start, time_step, rates, rates_at);
+  return led<RowOfStep<Rule>>(start, time_step, rates);
 }
 //! [after_step]
 
@@ -127,14 +219,47 @@ Numbers<Real, count> after_step(const Numbers<Real, count>& start,
 template <class Rule, class Real>
 [[gnu::flatten]] void turn_by_runge_kutta(Top<Real>& top, Same<Real> time_step) {
   const Vec3<Real> inverse = top.inverse_moments;
-  const auto rates_at = [inverse](const Numbers<Real, 7>& numbers, Real) {
+  const auto rates_at = [inverse](const Numbers<Real, 7>& numbers, Real, auto) {
     return rates_of(numbers, inverse);
   };
   const Numbers<Real, 7> start = numbers_of(top);
-  set_numbers(top, after_step<Rule>(start, rates_at(start, 0), time_step, rates_at));
+  set_numbers(top, after_step<Rule>(start, rates_of(start, inverse), time_step, rates_at));
   top.orientation = renormalized(top.orientation);
 }
 //! [turn_by_runge_kutta]
+
+/// What a particle or a top changes by at `time` (s), with `numbers` for its state; `there` is a
+/// body to gather into. A `gather` that drifts by a law of its own says by in_full(body, time) what
+/// acts together with that, and one that knows its torque (N m) in body axes by
+/// torque_body(orientation, time).
+//! [rates_under]
+template <class Real, class Gather>
+[[gnu::always_inline]] inline Numbers<Real, 6> rates_under(const Gather& gather,
+                                                           const Numbers<Real, 6>& numbers,
+                                                           Same<Real> time, Particle<Real>& there) {
+  set_numbers(there, numbers);
+  if constexpr (requires { gather.in_full(there, time); })
+    gather.in_full(there, time);
+  else
+    gather(there, time);
+  return rates_of(numbers, there);
+}
+
+template <class Real, class Gather>
+[[gnu::always_inline]] inline Numbers<Real, 7> rates_under(const Gather& gather,
+                                                           const Numbers<Real, 7>& numbers,
+                                                           Same<Real> time, Top<Real>& there) {
+  if constexpr (requires { gather.torque_body(there.orientation, time); }) {
+    const Quaternion<Real> q = {numbers[0], {numbers[1], numbers[2], numbers[3]}};
+    return with_torque_body(rates_of(numbers, there.inverse_moments), there,
+                            gather.torque_body(q, time));
+  } else {
+    set_numbers(there, numbers);
+    gather(there, time);
+    return rates_of(numbers, there);
+  }
+}
+//! [rates_under]
 
 /// A particle or a top under force or torque. `gather(body, time)` must leave in the body the sum
 /// of what acts on it at that time (s). It has done so when the step begins, and when it ends.
@@ -143,13 +268,17 @@ template <class Rule, class Body, class Gather, class Real>
 [[gnu::flatten]] void step_by_runge_kutta(Body& body, const Gather& gather, Real time,
                                           Real time_step) {
   Body there = body;
-  const auto rates_at = [&](const auto& numbers, Real ahead) {
-    set_numbers(there, numbers);
-    gather(there, time + ahead);
-    return rates_of(numbers, there);
+  const auto rates_at = [&](const auto& numbers, Real ahead, auto) {
+    return rates_under(gather, numbers, time + ahead, there);
   };
   const auto start = numbers_of(body);
-  set_numbers(body, after_step<Rule>(start, rates_of(start, body), time_step, rates_at));
+  const auto first = [&] {
+    if constexpr (requires { gather.in_full(body, time); })
+      return rates_under(gather, start, time, there);
+    else
+      return rates_of(start, body);  // gathered when the step before ended
+  }();
+  set_numbers(body, after_step<Rule>(start, first, time_step, rates_at));
   if constexpr (requires { body.orientation; }) body.orientation = renormalized(body.orientation);
   gather(body, time + time_step);
 }

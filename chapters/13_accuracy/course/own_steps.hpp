@@ -1,0 +1,111 @@
+/// @file
+/// Methods that choose their own steps as contestants: asked with a tolerance, or, in transformed
+/// time, with about how many steps.
+#pragma once
+
+#include <course/contest.hpp>
+#include <tumble/nystrom_steps.hpp>
+#include <tumble/reduced_steps.hpp>
+#include <tumble/transformed_time.hpp>
+
+namespace tumble::course {
+
+/// What is no state.
+template <class Real>
+Top<Real> failed(Top<Real> top) {
+  top.orientation.real = std::numeric_limits<Real>::quiet_NaN();
+  return top;
+}
+template <class Real>
+Particle<Real> failed(Particle<Real> particle) {
+  particle.position.x() = std::numeric_limits<Real>::quiet_NaN();
+  return particle;
+}
+
+/// A contestant that `carry(body, tolerance)` takes through the whole problem. Where no step meets
+/// the tolerance the answer is no number.
+template <class Body, class Gather, class Carry>
+Contestant<Body> own_steps(const std::string& name, const Problem<Body, Gather>& problem,
+                           const Carry& carry) {
+  using Real = typename ScalarOf<Body>::Type;
+  return {name, "rung", true, [problem, carry](double knob) {
+            Body body = problem.start;
+            try {
+              carry(body, problem.gather, static_cast<Real>(problem.seconds),
+                    static_cast<Real>(knob));
+            } catch (const StepError&) {
+              body = failed(body);
+            }
+            return body;
+          }};
+}
+
+/// A free top by each pair.
+template <class Real>
+std::vector<Contestant<Top<Real>>> free_tops_by_own_steps(const FreeProblem<Real>& problem) {
+  const auto by = [&]<class Pair>(const char* name, Pair) {
+    return own_steps(name, problem,
+                     [](Top<Real>& top, const NoTorque<Real>&, Real seconds, Real tolerance) {
+                       carry_freely<Pair>(top, seconds, tolerance);
+                     });
+  };
+  return {by("L apart, 5(4), own steps", DormandPrince54()),
+          by("L apart, 8(5,3), own steps", DormandPrince853())};
+}
+
+/// A body under force or torque by each pair; a symmetric top by its axis as well.
+template <class Body, class Gather>
+std::vector<Contestant<Body>> by_own_steps(const Problem<Body, Gather>& problem) {
+  using Real = typename ScalarOf<Body>::Type;
+  const auto by = [&]<class Pair>(const char* name, Pair) {
+    return own_steps(name, problem,
+                     [](Body& body, const Gather& gather, Real seconds, Real tolerance) {
+                       carry<Pair>(body, gather, Real(0), seconds, tolerance);
+                     });
+  };
+  std::vector<Contestant<Body>> list = {by("5(4), own steps", DormandPrince54()),
+                                        by("8(5,3), own steps", DormandPrince853())};
+  if constexpr (requires { problem.gather.torque_on_axis(Vec3<Real>(), Real(0)); }) {
+    const auto by_axis = [&]<class Pair>(const char* name, Pair) {
+      return own_steps(name, problem,
+                       [](Body& body, const Gather& gather, Real seconds, Real tolerance) {
+                         carry_axis<Pair>(body, gather, Real(0), seconds, tolerance);
+                       });
+    };
+    list.push_back(by_axis("axis apart, 5(4), own steps", DormandPrince54()));
+    list.push_back(by_axis("axis apart, 8(5,3), own steps", DormandPrince853()));
+  }
+  return list;
+}
+
+/// A particle under a force of place and time alone, by the Nyström pair.
+template <class Real, class Gather>
+Contestant<Particle<Real>> nystrom_by_own_steps(const Problem<Particle<Real>, Gather>& problem) {
+  return own_steps(
+      "Nystrom 8(6), own steps", problem,
+      [](Particle<Real>& particle, const Gather& gather, Real seconds, Real tolerance) {
+        carry_by_nystrom<DormandPrinceNystrom86>(particle, gather, Real(0), seconds, tolerance);
+      });
+}
+
+/// An orbit in transformed time, by rows of several orders. The knob is about how many steps.
+template <class Real, class Gather>
+std::vector<Contestant<Particle<Real>>> in_transformed_time(
+    const Problem<Particle<Real>, Gather>& problem) {
+  const auto by = [&]<class Row>(const char* name, Row) {
+    return Contestant<Particle<Real>>{name, "rung", false, [problem](double knob) {
+                                        Particle<Real> particle = problem.start;
+                                        carry_in_transformed_time<Row>(
+                                            particle, problem.gather,
+                                            static_cast<Real>(problem.seconds),
+                                            static_cast<long>(knob));
+                                        return particle;
+                                      }};
+  };
+  return {by("transformed time, Verlet", Verlet()),
+          by("transformed time, Kahan-Li 6", KahanLiSixth()),
+          by("transformed time, Kahan-Li 8", KahanLiEighth()),
+          by("transformed time, Sofroniou-Spaletta", SofroniouSpaletta())};
+}
+
+}  // namespace tumble::course

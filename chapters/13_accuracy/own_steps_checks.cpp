@@ -1,0 +1,347 @@
+#include <course/checks.hpp>
+#include <course/exact_motion.hpp>
+#include <course/own_steps.hpp>
+#include <course/rules.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+using Wide = long double;
+
+/// A particle on a spring that a push swings, from a look at the clock too.
+struct SwungSpring {
+  template <class Real>
+  void operator()(Particle<Real>& particle, Real time) const {
+    particle.force = -particle.position;
+    particle.force.x() += std::cos(2 * time);
+  }
+};
+
+template <class Real>
+Wide angle_error(const Top<Real>& top, const Top<Wide>& truth) {
+  return angle_between(truth.orientation, exactly(top).orientation);
+}
+
+/// The error after ever smaller tolerances, each a hundredth of the one before, until roundings are
+/// in sight: at each, the run must have lost no more than `amplified` times the tolerance allows.
+template <class Real, class Error>
+void check_tolerances(double seconds, double amplified, double rounding, const Error& error) {
+  for (double tolerance = 1e-2; tolerance * seconds * amplified > rounding; tolerance /= 100) {
+    CAPTURE(tolerance);
+    CHECK(error(static_cast<Real>(tolerance)) <= amplified * tolerance * seconds);
+  }
+}
+
+}  // namespace
+
+//! [tolerances]
+TEST_CASE_TEMPLATE("A free top loses no more in a second than the tolerance, times what it spreads",
+                   Real, EVERY_PRECISION) {
+  for (const auto& problem : free_problems<Real>()) {
+    CAPTURE(problem.name);
+    const auto truth = truth_of(problem);
+    // An error of l grows with the time, by as much as the spin differs between neighbours: |L|
+    // times the largest difference of inverse moments, for as long as the run lasts. And near the
+    // middle axis errors grow as the motion leaves it: the T-handle's by 100 from its start.
+    const Vec3<Real>& i = problem.start.inverse_moments;
+    const double spread =
+        double(problem.start.angular_momentum_body.norm() * (i.maxCoeff() - i.minCoeff())) *
+        problem.seconds * (problem.name == "T-handle" ? 100 : 1);
+    const double rounding = 100 * (1 + spread) * (1 + problem.seconds) * unit_roundoff<Real>;
+    const auto by = [&]<class Pair>(Pair) {
+      check_tolerances<Real>(problem.seconds, 1 + spread, 100 * rounding, [&](Real tolerance) {
+        Top<Real> top = problem.start;
+        carry_freely<Pair>(top, Real(problem.seconds), tolerance);
+        return double(angle_error(top, truth));
+      });
+    };
+    by(DormandPrince54());
+    by(DormandPrince853());
+  }
+}
+//! [tolerances]
+
+TEST_CASE("With a tolerance a hundred times smaller a pair needs as many more steps as it says") {
+  // Steps are as long as tolerance^(1/power), for errors per second that fall as h^power.
+  const auto problem = free_problems<double>()[0];
+  const auto steps = [&]<class Pair>(Pair, double tolerance) {
+    Topd top = problem.start;
+    return double(carry_freely<Pair>(top, problem.seconds, tolerance).steps);
+  };
+  const double fifth = steps(DormandPrince54(), 1e-9) / steps(DormandPrince54(), 1e-7),
+               eighth = steps(DormandPrince853(), 1e-11) / steps(DormandPrince853(), 1e-9);
+  CHECK(std::abs(std::log(fifth) / std::log(100) - 1 / 4.0) < 0.02);
+  CHECK(std::abs(std::log(eighth) / std::log(100) - 1 / 7.0) < 0.02);
+}
+
+//! [kept]
+TEST_CASE_TEMPLATE("With L apart a free top keeps it in the world, whatever the tolerance", Real,
+                   EVERY_PRECISION) {
+  for (const auto& problem : free_problems<Real>())
+    for (const Real tolerance : {Real(0.1), Real(1e-3)}) {
+      CAPTURE(problem.name);
+      Top<Real> top = problem.start;
+      carry_freely<DormandPrince54>(top, Real(problem.seconds), tolerance);
+      const Vec3<Wide> L = angular_momentum_world(exactly(problem.start)),
+                       there = angular_momentum_world(exactly(top));
+      // The three turns of top_at(), 20 roundings each, there and at the start.
+      CHECK((there - L).norm() <= 2 * 60 * unit_roundoff<Real> * L.norm());
+    }
+}
+
+TEST_CASE_TEMPLATE("A step of a free top by its few unknowns is one of the Runge-Kutta rule", Real,
+                   EVERY_PRECISION) {
+  // l by the rule on three numbers is L by the rule on seven, since no look asks for the others.
+  Top<Real> apart = top_of<Real>(tumbling_problems[0]), whole = apart;
+  turn_by_momentum<DormandPrinceFifth>(apart, Real(1) / 8);
+  turn_by_runge_kutta<DormandPrinceFifth>(whole, Real(1) / 8);
+  const Vec3<Real> direction = whole.angular_momentum_body.normalized(),
+                   mine = apart.angular_momentum_body.normalized();
+  CHECK(distance(mine, direction) <= 40 * unit_roundoff<Real>);
+}
+//! [kept]
+
+//! [landing]
+TEST_CASE_TEMPLATE("A journey ends where it shall, to the bit, and no step goes beyond", Real,
+                   EVERY_PRECISION) {
+  const auto problem = heavy_top<Real>("", 3);
+  using Gather = Weight<Real>;
+  for (const Real seconds : {Real(0.1), Real(1) / 3, Real(7)}) {
+    EmbeddedSteps<DormandPrince54, Top<Real>, Gather, Real> steps(problem.start, problem.gather,
+                                                                  Real(0), Real(1e-3));
+    Real reached = 0, shortest = seconds;
+    const Journey journey = travel(steps, seconds, Real(0.05), [&](Real gone, Real h) {
+      CHECK(gone + h <= seconds * (1 + 2 * unit_roundoff<Real>));
+      reached = gone + h;
+      shortest = std::min(shortest, h);
+    });
+    CHECK(std::abs(reached - seconds) <= 2 * unit_roundoff<Real> * seconds);
+    CHECK(shortest > seconds / 1000);  // no tiny step is left for the end
+    CHECK(journey.steps > 0);
+  }
+  Particle<Real> still = make_particle<Real>(1, {1, 2, 3}, {4, 5, 6});
+  const auto push = [](Particle<Real>& particle, Real) { particle.force = {1, 0, 0}; };
+  const Journey none = carry<DormandPrince54>(still, push, Real(0), 0, Real(1e-3));
+  CHECK(none.steps == 0);
+  CHECK(same_bits(still.position, Vec3<Real>(1, 2, 3)));
+}
+
+TEST_CASE_TEMPLATE("A step that is not accepted leaves no trace", Real, EVERY_PRECISION) {
+  const auto orbit = eccentric_orbit<Real>();
+  using Steps = EmbeddedSteps<DormandPrince54, Particle<Real>, Star<Real>, Real>;
+  Steps patient(orbit.start, orbit.gather, Real(0), Real(1e-3)), hasty = patient;
+  CHECK(hasty.attempt(Real(3)) > 1);
+  hasty.attempt(Real(0.01));
+  patient.attempt(Real(0.01));
+  hasty.accept();
+  patient.accept();
+  CHECK(same_bits(hasty.body().position, patient.body().position));
+  CHECK(same_bits(hasty.body().velocity, patient.body().velocity));
+}
+//! [landing]
+
+//! [dense]
+TEST_CASE("Within a step the state errs by the order of the pair's curve, and meets both ends") {
+  auto orbit = eccentric_orbit<Wide>();
+  orbit.start = make_particle<Wide>(1, {0.8L, 0, 0}, {0, std::sqrt(1.5L), 0});  // e = 0.2
+  const auto error = [&]<class Pair>(Pair, Wide h) {
+    EmbeddedSteps<Pair, Particle<Wide>, Star<Wide>, Wide> steps(orbit.start, orbit.gather, 0, 1);
+    steps.attempt(h);
+    CHECK((steps.within(0).position - orbit.start.position).norm() <= 1e-18L);
+    const Wide part = 0.4L;
+    const auto truth = exactly_after(orbit.gather, orbit.start, part * h);
+    return (steps.within(part).position - truth.position).norm();
+  };
+  // In one step an order p errs by h^(p + 1).
+  const Wide fifth = std::log2(error(DormandPrince54(), 0.02L) / error(DormandPrince54(), 0.01L)),
+             eighth = std::log2(error(DormandPrince853(), 0.1L) / error(DormandPrince853(), 0.05L));
+  CAPTURE(double(fifth));
+  CAPTURE(double(eighth));
+  // The next power of the step may add to it a part that halves with h.
+  CHECK(std::abs(fifth - 5) < 0.3L);
+  CHECK(std::abs(eighth - 8) < 0.5L);
+}
+//! [dense]
+
+//! [scale]
+TEST_CASE_TEMPLATE(
+    "A tolerance is an angle: inertia and torque times 2^k change no bit and no step", Real,
+    EVERY_PRECISION) {
+  for (const int k : {-20, 20}) {
+    const Real scale = std::ldexp(Real(1), k);
+    const auto problem = heavy_top<Real>("", 3);
+    auto scaled = problem;
+    scaled.start.angular_momentum_body *= scale;
+    scaled.start.inverse_moments /= scale;
+    scaled.gather.weight_times_arm *= scale;
+    Top<Real> mine = problem.start, other = scaled.start;
+    const Journey a = carry<DormandPrince853>(mine, problem.gather, Real(0), 5, Real(1e-3)),
+                  b = carry<DormandPrince853>(other, scaled.gather, Real(0), 5, Real(1e-3));
+    CHECK(a.steps == b.steps);
+    CHECK(mine.orientation.real == other.orientation.real);
+    CHECK(same_bits(mine.orientation.imaginary, other.orientation.imaginary));
+    const Journey c = carry_axis<DormandPrince853>(mine, problem.gather, Real(0), 5, Real(1e-3)),
+                  d = carry_axis<DormandPrince853>(other, scaled.gather, Real(0), 5, Real(1e-3));
+    CHECK(c.steps == d.steps);
+    CHECK(same_bits(mine.orientation.imaginary, other.orientation.imaginary));
+  }
+}
+//! [scale]
+
+TEST_CASE_TEMPLATE("A pair leaves L of a locked axis at 0, and the top carries on", Real,
+                   EVERY_PRECISION) {
+  for (int axis = 0; axis < 3; ++axis) {
+    auto driven = driven_top<Real>();
+    lock_axis(driven.start, axis);
+    Top<Real> top = driven.start;
+    carry<DormandPrince54>(top, driven.gather, Real(0), 4, Real(1e-4));
+    CHECK(top.angular_momentum_body[axis] == 0);
+    CHECK(top.angular_momentum_body.norm() > Real(0.1));
+    Top<Real> free = driven.start;
+    const Journey journey = carry_freely<DormandPrince54>(free, 4, Real(1e-4));
+    CHECK(journey.steps == 1);  // with an axis locked a free top turns steadily
+    CHECK(free.angular_momentum_body[axis] == 0);
+  }
+}
+
+//! [axis]
+TEST_CASE_TEMPLATE("The axis of a heavy top moves as the exact solution says, and L along it stays",
+                   Real, EVERY_PRECISION) {
+  for (const double spin : {3, 20}) {
+    CAPTURE(spin);
+    const auto problem = heavy_top<Real>("", spin);
+    const auto truth = truth_of(problem);
+    Top<Real> top = problem.start;
+    carry_axis<DormandPrince853>(top, problem.gather, Real(0), Real(problem.seconds), Real(1e-5));
+    // 1e-5 rad a second for ten seconds, in which the nutation may spread it by ten; and in float
+    // some 60 steps of 60 roundings, on an L of which the spin makes up to 20 rad/s.
+    const double rounding = 60 * 60 * 20 * double(unit_roundoff<Real>);
+    CHECK(double(angle_error(top, truth)) <= 10 * 10 * 1e-5 + rounding);
+    CHECK(top.angular_momentum_body.z() == problem.start.angular_momentum_body.z());
+  }
+}
+
+TEST_CASE("A top that spins faster needs no shorter steps where its axis is apart from its spin") {
+  // |L|/I sets the pace, which the spin changes by the moment about the axis alone; the
+  // quaternion's numbers turn with the spin.
+  const auto steps = [&](auto carry_it, double inverse_about_axis) {
+    auto problem = heavy_top<double>("", 0);
+    problem.start.inverse_moments.z() = inverse_about_axis;
+    problem.start.angular_momentum_body.z() = 1;
+    Topd top = problem.start;
+    return carry_it(top, problem.gather).steps;
+  };
+  const auto apart = [](Topd& top, const Weight<double>& weight) {
+    return carry_axis<DormandPrince54>(top, weight, 0.0, 5, 1e-6);
+  };
+  const auto whole = [](Topd& top, const Weight<double>& weight) {
+    return carry<DormandPrince54>(top, weight, 0.0, 5, 1e-6);
+  };
+  CHECK(steps(apart, 100) == steps(apart, 5));
+  CHECK(steps(whole, 100) > 5 * steps(whole, 5));
+}
+//! [axis]
+
+//! [orbit]
+TEST_CASE_TEMPLATE("By each pair an orbit is where the exact one is, within the tolerance's reach",
+                   Real, EVERY_PRECISION) {
+  const auto orbit = eccentric_orbit<Real>();
+  const auto truth = truth_of(orbit);
+  for (auto& contestant : by_own_steps(orbit)) {
+    CAPTURE(contestant.name);
+    // What is lost at the nearest point is spread by 81 (the ratio of the accelerations) and by the
+    // round that follows.
+    for (const double tolerance : {1e-2, 1e-3})
+      CHECK(error_of(exactly(contestant.run(tolerance)), truth) <= 81 * 10 * tolerance);
+  }
+  CHECK(error_of(exactly(nystrom_by_own_steps(orbit).run(1e-3)), truth) <= 81 * 10 * 1e-3);
+}
+
+TEST_CASE(
+    "The Nystrom pair's error falls as its order says, under a force that changes with time") {
+  Particle<Wide> start = make_particle<Wide>(1, {0.5L, 0, 0}, {0, 1, 0});
+  const SwungSpring force;
+  const auto error = [&](int count) {
+    NystromSteps<DormandPrinceNystrom86, SwungSpring, Wide> steps(start, force, 0, 1);
+    for (int n = 0; n < count; ++n) {
+      steps.attempt(2.0L / count);
+      steps.accept();
+    }
+    const Particle<Wide> end = steps.body();
+    const Vec3<Wide> place(5 * std::cos(2.0L) / 6 - std::cos(4.0L) / 3, std::sin(2.0L), 0),
+        velocity(2 * std::sin(4.0L) / 3 - 5 * std::sin(2.0L) / 6, std::cos(2.0L), 0);
+    return (end.position - place).norm() + (end.velocity - velocity).norm();
+  };
+  const Wide order = std::log2(error(8) / error(16));
+  CAPTURE(double(order));
+  CHECK(std::abs(order - 8) < 0.3L);
+}
+//! [orbit]
+
+//! [path]
+TEST_CASE_TEMPLATE("In transformed time a planet stays on its ellipse, however long its steps",
+                   Real, EVERY_PRECISION) {
+  const auto orbit = eccentric_orbit<Real>();
+  TransformedTime<Star<Real>, Real> motion(orbit.start, orbit.gather);
+  const Vec3<Wide> x = orbit.start.position.template cast<Wide>(),
+                   v = orbit.start.velocity.template cast<Wide>();
+  const auto eccentricity = [](const Vec3<Wide>& place, const Vec3<Wide>& velocity) -> Vec3<Wide> {
+    return velocity.cross(place.cross(velocity)) - place.normalized();
+  };
+  const int steps = 40;
+  for (int n = 0; n < steps; ++n) {
+    motion.template step<Verlet>(Real(0.5));  // thirteen steps a round
+    const Vec3<Wide> place = motion.particle().position.template cast<Wide>(),
+                     velocity = motion.particle().velocity.template cast<Wide>();
+    // The same ellipse, by its energy and its eccentricity vector: 30 roundings a step, and a speed
+    // that is three times as large at the nearest point, as a square.
+    const Wide bound = 9 * 30 * steps * unit_roundoff<Real>;
+    CHECK(std::abs(velocity.squaredNorm() / 2 - 1 / place.norm() -
+                   (v.squaredNorm() / 2 - 1 / x.norm())) <= bound * 5);
+    CHECK((eccentricity(place, velocity) - eccentricity(x, v)).norm() <= bound * 5);
+  }
+}
+
+TEST_CASE("In transformed time each row has its order in time, against the exact orbit") {
+  Problem<Particle<Wide>, Star<Wide>> orbit = eccentric_orbit<Wide>();
+  const auto truth = truth_of(orbit);
+  const auto order = [&]<class Row>(Row, int steps) {
+    const auto error = [&](int count) {
+      Particle<Wide> particle = orbit.start;
+      carry_in_transformed_time<Row>(particle, orbit.gather, orbit.seconds, count);
+      return (particle.position - truth.position).norm();
+    };
+    return std::log2(error(steps) / error(2 * steps));
+  };
+  CHECK(std::abs(order(Verlet(), 256) - 2) < 0.1L);
+  CHECK(std::abs(order(KahanLiSixth(), 64) - 6) < 0.3L);
+  CHECK(std::abs(order(KahanLiEighth(), 32) - 8) < 0.4L);
+}
+//! [path]
+
+TEST_CASE("What a journey can't be asked for is refused") {
+  Topd top = top_of<double>(tumbling_problems[0]);
+  CHECK(complaint_of([&] { carry_freely<DormandPrince54>(top, -1, 1e-3); }) ==
+        "time is -1 s; it must be 0 or more");
+  CHECK(complaint_of([&] { carry_freely<DormandPrince54>(top, 1, 0); }) ==
+        "tolerance is 0 a second; it must be greater than 0");
+  const Weight<double> weight{1};
+  CHECK(complaint_of([&] {
+          carry_axis<DormandPrince54>(top, weight, 0.0, 1, 1e-3);
+        }).find("two of them must be equal") != std::string::npos);
+  auto orbit = eccentric_orbit<double>();
+  orbit.start.velocity *= 2;
+  CHECK(complaint_of([&] {
+          carry_in_transformed_time<Verlet>(orbit.start, orbit.gather, 1, 10);
+        }).find("the orbit is open") != std::string::npos);
+}
+
+TEST_CASE("The rough logarithm and power are within 0.045, over the whole range of float") {
+  for (float value = 1e-30F; value < 1e30F; value *= 1.07F) {
+    CHECK(std::abs(rough_log2(value) - std::log2(value)) <= 0.0451F);
+    const float exponent = std::log2(value);
+    CHECK(std::abs(std::log2(rough_exp2(exponent)) - exponent) <= 0.0451F);
+  }
+}

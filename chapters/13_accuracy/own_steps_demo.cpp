@@ -1,0 +1,212 @@
+// Steps that choose themselves: what they gain, what they take away, and how to spoil them.
+#include <course/exact_motion.hpp>
+#include <course/problems.hpp>
+#include <course/record.hpp>
+#include <tumble/exact/kepler.hpp>
+#include <tumble/nystrom_steps.hpp>
+#include <tumble/reduced_steps.hpp>
+#include <tumble/transformed_time.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+using Orbit = Problem<Particled, Star<double>>;
+
+double energy_of(const Particled& particle) {
+  return particle.velocity.squaredNorm() / 2 - 1 / particle.position.norm();
+}
+
+/// How long the steps are on their way around the star.
+void write_steps(const Notebook& notebook, const Orbit& orbit) {
+  Table table = notebook.table("own_steps", {"time (s)", "step (s)", "distance (m)"});
+  EmbeddedSteps<DormandPrince54, Particled, Star<double>, double> steps(orbit.start, orbit.gather,
+                                                                        0, 1e-6);
+  travel(steps, orbit.seconds, 1e-3,
+         [&](double gone, double h) { table.row(gone, h, steps.body().position.norm()); });
+}
+
+/// Energy along a hundred rounds: with steps of one length, with steps that are chosen at their
+/// start, with a pair, and in transformed time.
+//! [bounded]
+void write_energies(Notebook& notebook, const Orbit& orbit) {
+  const double round = 2 * std::numbers::pi, energy = energy_of(orbit.start);
+  Table table = notebook.table("own_steps_energy", {"round", "one length", "chosen at the start",
+                                                    "pair", "transformed time"});
+  Particled even = orbit.start, chosen = orbit.start, pair = orbit.start;
+  orbit.gather(even, 0);
+  orbit.gather(chosen, 0);
+  TransformedTime<Star<double>, double> transformed(orbit.start, orbit.gather);
+  std::array<double, 4> worst{}, last{}, first{};
+  for (int n = 1; n <= 100; ++n) {
+    for (int step = 0; step < 1000; ++step)
+      step_by_row<Verlet>(even, orbit.gather, 0.0, round / 1000);
+    for (double gone = 0; gone < round;) {
+      const double distance = chosen.position.norm(), h = 0.05 * distance * std::sqrt(distance);
+      step_by_row<Verlet>(chosen, orbit.gather, 0.0, h);
+      gone += h;
+    }
+    carry<DormandPrince54>(pair, orbit.gather, 0.0, round, 1e-5);
+    while (transformed.time() < n * round) transformed.step<Verlet>(2 * round / 150);
+    const std::array now = {even, chosen, pair, transformed.particle()};
+    for (std::size_t m = 0; m < now.size(); ++m) {
+      last[m] = std::abs(energy_of(now[m]) / energy - 1);
+      worst[m] = std::max(worst[m], last[m]);
+      if (n <= 50) first[m] = worst[m];
+    }
+    table.row(double(n), last[0], last[1], last[2], last[3]);
+  }
+  //! [bounded]
+  notebook.value("energy_even", number("%.0e", worst[0]));
+  notebook.value("energy_chosen", number("%.0e", last[1]));
+  notebook.value("energy_pair", number("%.0e", last[2]));
+  notebook.value("energy_transformed", number("%.0e", worst[3]));
+  std::printf(
+      "Energy after 100 rounds, relative: %.0e with steps of one length, %.0e with steps "
+      "chosen at their start,\n%.0e by the pair, %.0e in transformed time.\n",
+      last[0], last[1], last[2], last[3]);
+  expect(worst[0] < 1.5 * first[0], "with steps of one length the energy is bounded");
+  expect(worst[1] > 1.8 * first[1] && worst[2] > 1.8 * first[2],
+         "with steps that are chosen at their start it drifts, twice as far in twice the time");
+  expect(worst[3] < 1e-11, "in transformed time the energy stays at rounding");
+}
+
+/// A pair that asks what seven numbers err by, all alike, instead of an angle and a part of |L|.
+//! [seven]
+struct SevenNumbers {
+  static constexpr int power = 4;
+  double attempt(double h) {
+    step = h;
+    look<DormandPrinceFifth>(start, h, rates, [&](const auto& numbers, double, auto) {
+      return rates_of(numbers, inverse);
+    });
+    end = led<RowOfStep<DormandPrinceFifth>>(start, h, rates);
+    rates[6] = rates_of(end, inverse);
+    double square = 0;
+    for (const double off : weighed<RowOfError<DormandPrince54, 0>>(rates)) square += off * off;
+    return square / (tolerance * tolerance);
+  }
+  //! [seven]
+  void accept() {
+    start = end;
+    rates[0] = rates[6];
+  }
+  Vec3d inverse;
+  double tolerance, step = 0;
+  Numbers<double, 7> start, end = {};
+  std::array<Numbers<double, 7>, 7> rates = {rates_of(start, inverse)};
+};
+
+/// How many steps a top takes whose moments are `scale` times those of problem A, by the right and
+/// by the wrong measure.
+std::array<long, 2> steps_of_scaled(double scale) {
+  Topd top = free_problems<double>()[0].start;
+  top.inverse_moments /= scale;
+  top.angular_momentum_body *= scale;
+  SevenNumbers steps{top.inverse_moments, 1e-6, 0, numbers_of(top)};
+  const Journey wrong = travel(steps, 1.0, 1e-3, [](double, double) {});
+  return {carry_freely<DormandPrince54>(top, 1, 1e-6).steps, wrong.steps};
+}
+
+/// Rejected steps on a particle that a strong damper stops at once: what is left moves slowly, but
+/// a step may be no longer than the damper allows.
+//! [hunting]
+Journey with_damper(bool remembers) {
+  const auto damper = [](Particled& particle, double time) {
+    particle.force = -1000 * (particle.velocity - Vec3d(std::cos(time), 0, 0));
+  };
+  EmbeddedSteps<DormandPrince54, Particled, decltype(damper), double> steps(
+      make_particle(1.0, {0, 0, 0}, {1, 0, 0}), damper, 0, 1e-2);
+  if (remembers) return travel(steps, 2.0, 1e-3, [](double, double) {});
+  Journey journey;
+  for (double gone = 0, h = 1e-3; gone < 2;) {
+    const double error = std::sqrt(steps.attempt(h));
+    if (error <= 1) {
+      steps.accept();
+      gone += h;
+    }
+    ++(error <= 1 ? journey.steps : journey.rejected);
+    h *= std::clamp(0.85 * std::pow(error, -1 / 4.0), 0.1, 6.0);
+  }
+  return journey;
+}
+//! [hunting]
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+  Notebook notebook(argument_count, arguments);
+  const Orbit orbit = eccentric_orbit<double>();
+  write_steps(notebook, orbit);
+
+  std::printf("%-10s %21s %21s %21s\n%-10s", "orbit", "5(4)", "8(5,3)", "Nystrom 8(6)",
+              "tolerance");
+  for (int n = 0; n < 3; ++n) std::printf("%6s %6s %7s", "steps", "again", "error");
+  std::puts("");
+  const Particled there = exactly_after(orbit.gather, orbit.start, orbit.seconds);
+  for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
+    std::printf("%-10.0e", tolerance);
+    const auto go = [&](auto by) {
+      Particled particle = orbit.start;
+      const Journey journey = by(particle);
+      std::printf("%6ld %6ld %7.0e", journey.steps, journey.rejected,
+                  (particle.position - there.position).norm());
+    };
+    go([&](Particled& p) {
+      return carry<DormandPrince54>(p, orbit.gather, 0.0, orbit.seconds, tolerance);
+    });
+    go([&](Particled& p) {
+      return carry<DormandPrince853>(p, orbit.gather, 0.0, orbit.seconds, tolerance);
+    });
+    go([&](Particled& p) {
+      return carry_by_nystrom<DormandPrinceNystrom86>(p, orbit.gather, 0.0, orbit.seconds,
+                                                      tolerance);
+    });
+    std::puts("");
+  }
+  write_energies(notebook, orbit);
+
+  const auto small = steps_of_scaled(1), large = steps_of_scaled(1e6);
+  std::printf(
+      "\nA top and one with a million times its inertia, steps in a second: %ld and %ld by an "
+      "angle,\n%ld and %ld by seven numbers alike.\n",
+      small[0], large[0], small[1], large[1]);
+  notebook.value("angle_small", std::to_string(small[0]));
+  notebook.value("angle_large", std::to_string(large[0]));
+  notebook.value("seven_small", std::to_string(small[1]));
+  notebook.value("seven_large", std::to_string(large[1]));
+  expect(small[0] == large[0] && large[1] > 5 * small[1],
+         "an angle knows no units, and seven numbers do");
+
+  const Journey remembering = with_damper(true), forgetful = with_damper(false);
+  std::printf(
+      "A strong damper: %ld steps and %ld rejected by the controller that remembers, %ld and "
+      "%ld by one that does not.\n",
+      remembering.steps, remembering.rejected, forgetful.steps, forgetful.rejected);
+  notebook.value("hunting_rejected", std::to_string(forgetful.rejected));
+  notebook.value("hunting_steps", std::to_string(forgetful.steps));
+  notebook.value("calm_rejected", std::to_string(remembering.rejected));
+  notebook.value("calm_steps", std::to_string(remembering.steps));
+  expect(forgetful.rejected > 3 * remembering.rejected, "a controller without a memory hunts");
+
+  // Beyond the end: the loop stops after the step that has passed it.
+  EmbeddedSteps<DormandPrince54, Particled, Star<double>, double> beyond(orbit.start, orbit.gather,
+                                                                         0, 1e-6);
+  double gone = 0, h = 1e-3;
+  StepControl control(beyond.power);
+  while (gone < orbit.seconds) {
+    const auto square = static_cast<float>(beyond.attempt(h));
+    if (square <= 1) {
+      beyond.accept();
+      gone += h;
+    }
+    h *= static_cast<double>(control.factor(square));
+  }
+  const double off = (beyond.body().position - there.position).norm();
+  std::printf("A run that stops after the step that passes the end: %.3f s too late, %.1e m off.\n",
+              gone - orbit.seconds, off);
+  notebook.value("beyond_late", number("%.3f", gone - orbit.seconds));
+  notebook.value("beyond_off", number("%.0e", off));
+  expect(off > 1e-3, "a step that lands beyond the end");
+}

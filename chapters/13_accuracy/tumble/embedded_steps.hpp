@@ -1,0 +1,220 @@
+/// @file
+/// A particle or a top that chooses its own steps, by an embedded pair of Runge–Kutta rules.
+#pragma once
+
+#include <tumble/embedded_pairs.hpp>
+#include <tumble/runge_kutta.hpp>
+#include <tumble/step_control.hpp>
+
+namespace tumble {
+
+/// The rows of a pair: that of error i, of the look i beyond the step, of the i-th part of what
+/// lies within it.
+template <class Pair, std::size_t i>
+struct RowOfError {
+  static constexpr auto& row = Pair::errors[i];
+};
+template <class Pair, std::size_t i>
+struct RowOfMoreLooks {
+  static constexpr auto& row = Pair::more_looks[i];
+};
+template <class Pair, std::size_t i>
+struct RowWithin {
+  static constexpr auto& row = Pair::dense[i];
+};
+
+/// The square of how far numbers are off at the end of a step, in terms of what is allowed: a place
+/// `tolerance` m and a velocity as many m/s for each second of the step, and a few roundings on
+/// top, for no step can be better.
+//! [error_of_particle]
+template <class Real>
+[[gnu::always_inline]] inline Real square_of_error(const Numbers<Real, 6>& error,
+                                                   const Numbers<Real, 6>& start,
+                                                   const Numbers<Real, 6>&, Same<Real> tolerance,
+                                                   Same<Real> time_step) {
+  const Real allowed = tolerance * time_step, rounding = 4 * std::numeric_limits<Real>::epsilon();
+  const auto part = [&](std::size_t i) {
+    const Vec3<Real> off(error[i], error[i + 1], error[i + 2]),
+        size(start[i], start[i + 1], start[i + 2]);
+    return off.squaredNorm() / (allowed * allowed + rounding * rounding * size.squaredNorm());
+  };
+  return part(0) + part(3);
+}
+//! [error_of_particle]
+
+/// The same for a top: the orientation is off by an angle, for which `tolerance` rad are allowed a
+/// second, and L by a part of its size. The four numbers of a quaternion q that is off by δ are off
+/// by the angle 2 |Im(q* δ)|; along q itself they have no meaning. The size of L is that at the
+/// start, for one that a bad step has blown up would excuse its own error.
+//! [error_of_top]
+template <class Real>
+[[gnu::always_inline]] inline Real square_of_error(const Numbers<Real, 7>& error,
+                                                   const Numbers<Real, 7>& start,
+                                                   const Numbers<Real, 7>& end,
+                                                   Same<Real> tolerance, Same<Real> time_step) {
+  const Quaternion<Real> q = {end[0], {end[1], end[2], end[3]}},
+                         off = {error[0], {error[1], error[2], error[3]}};
+  const auto momentum = [](const Numbers<Real, 7>& numbers) {
+    return Vec3<Real>(numbers[4], numbers[5], numbers[6]).squaredNorm();
+  };
+  const Real angle = 4 * (conjugate(q) * off).imaginary.squaredNorm();
+  const Real size = momentum(start) == 0 ? momentum(end) : momentum(start);
+  const Real part = momentum(error) == 0 ? Real(0) : momentum(error) / size;
+  const Real allowed = tolerance * time_step + 4 * std::numeric_limits<Real>::epsilon();
+  return (angle + part) / (allowed * allowed);
+}
+//! [error_of_top]
+
+/// What several estimates say together, all as squares: one speaks for itself; of two, where the
+/// second falls more slowly, e₁²/√(e₁² + e₂²/100).
+template <class Real, std::size_t count>
+[[gnu::always_inline]] inline Real together(const std::array<Real, count>& squares) {
+  if constexpr (count == 1) return squares[0];
+  return squares[0] == 0 ? Real(0) : squares[0] * squares[0] / (squares[0] + squares[1] / 100);
+}
+
+/// Steps of a body by an embedded pair, for travel().
+template <class Pair, class Body, class Gather, class Real>
+class EmbeddedSteps {
+ public:
+  static constexpr int power = Pair::power - 1;  ///< of the error per second
+
+  EmbeddedSteps(const Body& body, const Gather& gather, Real time, Real tolerance)
+      : gather_(gather),
+        there_(body),
+        time_(time),
+        tolerance_(tolerance),
+        start_(numbers_of(body)) {
+    rates_[0] = rates_under(gather_, start_, time_, there_);
+  }
+
+  //! [attempt]
+  [[gnu::flatten]] Real attempt(Real h) {
+    step_ = h;
+    look<typename Pair::Rule>(start_, h, rates_, [&](const auto& numbers, Real ahead, auto) {
+      return rates_under(gather_, numbers, time_ + ahead, there_);
+    });
+    end_ = led<RowOfStep<typename Pair::Rule>>(start_, h, rates_);
+    if constexpr (count == 7) {
+      const Real factor = 1 / std::sqrt(end_[0] * end_[0] + end_[1] * end_[1] + end_[2] * end_[2] +
+                                        end_[3] * end_[3]);
+      end_ = each<Real, count>([&](auto n) { return n < 4 ? factor * end_[n] : end_[n]; });
+    }
+    if constexpr (error_sees_end) look_at_end();
+    return [&]<std::size_t... i>(std::index_sequence<i...>) {
+      return together(std::array{error<i>()...});
+    }
+    (std::make_index_sequence<Pair::errors.size()>());
+  }
+  //! [attempt]
+
+  void accept() {
+    if constexpr (!error_sees_end) look_at_end();
+    time_ += step_;
+    start_ = end_;
+    rates_[0] = rates_[looks];
+  }
+
+  /// See first_step_of().
+  [[gnu::flatten]] Real first_step(Real seconds) {
+    const Real ahead = seconds / 10000;
+    State there = start_;
+    for (std::size_t n = 0; n < there.size(); ++n) there[n] += ahead * rates_[0][n];
+    State change = rates_under(gather_, there, time_ + ahead, there_);
+    for (std::size_t n = 0; n < change.size(); ++n) change[n] -= rates_[0][n];
+    return first_step_of<Real>(
+        std::sqrt(square_of_error(rates_[0], start_, start_, tolerance_, Real(1))),
+        std::sqrt(square_of_error(change, start_, start_, tolerance_, Real(1))) / ahead, power,
+        seconds);
+  }
+
+  /// The body where the last step that was accepted ends.
+  Body body() const {
+    Body body = there_;
+    set_numbers(body, start_);
+    if constexpr (requires { body.orientation; }) body.orientation = normalized(body.orientation);
+    return body;
+  }
+
+  /// The body within the step just attempted, at a `part` of it from 0 to 1: a cubic through both
+  /// ends with their rates, and what the looks know beyond it. Looks that the step itself did not
+  /// need are made now.
+  //! [within]
+  Body within(Real part) {
+    if constexpr (!error_sees_end) look_at_end();
+    look_further();
+    const Real rest = 1 - part;
+    const auto beyond = [&]<std::size_t... i>(std::index_sequence<i...>) {
+      return std::array<State, Pair::dense.size()>{weighed<RowWithin<Pair, i>>(rates_)...};
+    }
+    (std::make_index_sequence<Pair::dense.size()>());
+    State state;
+    for (std::size_t n = 0; n < state.size(); ++n) {
+      Real more = 0;  // d₀ + p (d₁ + (1 − p) (d₂ + p d₃)), from the last on
+      for (std::size_t i = beyond.size(); i-- > 0;)
+        more = beyond[i][n] + (i % 2 == 0 ? part : rest) * more;
+      const Real change = end_[n] - start_[n], first = step_ * rates_[0][n] - change,
+                 last = change - step_ * rates_[looks][n] - first;
+      state[n] =
+          start_[n] + part * (change + rest * (first + part * (last + rest * (step_ * more))));
+    }
+    Body body = there_;
+    set_numbers(body, state);
+    if constexpr (requires { body.orientation; }) body.orientation = normalized(body.orientation);
+    return body;
+  }
+  //! [within]
+
+ private:
+  using Rule = typename Pair::Rule;
+  using State = decltype(numbers_of(std::declval<const Body&>()));
+  static constexpr std::size_t looks = Rule::rule.nodes.size(), count = std::tuple_size_v<State>;
+  static constexpr bool error_sees_end = Pair::errors[0][looks] != 0;
+
+  void look_at_end() { rates_[looks] = rates_under(gather_, end_, time_ + step_, there_); }
+
+  void look_further() {
+    const auto one = [&]<std::size_t i>() {
+      const auto numbers = led<RowOfMoreLooks<Pair, i>>(start_, step_, rates_);
+      const Real ahead = static_cast<Real>(Pair::more_nodes[i]) * step_;
+      rates_[looks + 1 + i] = rates_under(gather_, numbers, time_ + ahead, there_);
+    };
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      (one.template operator()<i>(), ...);
+    }
+    (std::make_index_sequence<Pair::more_nodes.size()>());
+  }
+
+  template <std::size_t i>
+  [[gnu::always_inline]] Real error() const {
+    const State off = each<Real, count>(
+        [&](auto n) { return step_ * weighed_number<RowOfError<Pair, i>, n>(rates_); });
+    return square_of_error(off, start_, end_, tolerance_, step_);
+  }
+
+  const Gather& gather_;
+  Body there_;  // to gather into
+  Real time_, tolerance_, step_ = 0;
+  State start_, end_ = {};
+  std::array<State, looks + 1 + Pair::more_nodes.size()> rates_ = {};
+};
+
+/// Takes a particle or a top from `time` (s) through `seconds`. `gather` as in kicked_steps.hpp.
+/// `tolerance` is what may be lost in a second: m and m/s of a particle; rad and parts of |L| of a
+/// top.
+/// @throws std::invalid_argument unless the time is 0 or more and the tolerance more than 0, both
+/// finite. @throws StepError if no step meets the tolerance.
+//! [carry]
+template <class Pair, class Body, class Gather, class Real>
+Journey carry(Body& body, const Gather& gather, Real time, Same<Real> seconds,
+              Same<Real> tolerance) {
+  require_journey<Real>(seconds, tolerance);
+  EmbeddedSteps<Pair, Body, Gather, Real> steps(body, gather, time, tolerance);
+  const Journey journey = travel(steps, seconds, steps.first_step(seconds), [](Real, Real) {});
+  body = steps.body();
+  gather(body, time + seconds);
+  return journey;
+}
+//! [carry]
+
+}  // namespace tumble

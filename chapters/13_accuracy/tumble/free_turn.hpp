@@ -1,0 +1,130 @@
+/// @file
+/// A free top as the little that is unknown of it: where L points in the body, and one angle.
+#pragma once
+
+#include <tumble/runge_kutta.hpp>
+#include <tumble/step_control.hpp>
+
+namespace tumble {
+
+/// Euler's equations know nothing of the orientation: l = L/|L|, three numbers, obey
+/// l' = |L| l × I⁻¹ l. And L stands still in the world, so that one angle more says how the body
+/// stands. Let e be a fixed direction in the body, and s the shortest turn that takes l to it. Then
+/// the orientation is b a s, where b is constant and a is a turn about e by an angle ψ. The rate of
+/// ψ is ω · l without what the turn of s has along l,
+///
+///     ψ' = ω · (l + e)/(1 + l · e),
+///
+/// a mere integral: no look asks for ψ. L stays in the world to the last digit, however large the
+/// errors of l and ψ. For e we take the axis that L goes around, the first or the last, on the side
+/// where L is and stays: then 1 + l · e is 1 at least, and ω · l is 2E/|L|, a constant.
+//! [free_turn]
+template <class Real>
+class FreeTurn {
+ public:
+  explicit FreeTurn(const Top<Real>& top) : top_(top) {
+    const Vec3<Real>& i = top.inverse_moments;
+    size_ = top.angular_momentum_body.norm();
+    inverse_ = size_ * i;
+    differences_ = size_ * Vec3<Real>(i[2] - i[1], i[0] - i[2], i[1] - i[0]);
+    begin_at(top.angular_momentum_body / size_);
+  }
+
+  /// l', 1/s.
+  [[gnu::always_inline]] Numbers<Real, 3> rates(const Numbers<Real, 3>& l, Real = 0) const {
+    return {differences_[0] * (l[1] * l[2]), differences_[1] * (l[2] * l[0]),
+            differences_[2] * (l[0] * l[1])};
+  }
+
+  /// ψ', rad/s. Written with what l has along e.
+  [[gnu::always_inline]] Real twist_rate(const Numbers<Real, 3>& l) const {
+    const Real along = side_ * l[axis_];
+    return (twice_energy_ + inverse_along_ * along) / (1 + along);
+  }
+  //! [free_turn]
+
+  /// Whether errors have led l to the far side of e: time to fold().
+  bool is_far(const Numbers<Real, 3>& l) const { return side_ * l[axis_] < Real(-0.5); }
+
+  /// The top whose L points along l, with the angle ψ = `twist`, rad.
+  //! [top_at]
+  Top<Real> top_at(const Numbers<Real, 3>& numbers, Real twist) const {
+    const Vec3<Real> l = Vec3<Real>(numbers[0], numbers[1], numbers[2]).normalized();
+    const Quaternion<Real> a = quaternion_of_rotation_vector<Real>(twist * e());
+    Top<Real> top = top_;
+    top.angular_momentum_body = size_ * l;
+    top.orientation = normalized(base_ * a * shortest_from(l));
+    return top;
+  }
+  //! [top_at]
+
+  /// Starts anew from where the top is now.
+  void fold(const Numbers<Real, 3>& l, Real twist) {
+    top_ = top_at(l, twist);
+    begin_at(top_.angular_momentum_body / size_);
+  }
+
+  /// The square of the angle that an error of l is.
+  [[gnu::always_inline]] Real square(const Numbers<Real, 3>& off, const Numbers<Real, 3>&) const {
+    return off[0] * off[0] + off[1] * off[1] + off[2] * off[2];
+  }
+
+  /// l at the start.
+  Numbers<Real, 3> numbers() const { return {first_[0], first_[1], first_[2]}; }
+
+ private:
+  void begin_at(const Vec3<Real>& l) {
+    first_ = l;
+    twice_energy_ = l.dot(inverse_.cwiseProduct(l));
+    // L goes around the outer axis on whose side of the middle one the energy lies.
+    const Real low = inverse_.minCoeff(), high = inverse_.maxCoeff();
+    const Real middle = inverse_.sum() - low - high;
+    const Real wanted = twice_energy_ > middle ? high : low;
+    axis_ = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      if (inverse_[axis] == wanted && (inverse_[static_cast<int>(axis_)] != wanted ||
+                                       std::abs(l[axis]) > std::abs(l[static_cast<int>(axis_)])))
+        axis_ = static_cast<std::size_t>(axis);
+    side_ = l[static_cast<int>(axis_)] < 0 ? Real(-1) : Real(1);
+    inverse_along_ = inverse_[static_cast<int>(axis_)];
+    base_ = normalized(top_.orientation * conjugate(shortest_from(l)));
+  }
+
+  Vec3<Real> e() const { return side_ * Vec3<Real>::Unit(static_cast<int>(axis_)); }
+
+  /// The turn that takes l to e, not normalised.
+  Quaternion<Real> shortest_from(const Vec3<Real>& l) const {
+    return {.real = 1 + l.dot(e()), .imaginary = l.cross(e())};
+  }
+
+  Top<Real> top_;
+  Quaternion<Real> base_;             // b
+  std::size_t axis_ = 0;              // that e lies along,
+  Real side_ = 1;                     // and on which side
+  Real size_, twice_energy_ = 0;      // |L|, kg m²/s; 2E/|L|, rad/s
+  Vec3<Real> inverse_, differences_;  // |L|/I and differences of it, rad/s
+  Real inverse_along_ = 0;            // |L|/I along e
+  Vec3<Real> first_;
+};
+
+/// A free top by a Runge–Kutta rule on l, with ψ as an integral on the way. L is kept in the world.
+//! [turn_by_momentum]
+template <class Rule, class Real>
+[[gnu::flatten]] void turn_by_momentum(Top<Real>& top, Same<Real> time_step) {
+  if (!is_gyroscopic(top) || (top.angular_momentum_body.array() == 0).all())
+    return turn_steadily(top, time_step);
+  const FreeTurn<Real> free(top);
+  std::array<Numbers<Real, 3>, Rule::rule.nodes.size()> rates;
+  const Numbers<Real, 3> start = free.numbers();
+  rates[0] = free.rates(start);
+  Real twist = static_cast<Real>(Rule::rule.weights[0]) * free.twist_rate(start);
+  look<Rule>(start, time_step, rates, [&]<std::size_t i>(const Numbers<Real, 3>& l, Real, Look<i>) {
+    constexpr auto weight = static_cast<Real>(Rule::rule.weights[i]);
+    if constexpr (weight != 0) twist += weight * free.twist_rate(l);
+    return free.rates(l);
+  });
+  top = free.top_at(led<RowOfStep<Rule>>(start, time_step, rates), time_step * twist);
+}
+//! [turn_by_momentum]
+
+}  // namespace tumble

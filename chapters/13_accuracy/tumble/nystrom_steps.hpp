@@ -1,0 +1,142 @@
+/// @file
+/// A particle that chooses its own steps by a Nyström pair, where force depends on time and place.
+#pragma once
+
+#include <tumble/embedded_steps.hpp>
+#include <tumble/nystrom_pairs.hpp>
+
+namespace tumble {
+
+/// The rows of a Nyström pair.
+template <class Pair, std::size_t i>
+struct RowOfPlace {
+  static constexpr auto& row = Pair::rule.looks[i];
+};
+template <class Pair>
+struct RowOfVelocities {
+  static constexpr auto& row = Pair::rule.velocities;
+};
+template <class Pair>
+struct RowOfErrorsOfPlaces {
+  static constexpr auto& row = Pair::rule.errors_of_places;
+};
+template <class Pair>
+struct RowOfErrorsOfVelocities {
+  static constexpr auto& row = Pair::rule.errors_of_velocities;
+};
+
+/// Steps of a particle by a Nyström pair, for travel(). Velocities are no part of a look, so each
+/// look weighs three numbers instead of six, and eight of them reach the order for which a rule
+/// that knows nothing of places and velocities needs eleven at least (Butcher 1985).
+template <class Pair, class Gather, class Real>
+class NystromSteps {
+ public:
+  static constexpr int power = Pair::power - 1;  ///< of the error per second
+
+  NystromSteps(const Particle<Real>& particle, const Gather& gather, Real time, Real tolerance)
+      : gather_(gather), there_(particle), time_(time), tolerance_(tolerance) {
+    const Vec3<Real>&x = particle.position, &v = particle.velocity;
+    place_ = {x[0], x[1], x[2]};
+    velocity_ = {v[0], v[1], v[2]};
+    rates_[0] = acceleration_at(place_, 0);
+  }
+
+  //! [attempt_nystrom]
+  [[gnu::flatten]] Real attempt(Real h) {
+    step_ = h;
+    const auto one = [&]<std::size_t i>() {
+      const Real ahead = static_cast<Real>(Pair::rule.nodes[i]) * h;
+      end_place_ = place_by<RowOfPlace<Pair, i>>(ahead);  // the last one is the end of the step
+      rates_[i] = acceleration_at(end_place_, ahead);
+    };
+    [&]<std::size_t... i>(std::index_sequence<i...>) {
+      (one.template operator()<i + 1>(), ...);
+    }
+    (std::make_index_sequence<looks - 1>());
+    end_velocity_ = led<RowOfVelocities<Pair>>(velocity_, h, rates_);
+    return error();
+  }
+  //! [attempt_nystrom]
+
+  void accept() {
+    time_ += step_;
+    place_ = end_place_;
+    velocity_ = end_velocity_;
+    rates_[0] = rates_[looks - 1];
+  }
+
+  [[gnu::flatten]] Real first_step(Real seconds) {
+    const Real ahead = seconds / 10000;
+    Three there = place_;
+    for (std::size_t n = 0; n < 3; ++n) there[n] += ahead * velocity_[n];
+    Three change = acceleration_at(there, ahead), gain = rates_[0];
+    for (std::size_t n = 0; n < 3; ++n) change[n] -= rates_[0][n], gain[n] *= ahead;
+    const auto size = [&](const Three& a, const Three& b) {
+      return std::sqrt(square_of_error(joined(a, b), joined(place_, velocity_),
+                                       joined(place_, velocity_), tolerance_, Real(1)));
+    };
+    return first_step_of<Real>(size(velocity_, rates_[0]), size(gain, change) / ahead, power,
+                               seconds);
+  }
+
+  /// The particle where the last step that was accepted ends.
+  Particle<Real> body() const {
+    Particle<Real> body = there_;
+    set_numbers(body, joined(place_, velocity_));
+    return body;
+  }
+
+ private:
+  using Three = Numbers<Real, 3>;
+  static constexpr std::size_t looks = Pair::rule.nodes.size();
+
+  static Numbers<Real, 6> joined(const Three& a, const Three& b) {
+    return {a[0], a[1], a[2], b[0], b[1], b[2]};
+  }
+
+  [[gnu::always_inline]] Three acceleration_at(const Three& place, Real ahead) {
+    there_.position = {place[0], place[1], place[2]};
+    gather_(there_, time_ + ahead);
+    const Vec3<Real>& F = there_.force;
+    const Real i = there_.inverse_mass;
+    return {i * F[0], i * F[1], i * F[2]};
+  }
+
+  template <class Row>
+  [[gnu::always_inline]] Three place_by(Real ahead) const {
+    return each<Real, 3>([&](auto n) {
+      return place_[n] + (ahead * velocity_[n] + step_ * step_ * weighed_number<Row, n>(rates_));
+    });
+  }
+
+  [[gnu::always_inline]] Real error() const {
+    const Numbers<Real, 6> off = each<Real, 6>([&](auto n) {
+      if constexpr (n < 3)
+        return step_ * step_ * weighed_number<RowOfErrorsOfPlaces<Pair>, n>(rates_);
+      else
+        return step_ * weighed_number<RowOfErrorsOfVelocities<Pair>, n - 3>(rates_);
+    });
+    return square_of_error(off, joined(place_, velocity_), joined(end_place_, end_velocity_),
+                           tolerance_, step_);
+  }
+
+  const Gather& gather_;
+  Particle<Real> there_;  // to gather into
+  Real time_, tolerance_, step_ = 0;
+  Three place_ = {}, velocity_ = {}, end_place_ = {}, end_velocity_ = {};
+  std::array<Three, looks> rates_ = {};
+};
+
+/// As carry(), by a Nyström pair: where force depends on time and place alone.
+template <class Pair, class Gather, class Real>
+Journey carry_by_nystrom(Particle<Real>& particle, const Gather& gather, Real time,
+                         Same<Real> seconds, Same<Real> tolerance) {
+  require_journey<Real>(seconds, tolerance);
+  NystromSteps<Pair, Gather, Real> steps(particle, gather, time, tolerance);
+  const Journey journey = travel(steps, seconds, steps.first_step(seconds), [](Real, Real) {});
+  particle = steps.body();
+  gather(particle, time + seconds);
+  return journey;
+}
+
+}  // namespace tumble

@@ -1,0 +1,148 @@
+/// @file
+/// Tops of which little is unknown choose their own steps.
+#pragma once
+
+#include <tumble/axis_turn.hpp>
+#include <tumble/embedded_steps.hpp>
+#include <tumble/free_turn.hpp>
+
+namespace tumble {
+
+/// Steps by an embedded pair, for travel(), of a top that a few numbers and the integral ψ say all
+/// of: FreeTurn or AxisTurn. The error of a step is that of the numbers, as the motion counts it,
+/// and that of ψ, an angle: two turns about perpendicular axes, so that their squares add up.
+/// `tolerance` rad are allowed a second, and as large a part of |L|.
+template <class Pair, class Motion, class Real>
+class ReducedSteps {
+ public:
+  static constexpr int power = Pair::power - 1;  ///< of the error per second
+
+  ReducedSteps(const Motion& motion, Real time, Real tolerance)
+      : motion_(motion), time_(time), tolerance_(tolerance), start_(motion_.numbers()) {
+    look_at_start();
+  }
+
+  //! [attempt_reduced]
+  [[gnu::flatten]] Real attempt(Real h) {
+    step_ = h;
+    look<Rule>(start_, h, rates_, [&]<std::size_t i>(const State& numbers, Real ahead, Look<i>) {
+      if constexpr (is_asked_for(i)) twists_[i][0] = motion_.twist_rate(numbers);
+      return motion_.rates(numbers, time_ + ahead);
+    });
+    end_ = led<RowOfStep<Rule>>(start_, h, rates_);
+    if constexpr (error_sees_end) look_at_end();
+    return [&]<std::size_t... i>(std::index_sequence<i...>) {
+      return together(std::array{square<i>()...});
+    }
+    (std::make_index_sequence<Pair::errors.size()>());
+  }
+  //! [attempt_reduced]
+
+  void accept() {
+    time_ += step_;
+    twist_ += step_ * weighed_number<RowOfStep<Rule>, 0>(twists_);
+    start_ = end_;
+    if (motion_.is_far(start_)) {
+      motion_.fold(start_, twist_);
+      start_ = motion_.numbers();
+      twist_ = 0;
+    }
+    look_at_start();
+  }
+
+  /// See first_step_of().
+  Real first_step(Real seconds) {
+    const Real ahead = seconds / 10000;
+    const State there = each<Real, count>([&](auto n) { return start_[n] + ahead * rates_[0][n]; });
+    const State then = motion_.rates(there, time_ + ahead);
+    const State change = each<Real, count>([&](auto n) { return then[n] - rates_[0][n]; });
+    const auto size = [&](const State& off) {
+      return std::sqrt(motion_.square(off, start_)) / tolerance_;
+    };
+    return first_step_of<Real>(size(rates_[0]), size(change) / ahead, power, seconds);
+  }
+
+  /// The top where the last step that was accepted ends.
+  Top<Real> top() const { return motion_.top_at(start_, twist_); }
+
+ private:
+  using Rule = typename Pair::Rule;
+  using State = decltype(std::declval<const Motion&>().numbers());
+  static constexpr std::size_t looks = Rule::rule.nodes.size(), count = std::tuple_size_v<State>;
+  static constexpr bool error_sees_end = Pair::errors[0][looks] != 0;
+
+  /// Whether anything weighs ψ' of this look.
+  static constexpr bool is_asked_for(std::size_t i) {
+    bool is = i < looks && Rule::rule.weights[i] != 0;
+    for (const auto& row : Pair::errors) is = is || row[i] != 0;
+    return is;
+  }
+
+  void look_at_start() {
+    rates_[0] = motion_.rates(start_, time_);
+    twists_[0][0] = motion_.twist_rate(start_);
+  }
+  void look_at_end() {
+    rates_[looks] = motion_.rates(end_, time_ + step_);
+    twists_[looks][0] = motion_.twist_rate(end_);
+  }
+
+  template <std::size_t i>
+  [[gnu::always_inline]] Real square() const {
+    const State off = weighed<RowOfError<Pair, i>>(rates_);
+    const Real twist = weighed_number<RowOfError<Pair, i>, 0>(twists_);
+    const Real allowed = tolerance_ * step_ + 4 * std::numeric_limits<Real>::epsilon();
+    return step_ * step_ * (twist * twist + motion_.square(off, start_)) / (allowed * allowed);
+  }
+
+  Motion motion_;
+  Real time_, tolerance_, step_ = 0, twist_ = 0;  // twist: ψ at the start of the step, rad
+  State start_, end_ = {};
+  std::array<State, looks + 1> rates_ = {};
+  std::array<Numbers<Real, 1>, looks + 1> twists_ = {};
+};
+
+/// The journey of such steps.
+template <class Pair, class Real, class Motion>
+Journey carry_reduced(Top<Real>& top, const Motion& motion, Same<Real> time, Same<Real> seconds,
+                      Same<Real> tolerance) {
+  ReducedSteps<Pair, Motion, Real> steps(motion, time, tolerance);
+  const Journey journey = travel(steps, seconds, steps.first_step(seconds), [](Real, Real) {});
+  top = steps.top();
+  return journey;
+}
+
+/// Takes a free top through `seconds`. `tolerance`: rad that may be lost in a second. A top that
+/// turns steadily, locked axes and all, is turned at once, which is exact.
+/// @throws std::invalid_argument unless the time is 0 or more and the tolerance more than 0, both
+/// finite. @throws StepError if no step meets the tolerance.
+//! [carry_freely]
+template <class Pair, class Real>
+Journey carry_freely(Top<Real>& top, Same<Real> seconds, Same<Real> tolerance) {
+  require_journey<Real>(seconds, tolerance);
+  if (!is_gyroscopic(top) || gyroscopic_torque(top).squaredNorm() == 0) {
+    turn_steadily(top, seconds);
+    return {.steps = 1};
+  }
+  return carry_reduced<Pair, Real>(top, FreeTurn<Real>(top), 0, seconds, tolerance);
+}
+//! [carry_freely]
+
+/// Takes a symmetric top from `time` (s) through `seconds`, where the torque depends on time and on
+/// where the axis points, and has no part along it: `gather` says it (N m, world axes) by
+/// torque_on_axis(axis, time). `tolerance`: rad, and parts of |L|, that may be lost in a second.
+/// @throws std::invalid_argument unless two moments are equal and none is locked, and as
+/// carry_freely(). @throws StepError if no step meets the tolerance.
+//! [carry_axis]
+template <class Pair, class Gather, class Real>
+Journey carry_axis(Top<Real>& top, const Gather& gather, Real time, Same<Real> seconds,
+                   Same<Real> tolerance) {
+  require_journey<Real>(seconds, tolerance);
+  const auto journey =
+      carry_reduced<Pair, Real>(top, AxisTurn<Gather, Real>(top, gather), time, seconds, tolerance);
+  gather(top, time + seconds);
+  return journey;
+}
+//! [carry_axis]
+
+}  // namespace tumble

@@ -1,0 +1,131 @@
+/// @file
+/// How long the next step may be, from what the last ones have erred, and the journey that is made
+/// of such steps.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <tumble/require.hpp>
+
+namespace tumble {
+
+/// The logarithm of a float to the base 2, and back, each within 0.045: the bits of a float are its
+/// exponent and then what follows the first digit, so as a whole number they count the powers of
+/// two, in between by a straight line. For the length of a step that will do, and takes no time.
+//! [rough]
+inline float rough_log2(float value) {
+  return static_cast<float>(std::bit_cast<std::int32_t>(value)) / 8388608.0F - 126.957F;
+}
+inline float rough_exp2(float exponent) {
+  return std::bit_cast<float>(static_cast<std::int32_t>((exponent + 126.957F) * 8388608.0F));
+}
+//! [rough]
+
+/// Chooses steps so that each errs by what is allowed. If errors fall as h^power, the factor
+/// (1/error)^(1/power) leads there at once; a seventh is left to what the estimate does not see.
+///
+/// Alone that hunts where not the error but the stability of the method limits the step: too long
+/// and too short in turn. So the error before is looked at as well: 0.3/power integral and
+/// 0.4/power proportional (Gustafsson 1991).
+//! [step_control]
+class StepControl {
+ public:
+  explicit StepControl(int power) : power_(static_cast<float>(power)) {}
+
+  /// By what to multiply a step that erred by the root of `square`, of which 1 is allowed.
+  float factor(float square) {
+    if (!(square < std::numeric_limits<float>::max())) return failed(0.1F);
+    const float digits = rough_log2(std::max(square, 1e-18F)) / 2;
+    if (square > 1) return failed(0.85F * rough_exp2(-digits / power_));
+    const float wanted = 0.85F * rough_exp2((-0.7F * digits + 0.4F * last_digits_) / power_);
+    last_digits_ = digits;
+    const float longest = has_failed_ ? 1.0F : 6.0F;  // not at once where one has just failed
+    has_failed_ = false;
+    return std::clamp(wanted, 0.2F, longest);
+  }
+
+ private:
+  float failed(float wanted) {
+    has_failed_ = true;
+    return std::clamp(wanted, 0.1F, 0.9F);
+  }
+
+  float power_, last_digits_ = 0;
+  bool has_failed_ = false;
+};
+//! [step_control]
+
+/// Checks where they enter what a journey is asked for.
+/// @throws std::invalid_argument unless the time is 0 or more and the tolerance more than 0, both
+/// finite.
+template <class Real>
+void require_journey(Real seconds, Same<Real> tolerance) {
+  require_not_negative("time", seconds, "s");
+  require_finite("tolerance", tolerance, "a second");
+  if (!(tolerance > 0)) reject("tolerance", tolerance, "a second", "it must be greater than 0");
+}
+
+/// What a journey took.
+struct Journey {
+  long steps = 0, rejected = 0;
+};
+
+/// No step meets the tolerance, however short.
+class StepError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// A step that the tolerance allows, as far as one can tell before the first: rates that would lose
+/// `rate` times the tolerance if they were wrong altogether, and change at the rate r, err by
+/// rate (h r)^power or so; `changes` is r times `rate`, 1/s.
+template <class Real>
+Real first_step_of(Real rate, Same<Real> changes, int power, Same<Real> seconds) {
+  const Real wanted = 2 * rate / changes * std::pow(rate, -1 / static_cast<Real>(power));
+  return wanted < seconds ? wanted : seconds;
+}
+
+/// Takes a stepper through `seconds`, from a step of `first` seconds on. attempt(h) makes a step of
+/// h seconds and says the square of what it erred, with 1 allowed; accept() makes it count. What is
+/// not accepted is done again, shorter. `when_stepped(gone, h)` is told of each step before it
+/// counts.
+///
+/// The last step ends where the journey does, to the bit, and the one before it shares what is
+/// left, lest a tiny step remain.
+/// @throws StepError if steps fall below what the clock can show.
+//! [travel]
+template <class Real, class Stepper, class WhenStepped>
+Journey travel(Stepper& stepper, Real seconds, Same<Real> first, const WhenStepped& when_stepped) {
+  StepControl control(Stepper::power);
+  Journey journey;
+  Real gone = 0, h = first;
+  while (gone < seconds) {
+    const Real left = seconds - gone;
+    const bool is_last = h >= left;
+    if (is_last)
+      h = left;
+    else if (2 * h > left)
+      h = left / 2;
+    const auto square = static_cast<float>(stepper.attempt(h));
+    if (square <= 1) {
+      when_stepped(gone, h);
+      stepper.accept();
+      gone = is_last ? seconds : gone + h;
+      ++journey.steps;
+    } else {
+      ++journey.rejected;
+    }
+    h *= static_cast<Real>(control.factor(square));
+    if (gone < seconds && !(gone + h > gone))
+      throw StepError("the time step fell to " + text_of(h) + " s, " + text_of(gone) +
+                      " s after the start; no step meets the tolerance there");
+  }
+  return journey;
+}
+//! [travel]
+
+}  // namespace tumble

@@ -1,0 +1,108 @@
+/// @file
+/// Kick and drift in a time of their own: steps that shorten where a particle is pulled hard, and
+/// that are symmetric nevertheless.
+#pragma once
+
+#include <tumble/alternation.hpp>
+#include <tumble/force.hpp>
+#include <tumble/step_control.hpp>
+
+namespace tumble {
+
+/// A particle in a field of force with potential energy −U. With T for the energy of motion and
+/// B = U − T, which is constant, ln(T + B) − ln U is 0, and as an energy of its own (the
+/// logarithmic Hamiltonian: Mikkola and Tanikawa 1999, Preto and Tremaine 1999) it moves the
+/// particle along the same path, in a time s of its own: dt = ds/(T + B) in a drift, dt = ds/U in a
+/// kick. A drift knows T, a kick knows U, so both are exact, and every row of kicks and drifts may
+/// be used. Around a star the place after each step is on the true ellipse, however long the step:
+/// only the time is wrong.
+//! [transformed_time]
+template <class Gather, class Real>
+class TransformedTime {
+ public:
+  /// `gather` says U (J) by pull_energy(particle), besides leaving the force in the particle.
+  TransformedTime(const Particle<Real>& particle, const Gather& gather)
+      : gather_(&gather), particle_(particle), mass_(mass_of(particle)) {
+    gather(particle_, 0);
+    bound_ = gather.pull_energy(particle_) - kinetic_energy_of(particle_);
+  }
+
+  /// A step of ds (J s).
+  template <class Row>
+  void step(Real ds) {
+    const auto drifted = [&](Real part) {
+      const Real h = part / (kinetic_energy_of(particle_) + bound_);
+      particle_.position += h * particle_.velocity;
+      time_ += h;
+    };
+    const auto kicked = [&](Real part) {
+      (*gather_)(particle_, time_);
+      kick(particle_, part / gather_->pull_energy(particle_));
+    };
+    alternate<Row>(ds, drifted, kicked);
+  }
+  //! [transformed_time]
+
+  const Particle<Real>& particle() const { return particle_; }
+  Real time() const { return time_; }    ///< s since the start
+  Real bound() const { return bound_; }  ///< B, J
+
+  /// What a second is in s, J s, where the particle is now.
+  Real rate() const { return kinetic_energy_of(particle_) + bound_; }
+
+  /// Takes the particle to time() = `end` by a drift, a kick and a drift in time itself: for a rest
+  /// that is so short that their error does not count.
+  void finish(Real end) {
+    const Real half = (end - time_) / 2;
+    drift(particle_, half);
+    (*gather_)(particle_, time_ + half);
+    kick(particle_, 2 * half);
+    drift(particle_, half);
+    (*gather_)(particle_, end);
+    time_ = end;
+  }
+
+ private:
+  Real kinetic_energy_of(const Particle<Real>& particle) const {
+    return mass_ / 2 * particle.velocity.squaredNorm();
+  }
+
+  const Gather* gather_;
+  Particle<Real> particle_;
+  Real mass_, bound_ = 0, time_ = 0;
+};
+
+/// Takes a bound particle through `seconds` in about so many steps of equal length in the time s.
+/// How long the last one must be is found by shortening it, which needs a few trials.
+/// @throws std::invalid_argument unless the time is 0 or more and finite, and the particle is
+/// bound: B greater than 0.
+//! [carry_in_transformed_time]
+template <class Row, class Gather, class Real>
+void carry_in_transformed_time(Particle<Real>& particle, const Gather& gather, Same<Real> seconds,
+                               long steps) {
+  require_not_negative("time", seconds, "s");
+  TransformedTime<Gather, Real> motion(particle, gather), before = motion;
+  if (!(motion.bound() > 0))
+    reject("binding energy", motion.bound(), "J", "it must be greater than 0: the orbit is open");
+  const Real mean_rate = 2 * motion.bound();  // on an ellipse, by the theorem of the virial
+  const Real ds = mean_rate * seconds / static_cast<Real>(steps);
+  while (motion.time() < seconds) {
+    before = motion;
+    motion.template step<Row>(ds);
+  }
+  // Back to the start of the step that went too far, and again with a part of it: by the secant at
+  // first, then by Newton's method.
+  Real part = ds * (seconds - before.time()) / (motion.time() - before.time());
+  for (int trial = 0; trial < 4; ++trial) {
+    motion = before;
+    motion.template step<Row>(part);
+    const Real off = seconds - motion.time();
+    if (std::abs(off) <= Real(1e-5) * (seconds - before.time())) break;
+    part += off * motion.rate();
+  }
+  motion.finish(seconds);
+  particle = motion.particle();
+}
+//! [carry_in_transformed_time]
+
+}  // namespace tumble
