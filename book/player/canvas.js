@@ -50,7 +50,7 @@
       this.context.fill();
     }
 
-    /** `dash`: lengths of strokes and gaps by turns, px; none draws it through. */
+    /** `dash`: lengths of strokes and gaps in turn, px; none draws it solid. */
     line(points, colour, width, opacity, dash = []) {
       if (opacity <= 0.01) return;
       this.context.beginPath();

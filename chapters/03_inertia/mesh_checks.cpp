@@ -169,7 +169,7 @@ TEST_CASE_TEMPLATE("An open mesh is refused, naming the edge", Real, EVERY_PRECI
         "close the hole, or merge vertices that lie in the same place");
 }
 
-TEST_CASE_TEMPLATE("A triangle wound the other way than its neighbours is refused", Real,
+TEST_CASE_TEMPLATE("A triangle wound the opposite way to its neighbours is refused", Real,
                    EVERY_PRECISION) {
   Mesh<Real> mesh = box_mesh(Vec3<Real>(1, 1, 1));
   std::swap(mesh.triangles[5][0], mesh.triangles[5][1]);

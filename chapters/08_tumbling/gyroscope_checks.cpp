@@ -314,8 +314,8 @@ TEST_CASE_TEMPLATE("The weight's torque comes on top of what acts already", Real
   CHECK(same_bits(top.torque, 2 * once));
 }
 
-TEST_CASE_TEMPLATE("A gyroscope is made about its tip, and what is none is refused", Real,
-                   EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("A gyroscope is made about its tip, and a body that can't be one is refused",
+                   Real, EVERY_PRECISION) {
   const auto gyroscope = toy_gyroscope<Real>();
   const Real m = Real(0.15), r = Real(0.03), h = Real(0.01), l = Real(0.04);
   CHECK(std::abs(gyroscope.along / (m * r * r / 2) - 1) <= 16 * unit_roundoff<Real>);

@@ -163,7 +163,7 @@ TEST_CASE_TEMPLATE("A step that leads nowhere finite is not taken", Real, EVERY_
 }
 
 //! [lost]
-TEST_CASE_TEMPLATE("A turn that no sine can be had of is taken back, and all that moved with it",
+TEST_CASE_TEMPLATE("A turn beyond the range of the sine is taken back, and all that moved with it",
                    Real, EVERY_PRECISION) {
   const Real largest = 2 * SineCosineConstants<Real>::limit;
   const auto world_with = [&](Real turn) {

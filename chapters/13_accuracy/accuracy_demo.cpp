@@ -50,7 +50,7 @@ void write_runs(const Notebook& notebook, const std::string& table,
       runs.row(m.method, m.precision, std::max(m.error, 1e-17), m.nanoseconds / m.seconds);
 }
 
-/// A row a problem: who meets the wish at what price.
+/// A row a problem: what meets the tolerance at what price.
 void write_prices(const Notebook& notebook, const std::vector<Measurement>& all,
                   const std::vector<std::string>& problems, double wanted) {
   Table table = notebook.table("prices_" + power_of_ten(wanted),

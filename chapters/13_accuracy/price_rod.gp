@@ -1,4 +1,4 @@
-set title "A thin rod: one step of the splitting is worth dozens of looks"
+set title "A thin rod: one step of the splitting is worth dozens of evaluations"
 set xlabel "time for a simulated second (ns)"
 set ylabel "error after 1 s (rad)"
 set logscale xy

@@ -92,7 +92,7 @@ TEST_CASE_TEMPLATE("The guard lets the largest turn through, and nothing beyond 
 //! [limit]
 
 //! [own]
-TEST_CASE_TEMPLATE("A guarded rung is stopped whichever of its numbers is none", Real,
+TEST_CASE_TEMPLATE("A guarded rung is stopped whichever of its numbers is not finite", Real,
                    EVERY_PRECISION) {
   for (const Real bad : not_finite<Real>)
     for (int part = 0; part < 7; ++part) {

@@ -40,7 +40,7 @@ class NamedBodies {
   const std::string& name_of(BodyIndex index) const { return names_[index]; }
   std::uint64_t family() const { return slots_.family(); }
 
-  /// @throws std::invalid_argument if no body is called so.
+  /// @throws std::invalid_argument if no body has that name.
   BodyHandle find(const std::string& name) const {
     const auto found = handles_.find(name);
     if (found == handles_.end()) throw std::invalid_argument("no body is called '" + name + "'");

@@ -37,7 +37,7 @@ class SceneBodies {
   bool contains(BodyHandle body) const { return bodies_.contains(body); }
   std::size_t body_count() const { return bodies_.size(); }
   std::size_t top_count() const { return bodies_.top_count(); }
-  /// @throws std::invalid_argument if no body is called so.
+  /// @throws std::invalid_argument if no body has that name.
   BodyHandle find(const std::string& name) const { return bodies_.find(name); }
   const std::string& name_of(BodyHandle body) const {
     return bodies_.name_of(bodies_.index_of(body));

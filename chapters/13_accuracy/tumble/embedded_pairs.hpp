@@ -29,7 +29,7 @@ struct DormandPrince54 {
 
 /// The eighth order of Dormand and Prince with a fifth and a third beside it: the program DOP853 of
 /// Hairer and Wanner. An error e₅ that falls as h⁶ and an e₃ that falls as h⁴ make one that falls
-/// as h⁸, e₅²/√(e₅² + e₃²/100). Three looks more make a state of seventh order in between.
+/// as h⁸, e₅²/√(e₅² + e₃²/100). Three more evaluations make a state of seventh order in between.
 struct DormandPrince853 {
   using Rule = DormandPrinceEighth;
   static constexpr int power = 8;

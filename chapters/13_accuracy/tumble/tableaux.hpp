@@ -28,7 +28,7 @@ struct Kutta {
 };
 //! [classical]
 
-/// Order 5 with six looks: Dormand and Prince (1980).
+/// Order 5 with six stages: Dormand and Prince (1980).
 struct DormandPrinceFifth {
   static constexpr Tableau<6> rule = {
       .nodes = {0, 0.2L, 0.3L, 0.8L, 8 / 9.0L, 1},
@@ -41,8 +41,8 @@ struct DormandPrinceFifth {
                  {9017 / 3168.0L, -355 / 33.0L, 46732 / 5247.0L, 49 / 176.0L, -5103 / 18656.0L}}}};
 };
 
-/// Order 8 with twelve looks: the rule of Dormand and Prince in Hairer, Nørsett and Wanner, Solving
-/// Ordinary Differential Equations I, §II.5.
+/// Order 8 with twelve stages: the rule of Dormand and Prince in Hairer, Nørsett and Wanner,
+/// Solving Ordinary Differential Equations I, §II.5.
 struct DormandPrinceEighth {
   static constexpr Tableau<12> rule = {
       .nodes = {0, 0.0526001519587677318785587544488L, 0.0789002279381515978178381316732L,
