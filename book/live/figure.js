@@ -163,7 +163,7 @@
         const {name} = fixed;
         return new Knob(fixed, this.described.knobs[name], `${id}_${name.replace(/\W/g, '_')}`, value => this.set({[name]: value}));
       });
-      const shown = this.knobs.filter(knob => !knob.hidden).map(({element}) => element);
+      const shown = this.knobs.map(({element}) => element);
       this.reset_button = button('Reset', () => this.reset());
       this.copy_button = button('Copy link', () => this.#copy());
       this.said = make('span', {className: 'live-said'}, {role: 'status'});

@@ -32,7 +32,7 @@ void tumble::course::run_live(Live& live) {
   const double h = live.knob("h", "s", 1.0 / 480, 1.0 / 2000, 1.0 / 60);
 
   const double seconds = 2;
-  const int parts = static_cast<int>(std::ceil(h * 2000));  // of a step, for the fine ones
+  const int parts = static_cast<int>(std::ceil(h * 1000));  // of a step, for the fine ones
   const Gyroscope<double> gyroscope = toy_gyroscope<double>();
   Topd top = set_spinning(gyroscope, tilt, spin), fine = top;
   const auto [sine, cosine] = sine_cosine(tilt);
