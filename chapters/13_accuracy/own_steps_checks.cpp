@@ -113,9 +113,10 @@ TEST_CASE("With L apart a step of constant length has the order of its rule") {
     };
     return std::log2(error(steps) / error(2 * steps));
   };
-  // The next term of the error is smaller by h times the rate of the motion, 2.3 rad/s; halving h
-  // changes the ratio by half of that.
-  const auto next = [](int steps) { return 2.3L * 2 / steps / 2 / std::log(2.0L); };
+  // The next term of the error is smaller by h times the rate of the motion, of which the fastest
+  // spin that the energy allows is the bound: sqrt(2E/I) with 2E = 9.75 J and I = 1 kg m². Halving
+  // h changes the ratio by half of that.
+  const auto next = [](int steps) { return std::sqrt(9.75L) * 2 / steps / 2 / std::log(2.0L); };
   CHECK(std::abs(order(Kutta(), 100) - 4) <= next(100));
   CHECK(std::abs(order(DormandPrinceFifth(), 80) - 5) <= next(80));
   CHECK(std::abs(order(DormandPrinceEighth(), 20) - 8) <= next(20));
