@@ -103,6 +103,25 @@ TEST_CASE_TEMPLATE("A step of a free top by its few unknowns is one of the Runge
 }
 //! [kept]
 
+TEST_CASE("With L apart a step of constant length has the order of its rule") {
+  const auto order = [&]<class Rule>(Rule, int steps) {
+    const auto error = [&](int count) {
+      Top<Wide> top = top_of<Wide>(tumbling_problems[0]);
+      const auto truth = exactly_after(NoTorque<Wide>(), top, Wide(2));
+      for (int n = 0; n < count; ++n) turn_by_momentum<Rule>(top, 2.0L / count);
+      return angle_error(top, truth);
+    };
+    return std::log2(error(steps) / error(2 * steps));
+  };
+  // The next term of the error is smaller by h times the rate of the motion, of which the fastest
+  // spin that the energy allows is the bound: sqrt(2E/I) with 2E = 9.75 J and I = 1 kg m². Halving
+  // h changes the ratio by half of that.
+  const auto next = [](int steps) { return std::sqrt(9.75L) * 2 / steps / 2 / std::log(2.0L); };
+  CHECK(std::abs(order(Kutta(), 100) - 4) <= next(100));
+  CHECK(std::abs(order(DormandPrinceFifth(), 80) - 5) <= next(80));
+  CHECK(std::abs(order(DormandPrinceEighth(), 20) - 8) <= next(20));
+}
+
 //! [landing]
 TEST_CASE_TEMPLATE("A journey ends where it shall, to the bit, and no step goes beyond", Real,
                    EVERY_PRECISION) {

@@ -86,7 +86,7 @@ int main(int argument_count, char** arguments) {
     finite_and_wrong += found[5] == '.' && found.substr(0, 4).find('.') == std::string_view::npos;
   }
   notebook.value("most_turns", std::to_string(course::most_turns));
-  notebook.value("rungs", std::to_string(rungs<double>().size()));
+  notebook.value("rungs", std::to_string(expected.size()));
   notebook.value("on_a", std::to_string(on_a));
   notebook.value("on_a_exploding_on_d", std::to_string(on_a_exploding_on_d));
   notebook.value("on_all", std::to_string(on_all));

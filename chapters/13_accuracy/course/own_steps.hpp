@@ -40,7 +40,7 @@ Contestant<Body> own_steps(const std::string& name, const Problem<Body, Gather>&
           }};
 }
 
-/// A free top by each pair.
+/// A free top by each pair, and by two rules in steps of one length.
 template <class Real>
 std::vector<Contestant<Top<Real>>> free_tops_by_own_steps(const FreeProblem<Real>& problem) {
   const auto by = [&]<class Pair>(const char* name, Pair) {
@@ -49,8 +49,13 @@ std::vector<Contestant<Top<Real>>> free_tops_by_own_steps(const FreeProblem<Real
                        carry_freely<Pair>(top, seconds, tolerance);
                      });
   };
+  const auto evenly = [&]<class Rule>(std::string_view name, Rule) {
+    return contestant(problem, TurningRung<Real>{name, {}, turn_by_momentum<Rule, Real>});
+  };
   return {by("L apart, 5(4), own steps", DormandPrince54()),
-          by("L apart, 8(5,3), own steps", DormandPrince853())};
+          by("L apart, 8(5,3), own steps", DormandPrince853()),
+          evenly("L apart, Dormand-Prince 5", DormandPrinceFifth()),
+          evenly("L apart, Dormand-Prince 8", DormandPrinceEighth())};
 }
 
 /// A body under force or torque by each pair; a symmetric top by its axis as well.

@@ -8,7 +8,6 @@
 #include <string_view>
 #include <tumble/augmented.hpp>
 #include <tumble/compositions.hpp>
-#include <tumble/free_turn.hpp>
 #include <tumble/kicked_steps.hpp>
 #include <tumble/lie_runge_kutta.hpp>
 #include <tumble/linearly_implicit.hpp>
@@ -41,7 +40,7 @@ struct TurningRung {
 
 /// The rungs for a free top, chapter 8's among them, from the lowest order up.
 template <class Real>
-constexpr std::array<TurningRung<Real>, 24> turning_ladder = {{
+constexpr std::array<TurningRung<Real>, 21> turning_ladder = {{
     {"steady", {0, true, false, true, true}, turn_steadily<Real>},
     {"explicit", {1, false, false, false, false}, turn_explicitly<Real>},
     {"explicit, |L| restored", {1, false, false, false, true}, turn_restoring_momentum<Real>},
@@ -54,24 +53,17 @@ constexpr std::array<TurningRung<Real>, 24> turning_ladder = {{
     {"splitting by axes", {2, false, true, true, true}, turn_axis_by_axis<Real>},
     {"splitting", {2, false, true, true, true}, turn_by_splitting<Real>},
     {"Runge-Kutta", {4, false, false, false, false}, turn_by_runge_kutta<Kutta, Real>},
-    {"L apart, Runge-Kutta", {4, false, true, false, false}, turn_by_momentum<Kutta, Real>},
     {"Lie Runge-Kutta", {4, false, true, false, false}, turn_by_lie_runge_kutta<Real>},
     {"splitting, Suzuki", {4, false, true, true, true}, turn_by_row<Suzuki, Real>},
     {"splitting, Blanes-Moan 4", {4, false, true, true, true}, turn_by_row<BlanesMoanFourth, Real>},
     {"Dormand-Prince 5",
      {5, false, false, false, false},
      turn_by_runge_kutta<DormandPrinceFifth, Real>},
-    {"L apart, Dormand-Prince 5",
-     {5, false, true, false, false},
-     turn_by_momentum<DormandPrinceFifth, Real>},
     {"splitting, Yoshida", {6, false, true, true, true}, turn_by_row<Yoshida, Real>},
     {"splitting, Blanes-Moan 6", {6, false, true, true, true}, turn_by_row<BlanesMoanSixth, Real>},
     {"Dormand-Prince 8",
      {8, false, false, false, false},
      turn_by_runge_kutta<DormandPrinceEighth, Real>},
-    {"L apart, Dormand-Prince 8",
-     {8, false, true, false, false},
-     turn_by_momentum<DormandPrinceEighth, Real>},
     {"splitting, Kahan-Li 8", {8, false, true, true, true}, turn_by_row<KahanLiEighth, Real>},
     {"splitting, Sofroniou-Spaletta",
      {10, false, true, true, true},
