@@ -44,7 +44,7 @@ int main(int argument_count, char** arguments) {
       [](const std::string& warning) { std::printf("%s\n", in_lines(warning).c_str()); });
   for (int n = 0; n <= 6; ++n) {
     dock.step();
-    std::printf("  step %d: the buoy is at %.3g m\n", n, dock.body(buoy).centre.position.x());
+    std::printf("  step %d: the buoy is at %.3g m\n", n + 1, dock.body(buoy).centre.position.x());
   }
   //! [stiff]
   course::expect(dock.warnings().size() == 1, "the world warns of a mass ratio of 1e9");

@@ -252,11 +252,11 @@ namespace {
 template <class Real>
 struct Hand {
   static constexpr std::string_view name = "hand";
-  Vec3<Real> force, torque;
+  Vec3<Real> given_force, given_torque;
   Real from, until;
   Push<Real> push(const BodyState<Real>&, Real time) const {
     const Real pushes = select(time >= from && time < until, Real(1), Real(0));
-    return {.force = pushes * force, .torque = pushes * torque};
+    return {.force = pushes * given_force, .torque = pushes * given_torque};
   }
 };
 

@@ -75,10 +75,10 @@ template <class AnyWorld>
   world.set_velocity(body, {0, 0, 1});
 }
 
-/// Changes of one of so many boxes that fall and tumble, under six effects.
+/// Changes of one of so many boxes that fall, under five effects.
 int count_changes_among(int count) {
   const auto shape = mass_properties(Box<float>{{1, 2, 3}}, 2);
-  auto world = boxes<World<float>>(0, count);
+  auto world = boxes<World<float>>(count, 0);
   world.add(QuadraticDrag<float>{.coefficient = 0.1f});
   world.add(Magnus<float>{.strength = 0.1f});
   world.add(GravityAsAcceleration<float>{});
