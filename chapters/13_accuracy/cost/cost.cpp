@@ -2,7 +2,7 @@
 // confirmed.
 #include <cstdio>
 #include <new>
-#include <tumble/guard.hpp>
+#include <tumble/failure.hpp>
 #include <tumble/scene/scene_error.hpp>
 
 #include "answer.hpp"

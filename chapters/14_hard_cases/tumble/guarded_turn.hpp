@@ -2,7 +2,7 @@
 /// A rung of the ladder that stops where it would leave the numbers, as a world does.
 #pragma once
 
-#include <tumble/guard.hpp>
+#include <tumble/failure.hpp>
 #include <tumble/ladder.hpp>
 
 namespace tumble {
