@@ -154,7 +154,13 @@
 
   show(kept());
   mark_place();
-  document.addEventListener('scroll', () => window.requestAnimationFrame(mark_place), {passive: true});
+  let waiting; // so that a long scroll marks a few places a second
+  document.addEventListener('scroll', () => {
+    waiting ??= window.setTimeout(() => {
+      waiting = undefined;
+      mark_place();
+    }, 50);
+  }, {passive: true});
   window.addEventListener('resize', mark_place);
   window.addEventListener('storage', () => show(kept()));
   if (is_kept) window.setInterval(note_reading, 800);

@@ -110,7 +110,7 @@ export class Reference {
 
   /** The address of a struct on its header's page. */
   #id_of(file) {
-    return slug(this.written[file].title.replace(/ (?:Class|Struct|Union|Concept)?\s*(?:Template )?Reference$/, '').replace(/<.*/, ''));
+    return slug(this.written[file].title.replace(/ (?:Class|Struct|Union|Concept)?\s*(?:Template )?Reference$/, '').replace(/<.*?>/g, ''));
   }
 
   /** Links to Doxygen's own pages lead to where the reference has it, or else to the source; what is nowhere is no link. */

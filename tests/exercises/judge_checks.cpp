@@ -168,7 +168,7 @@ TEST_CASE("A question is answered, with what was changed, or its refusal is told
         "failed: unsaid refused without a sentence that says why");
 }
 
-TEST_CASE("What is within the tolerance passes, and nothing that is no number does") {
+TEST_CASE("What is within the tolerance passes, and nothing that is not a number does") {
   CHECK(judged(1.5, 1.0, 0.5) == "passed");
   CHECK(judged(0.5, 1.0, 0.5) == "passed");
   CHECK(judged(1.0, 1.0, 0.0) == "passed");
@@ -180,7 +180,7 @@ TEST_CASE("What is within the tolerance passes, and nothing that is no number do
   CHECK(judged(1.02, 1.0, 1e-3) == "failed: the speed is 1.02 m/s; it must be 1 m/s");
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinity = std::numeric_limits<double>::infinity();
-  CHECK(judged(nan, 1.0, 0.5) == "failed: the speed is nan m/s: that is no number");
+  CHECK(judged(nan, 1.0, 0.5) == "failed: the speed is nan m/s: that is not a number");
   CHECK(judged(infinity, 1.0, 0.5).find("failed: the speed is inf m/s") == 0);
   for (const Vec3d& bad : course::bad_vectors<double>())
     CHECK(judged<Vec3d>(bad, Vec3d(1, 2, 3), 0.5).find("failed: the speed is (") == 0);

@@ -238,7 +238,14 @@ def one_statement(words, i):
             handler, next_i = one_statement(words, next_i + 2)
             inners.append(handler)
         return Statement("try", word.start, words[next_i - 1].end, [], None, inners), next_i
-    if is_name(word, "else", "do", "switch", "catch", "case", "default"):
+    if is_name(word, "switch"):
+        body = words[i + 2]
+        return Statement("block", word.start, body.end, [], inner=statements(body.inside)), i + 3
+    if is_name(word, "case", "default"):
+        while not (words[i].kind == "mark" and words[i].text == ":"):
+            i += 1
+        return None, i + 1
+    if is_name(word, "else", "do", "catch"):
         raise ValueError(f"a statement with {word.text}")
     end = i
     while end < len(words) and not (words[end].kind == "mark" and words[end].text == ";"):

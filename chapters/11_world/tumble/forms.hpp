@@ -115,15 +115,20 @@ constexpr Form form_of() {
   return form;
 }
 
+/// @cond the concepts below say what they mean
+template <class Effect, class Real>
+constexpr bool visits_two = form_of<Effect, Real>().sees == Sees::pair;
+template <class Effect, class Real>
+constexpr bool visits_one = !visits_two<Effect, Real> && form_of<Effect, Real>().count > 0;
+/// @endcond
+
 /// An effect that visits bodies one by one.
 template <class Effect, class Real>
-concept EffectOnOne = form_of<Effect, Real>()
-.count > 0 && form_of<Effect, Real>().sees != Sees::pair;
+concept EffectOnOne = visits_one<Effect, Real>;
 
 /// An effect that visits two bodies at a time.
 template <class Effect, class Real>
-concept EffectOnTwo = form_of<Effect, Real>()
-.sees == Sees::pair;
+concept EffectOnTwo = visits_two<Effect, Real>;
 
 /// The phase in which the effect acts: that of what it gives, or, if it writes a velocity, a spin
 /// or a place itself, the one that it names.

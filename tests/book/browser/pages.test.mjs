@@ -120,14 +120,14 @@ test('Nothing moves for a reader who asked for less motion.', async () => {
   }
 });
 
-/// Bytes that a page asks for, without those of its figures, which stand in it.
+/// Bytes that a page asks for, without those of its figures, which stand in it, and of what moves them, which loads after it.
 async function weight_before_figures(name) {
   const fresh = await open_page(browser), files = new Set([address(name)]);
   fresh.on('requestfinished', request => files.add(request.url().split('#')[0]));
   await fresh.goto(address(name), {waitUntil: 'networkidle'});
   await fresh.context().close();
-  const sizes = [...files].map(file => readFileSync(fileURLToPath(file)).length);
-  const figures = readFileSync(fileURLToPath(address(name)), 'utf8').match(/<figure class="(?:drawing|player)[^]*?<\/figure>/g) ?? [];
+  const sizes = [...files].filter(file => !/(?:player|live)\w*\.(?:js|css)$/.test(file)).map(file => readFileSync(fileURLToPath(file)).length);
+  const figures = readFileSync(fileURLToPath(address(name)), 'utf8').match(/<figure class="(?:drawing|player|live)[^]*?<\/figure>/g) ?? [];
   return sizes.reduce((sum, size) => sum + size, 0) - Buffer.byteLength(figures.join(''));
 }
 
