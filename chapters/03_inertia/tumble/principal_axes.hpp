@@ -74,7 +74,7 @@ PrincipalAxes<Real> principal_axes(const Mat3<Real>& inertia, std::string_view n
       if (matters(p, q)) remove_product(I, axes, p, q);
 
   std::array<int, 3> order = {0, 1, 2};
-  for (const std::size_t i : {0, 1, 0})  // by swapping neighbours, so that equal ones keep order
+  for (const std::size_t i : {0U, 1U, 0U})  // by swapping neighbours, so that equal ones keep order
     if (I(order[i + 1], order[i + 1]) < I(order[i], order[i])) std::swap(order[i], order[i + 1]);
   PrincipalAxes<Real> result;
   for (int i = 0; i < 3; ++i) {
