@@ -3,6 +3,7 @@
 #include <course/bad_scenes.hpp>
 #include <course/checks.hpp>
 #include <course/push_on.hpp>
+#include <random>
 #include <tumble/scene/read_scene.hpp>
 
 using namespace tumble;
