@@ -1,17 +1,17 @@
 // How the thrown ball is drawn, and what there is to find.
 tumble_live.figures.throw = {
-  title: 'The stepped ball is off by ½ a h t, whatever else one changes',
-  hint: 'Drag the arrow in the picture to throw otherwise.',
+  title: 'The stepped ball is off by ½ a h t, whatever else you change',
+  hint: 'Drag the arrow in the picture to throw the ball differently.',
   knobs: {
     h: {label: 'Time step h', log: true},
     gravity: {label: 'Gravity', choices: ['as a force, m g', 'as an acceleration, g']},
     mass: {label: 'Mass', log: true},
-    forward: {label: 'First velocity, forward'},
-    up: {label: 'First velocity, up'},
+    forward: {label: 'Initial velocity, forward'},
+    up: {label: 'Initial velocity, up'},
   },
   panels: [
     {
-      label: 'Height against distance: the exact parabola as a line, the stepped ball as points, the first velocity as an arrow.',
+      label: 'Height against distance: the exact parabola as a line, the stepped ball as points, the initial velocity as an arrow.',
       aspect: 1.25,
       draw(picture, {columns, values}) {
         const {painter, palette, size} = picture;

@@ -1,4 +1,4 @@
-set title "Only the part of the push across the door turns it"
+set title "Only the part of the push that is perpendicular to the door turns it"
 set xlabel "angle between door and push (degrees)"
 set ylabel "torque about the hinge (N m)"
 set xtics 30

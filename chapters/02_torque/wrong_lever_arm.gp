@@ -1,4 +1,4 @@
-set title "About the origin, the torque grows with the distance from home"
+set title "Taken about the world's origin, the torque grows with the distance from it"
 set xlabel "distance of the crate from the world's origin (m)"
 set ylabel "torque (N m)"
 set label 1 "about the mesh's origin" at 51.4, 50 left textcolor linetype 3

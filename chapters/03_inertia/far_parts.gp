@@ -1,4 +1,4 @@
-set title "By way of the origin, a body loses its digits with the square of the distance"
+set title "By way of the origin, a body's tensor loses digits with the square of the distance"
 set xlabel "distance of the body from the model's origin (m)"
 set ylabel "relative error of I in float"
 set logscale xy

@@ -1,4 +1,4 @@
-set title "After one turn the arrow is home and the quaternion is not: that takes two"
+set title "After one turn the arrow is back where it was; the quaternion takes two"
 set xlabel "turned about z (degrees)"
 set ylabel "component"
 set xtics 90

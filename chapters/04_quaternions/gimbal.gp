@@ -11,7 +11,7 @@ set yrange [-1.6:1.7]
 set margins 0, 0, 0, 2
 of(kind) = strcol(1) eq kind ? column(2) : NaN
 set label 1 "three axes: any turn" at 0, -1.45 center textcolor linetype 7
-set label 2 "two axes: none left across" at 3.4, -1.45 center textcolor linetype 7
+set label 2 "two axes: one direction lost" at 3.4, -1.45 center textcolor linetype 7
 set label 3 "yaw" at 0.1, 1.3 left textcolor linetype 1
 set label 4 "yaw and roll" at 3.5, 1.35 left textcolor linetype 2
 plot "gimbal.tsv" using (of("outer")):3 with lines linetype 1 dashtype solid linewidth 2.4, \

@@ -23,7 +23,7 @@
   };
 
   live.figures.two_turns = {
-    title: 'Two turns in two orders end apart, and 720° bring a quaternion back',
+    title: 'Two turns in two orders end differently, and 720° bring a quaternion back',
     hint: 'Drag a body to see it from elsewhere, or the point along the curves; by keys, with the arrows.',
     knobs: {
       first: {label: 'Turn about the world’s x'},
@@ -49,12 +49,12 @@
         key: ([right], {values}) => ({first: values.first + 5 * right}),
       },
       {
-        label: 'The angle between the two orders against the part of both turns that is made, beside the product of the two angles.',
+        label: 'The angle between the two orders against the fraction of both turns that is made, beside the product of the two angles.',
         draw(picture, {columns, values}) {
           const {painter, palette, size} = picture;
           const apart = columns.part.map((_, n) => angle_of(columns['apart real'][n], columns['apart size'][n]));
           const product = columns.part.map(part => (part * part * values.first * values.second) / degrees);
-          const plot = new live.Plot(painter, palette, size, {label: 'part of both turns', unit: '', least: 0, most: 1},
+          const plot = new live.Plot(painter, palette, size, {label: 'fraction of both turns', unit: '', least: 0, most: 1},
             {label: 'apart', unit: '°', least: 0, most: 185});
           picture.plot = plot;
           plot.line(columns.part, product, palette.bodies[0], {dash: [6, 4]});

@@ -56,7 +56,7 @@
       const angle = (a, b) => (Math.acos(Math.max(-1, Math.min(1, player.dot(a, b) / length(a) / length(b)))) * 180) / Math.PI;
       const off = angle(omega, right);
       const answer = `The satellite turns at ${with_unit(length(omega), 'rad/s')}, about an axis ${with_unit(angle(omega, torque), '°', 2)} from the torque.`;
-      return off < 1e-6 ? answer : `${answer} Taken rightly it would turn about an axis ${with_unit(off, '°', 2)} from that.`;
+      return off < 1e-6 ? answer : `${answer} With the right components it would turn about an axis ${with_unit(off, '°', 2)} from that.`;
     },
   };
 })();

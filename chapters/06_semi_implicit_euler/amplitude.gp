@@ -1,4 +1,4 @@
-set title "The swing grows towards w h = 2; beyond it nothing holds it"
+set title "The swing grows towards w h = 2, and beyond it without bound"
 set xlabel "w h"
 set ylabel "largest |x| (m)"
 set logscale y

@@ -1,4 +1,4 @@
-set title "One order gains energy for ever, the other swings about it"
+set title "One order of the lines gains energy for ever; with the other it only oscillates"
 set xlabel "swings"
 set ylabel "energy (J)"
 set logscale y

@@ -1,7 +1,7 @@
 set terminal svg size 480,470 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
 set output name.".svg"
 set title "A kick and a drift shear a patch of starts and keep its area"
-set xlabel "place x (m)"
+set xlabel "position x (m)"
 set ylabel "velocity v (m/s)"
 set size ratio -1
 set xrange [0.2:1.6]

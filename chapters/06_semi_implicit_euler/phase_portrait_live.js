@@ -10,14 +10,14 @@
       rule: {label: 'Rule', choices: rules},
       h: {label: 'Time step h', log: true},
       w: {label: 'Angular frequency w'},
-      x: {label: 'First place'},
-      v: {label: 'First velocity'},
+      x: {label: 'Initial position'},
+      v: {label: 'Initial velocity'},
     },
     duration: ({columns}) => Math.min(12, columns.time.at(-1)),
     still_time: 12,
     panels: [
       {
-        label: 'Velocity against place: the exact circle, the curve that the rule keeps if it keeps one, and the stepped weight.',
+        label: 'Velocity against position: the exact circle, the curve that the rule keeps if it keeps one, and the stepped weight.',
         draw(picture, {columns, values, time}) {
           const {painter, palette, size} = picture;
           const largest = list => list.reduce((most, value) => (Number.isFinite(value) ? Math.max(most, Math.abs(value)) : most), 0);
@@ -25,7 +25,7 @@
           // What runs away is followed for a while.
           const reach = 1.2 * Math.min(4 * round, Math.max(round, ...['place', 'velocity', 'curve place', 'curve velocity']
             .map(name => largest(columns[name]))));
-          const plot = new live.Plot(painter, palette, size, {label: 'place', unit: 'm', least: -reach, most: reach},
+          const plot = new live.Plot(painter, palette, size, {label: 'position', unit: 'm', least: -reach, most: reach},
             {label: 'velocity', unit: 'm/s', least: -reach, most: reach}, {equal: true});
           picture.plot = plot;
           plot.line(columns['exact place'], columns['exact velocity'], palette.bodies[0]);
@@ -44,14 +44,14 @@
         key: ([right, up], {values}) => ({x: values.x + 0.1 * right, v: values.v + 0.1 * up}),
       },
       {
-        label: 'Energy, in parts of the first, against the number of steps, on a logarithmic axis.',
+        label: 'Energy, relative to its initial value, against the number of steps, on a logarithmic axis.',
         draw(picture, {columns, values}) {
           const {painter, palette, size} = picture;
           const steps = columns.time.map((_, n) => n);
           const energies = columns.energy.map(energy => Math.max(1e-12, Math.min(1e12, energy)));
           const least = Math.min(0.1, energies.reduce((a, b) => Math.min(a, b))), most = Math.max(10, energies.reduce((a, b) => Math.max(a, b)));
           const plot = new live.Plot(painter, palette, size, {label: 'steps', unit: '', least: 0, most: 240},
-            {label: 'energy', unit: 'of the first', least: 10 ** Math.floor(Math.log10(least)), most: 10 ** Math.ceil(Math.log10(most)), log: true});
+            {label: 'energy', unit: 'relative', least: 10 ** Math.floor(Math.log10(least)), most: 10 ** Math.ceil(Math.log10(most)), log: true});
           picture.plot = plot;
           plot.line([0, 240], [1, 1], palette.bodies[0]);
           plot.line(steps, energies, palette.bodies[1]);
@@ -70,9 +70,9 @@
         return `${start} it spirals in: each step divides the energy by ${shown(energies[0] / energies[1], 4)}, which is 1 + (w h)².`;
       const most = energies.reduce((a, b) => Math.max(a, b)), least = energies.reduce((a, b) => Math.min(a, b));
       if (wh < 2)
-        return `${start} it stays on an ellipse: in 240 steps the energy goes from ${shown(least)} to ${shown(most)} of the first and always comes back.`;
+        return `${start} it stays on an ellipse: in 240 steps the energy varies between ${shown(least)} and ${shown(most)} of its initial value and always comes back.`;
       if (wh === 2) return `${start} it stands on the border: the ellipse has become a pair of lines.`;
-      return `${start}, which is beyond 2, there is no ellipse left: after 240 steps the energy is ${shown(energies.at(-1))} of the first.`;
+      return `${start}, which is beyond 2, there is no ellipse left: after 240 steps the energy is ${shown(energies.at(-1))} times its initial value.`;
     },
   };
 })();

@@ -90,7 +90,7 @@
     const {columns} = state;
     const {least, most} = live.range_of([columns.energy, columns.momentum], {smallest: 0.02, limit: 4});
     const plot = new live.Plot(painter, palette, size, {label: 'time', unit: 's', least: 0, most: 12},
-      {label: 'part of the first', unit: '', least, most});
+      {label: 'relative to the start', unit: '', least, most});
     picture.plot = plot;
     plot.line(columns.time, columns.momentum, palette.bodies[2], {dash: [6, 4]});
     plot.line(columns.time, columns.energy, palette.bodies[1]);
@@ -105,7 +105,7 @@
     knobs: {
       rule: {label: 'Rule', choices: rules},
       h: {label: 'Time step h', log: true},
-      wobble: {label: 'Wobble, as a part of the spin', log: true},
+      wobble: {label: 'Wobble, as a fraction of the spin', log: true},
       about: {label: 'Spin of 10 rad/s about', choices: axis_names},
       middle: {label: 'Middle moment'},
     },
@@ -116,7 +116,7 @@
         view: {azimuth: -0.8, elevation: 0.4}, draw: draw_body},
       {label: 'The sphere of L with the curves of equal energy, and the path of the tip of L.', turns: true,
         view: {azimuth: 0.9, elevation: 0.38}, draw: draw_sphere},
-      {label: 'Energy and length of L against time, in parts of what they were.', draw: draw_constants},
+      {label: 'Energy and length of L against time, relative to the start.', draw: draw_constants},
     ],
     finding({columns, values}) {
       const {shown, with_unit} = live;

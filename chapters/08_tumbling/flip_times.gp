@@ -1,4 +1,4 @@
-set title "A tenth of the wobble, the same wait more for each flip"
+set title "With a tenth of the wobble, each flip takes the same time longer"
 set xlabel "wobble / spin"
 set ylabel "from flip to flip (s)"
 set logscale x

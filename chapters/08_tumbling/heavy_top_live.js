@@ -35,7 +35,7 @@
 
   live.figures.heavy_top = {
     title: 'A spinning top goes round at its own rate, nods, and stands if it spins fast enough',
-    hint: 'Drag the top to see it from elsewhere; by keys, with the arrows. The toy is that of the page.',
+    hint: 'Drag the top to see it from elsewhere; by keys, with the arrows. It is the toy of this page.',
     knobs: {
       spin: {label: 'Spin'},
       tilt: {label: 'Tilt at which it is let go'},
@@ -69,16 +69,16 @@
     finding({columns, values}) {
       const {with_unit} = live;
       const last = columns.time.length - 1, seconds = columns.time[last];
-      if (seconds < 1.9) return `After ${with_unit(seconds, 's')} this rule has thrown the top out of all numbers.`;
+      if (seconds < 1.9) return `After ${with_unit(seconds, 's')} the top has left the range of numbers: this rule lets it explode.`;
       const tilts = columns['axis z'].map(tilt_of);
       const most = tilts.reduce((a, b) => Math.max(a, b));
       const rate = azimuths(columns, 'axis')[last] / seconds;
       const [sleeps] = columns.sleeps, [slow] = columns.slow, lowest = tilt_of(columns['lowest cosine'][0]);
-      const round = Number.isFinite(slow) ? `It goes round at ${with_unit(rate, 'rad/s')} on the average, and steadily it would at ${with_unit(slow, 'rad/s')}. `
+      const round = Number.isFinite(slow) ? `It goes round at ${with_unit(rate, 'rad/s')} on average, and a steady precession would be at ${with_unit(slow, 'rad/s')}. `
         : 'It is too slow for its axis to go round steadily. ';
       const sinks = `It sinks to ${with_unit(most, 'rad')}, and on paper to ${with_unit(lowest, 'rad')}.`;
       const upright = values.tilt < 0.1
-        ? ` Upright it stands from ${with_unit(sleeps, 'rad/s')} on: this one ${values.spin >= sleeps ? 'sleeps' : 'falls'}.` : '';
+        ? ` It stands upright from ${with_unit(sleeps, 'rad/s')} on: this one ${values.spin >= sleeps ? 'sleeps' : 'falls'}.` : '';
       return round + sinks + upright;
     },
   };

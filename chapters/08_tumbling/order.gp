@@ -1,4 +1,4 @@
-set title "Halve the step: one rule learns nothing, four halve their error, two quarter it"
+set title "Halve the step: one rule gains nothing, four halve their error, two quarter it"
 set xlabel "time step (s)"
 set ylabel "angle error (rad)"
 set logscale xy

@@ -1,4 +1,4 @@
-set title "A clock that adds up drifts, and a float one stops; counted steps do neither"
+set title "A clock that adds up time drifts, and in float it stops; counted steps do neither"
 set xlabel "time (s)"
 set ylabel "clock is off by (s)"
 set logscale xy

@@ -21,7 +21,7 @@
     },
     panels: [
       {
-        label: 'What a step costs against time, as bars that one draws by hand, and the time that it simulates as a line.',
+        label: 'What a step costs against time, as bars that you draw by hand, and the time that it simulates as a line.',
         aspect: 1.25,
         draw(picture, {columns, figure}) {
           const {painter, palette, size} = picture;
@@ -65,7 +65,7 @@
         },
       },
       {
-        label: 'Simulated time against time, beside the diagonal on which it would keep up.',
+        label: 'Simulated time against real time, beside the diagonal on which it would keep up.',
         aspect: 1.25,
         draw(picture, {columns}) {
           const {painter, palette, size} = picture;
@@ -85,7 +85,7 @@
       const dropped = columns.dropped[last];
       const screen = longest < 1000 ? with_unit(longest, 'ms') : with_unit(longest / 1000, 's');
       return `The longest of ${columns.frame.length} frames takes ${screen}. ` + (dropped > 0
-        ? `The caps dropped ${with_unit(dropped, 's')}, counted to the nanosecond: that much the world is late.`
+        ? `The caps dropped ${with_unit(dropped, 's')}, counted to the nanosecond: the world is late by as much.`
         : `Nothing was dropped; at the end ${with_unit(columns.simulated[last], 's')} have been simulated.`);
     },
   };

@@ -1,4 +1,4 @@
-set title "Six turns a second bend a free kick by metres"
+set title "A spin of six turns a second bends a free kick by metres"
 set xlabel "towards the goal (m)"
 set ylabel "to the left (m)"
 plot "free_kick.tsv" using 1:2 with lines linestyle 1 title "with spin", \

@@ -1,4 +1,4 @@
-set title "Symmetric methods waver and stay; the others drift"
+set title "With symmetric methods the energy wavers and stays; with the others it drifts"
 set xlabel "time (s)"
 set ylabel "relative error of the energy"
 set logscale y

@@ -1,4 +1,4 @@
-set title "Float ends long before double does"
+set title "In float the error stops falling long before it does in double"
 set xlabel "time for a simulated second (ns)"
 set ylabel "error after 10 s (rad)"
 set logscale xy

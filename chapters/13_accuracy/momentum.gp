@@ -1,4 +1,4 @@
-set title "Who carries L along keeps it to rounding"
+set title "Rules that carry L along keep it to rounding"
 set xlabel "time (s)"
 set ylabel "relative error of L in the world"
 set logscale y

@@ -1,4 +1,4 @@
-set title "Chosen at their start, steps let the energy drift"
+set title "With steps that are chosen at their start, the energy drifts"
 set xlabel "rounds"
 set ylabel "relative error of the energy"
 set logscale y

@@ -20,8 +20,8 @@ plot for [m in "'Odeint rk4' 'Odeint Dormand-Prince 5' 'Odeint Fehlberg 7(8)' 'O
      "" using (is("momentum-carrying", "double") ? $4 : NaN):3 with linespoints linestyle 5 title "carrying 1", \
      "" using (is("splitting", "double") ? $4 : NaN):3 with linespoints linestyle 1 title "splitting 2", \
      "" using (is("splitting, Blanes-Moan 6", "double") ? $4 : NaN):3 with linespoints linestyle 3 title "splitting 6", \
-     "" using (is("Runge-Kutta", "double") ? $4 : NaN):3 with linespoints linestyle 2 title "looks 4", \
-     "" using (is("Dormand-Prince 8", "double") ? $4 : NaN):3 with linespoints linestyle 4 title "looks 8", \
+     "" using (is("Runge-Kutta", "double") ? $4 : NaN):3 with linespoints linestyle 2 title "RK 4", \
+     "" using (is("Dormand-Prince 8", "double") ? $4 : NaN):3 with linespoints linestyle 4 title "RK 8", \
      "" using (is("exact solution", "double") ? $4 : NaN):3 with points linestyle 6 pointtype 3 pointsize 1.2 title "exact", \
      NaN with lines linecolor rgb grey linewidth 1 dashtype 1 title "Odeint", \
      NaN with lines linecolor rgb grey linewidth 1 dashtype 2 title "engines"

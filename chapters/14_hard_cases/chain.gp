@@ -1,4 +1,4 @@
-set title "One NaN, and half a second later everybody is gone"
+set title "One NaN, and half a second later every body is lost"
 set xlabel "step"
 set ylabel "beads of 40 that are nowhere"
 set yrange [-2:42]

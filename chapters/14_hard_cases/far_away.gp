@@ -1,4 +1,4 @@
-set title "At 1 m/s in float: far away one goes too fast, and further away not at all"
+set title "In float, a body at 1 m/s is too fast far from the origin, and further out stands still"
 set xlabel "time (s)"
 set ylabel "way gone (m)"
 set key below left Left reverse samplen 1.5 maxrows 2

@@ -1,4 +1,4 @@
-set title "The phase is the only thing that gets lost"
+set title "Only the phase is lost"
 set xlabel "time (s)"
 set ylabel "off by (rad)"
 set logscale xy

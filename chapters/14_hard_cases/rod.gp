@@ -1,4 +1,4 @@
-set title "A thin rod keeps its energy by the splittings alone"
+set title "Only the splittings keep a thin rod's energy"
 set xlabel "time (s)"
 set ylabel "energy by that at the start"
 set yrange [0:2.2]

@@ -296,7 +296,7 @@ inline std::vector<BadScene> bad_scenes() {
   };
 }
 
-/// Mistakes that are none in double.
+/// Mistakes in float that are correct in double.
 inline std::vector<BadScene> scenes_too_wide_for_float() {
   return {
       {scene_of(R"({"name": "x", "mass": 1e300})"),

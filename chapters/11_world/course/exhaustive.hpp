@@ -40,9 +40,10 @@ std::string difference_in_value(const Bodies<Real>& plan, const Bodies<Real>& ot
   return "body " + std::to_string(difference.body) + " differs in its " + difference.what;
 }
 
-/// Gives each top an orientation that the world's rule, asked to turn it by nothing, leaves as it
-/// is. Of most rules that is any; splitting without a sine rounds. The plan does not turn who can't
-/// turn, so without this the two runs would differ by roundings that are nobody's motion.
+/// Gives each top an orientation that the world's rule leaves as it is when the top does not spin.
+/// For most rules that is any orientation; splitting without a sine rounds. The plan does not turn
+/// a top that can't turn, so without this the two runs would differ by roundings that are no
+/// motion.
 template <class Real>
 void settle(World<Real>& world) {
   Group one;

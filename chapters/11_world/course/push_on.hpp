@@ -6,7 +6,7 @@
 
 namespace tumble::course {
 
-/// The top as one that can turn, for one that can't has no use for a torque.
+/// The top as one that can turn, because a torque has no effect on one that can't.
 template <class Real>
 Top<Real> free_to_turn(Top<Real> top) {
   if (is_locked(top)) top.inverse_moments.setOnes();

@@ -10,9 +10,9 @@
 
 namespace tumble::simulate {
 
-/// The parts of a step run in their order on a copy of the bodies, with a look at the clock
-/// before and after each, and beside them whole steps on a copy of the world. So all lines come
-/// from one run. Each round takes a few milliseconds and begins where the world is now. We
+/// The parts of a step run in their order on a copy of the bodies, and the clock is read before and
+/// after each; beside them run whole steps on a copy of the world. So all lines come from one
+/// run. Each round takes a few milliseconds and begins where the world is now. We
 /// report the median of the rounds, less what reading the clock costs.
 template <class Real, class Keeping>
 class Bill {

@@ -9,7 +9,7 @@
 
 namespace tumble {
 
-/// What of a spring limits the time step.
+/// Those numbers of a spring that limit the time step.
 template <class Real>
 struct SpringTerms {
   Real stiffness = 0;   ///< N/m
@@ -28,13 +28,13 @@ struct EffectTraits {
   bool needs_top = false;  ///< the (first) body must not be a point
   bool needs_second_top = false;
   bool stores_energy = false;
-  bool finds_pairs = false;             ///< it says itself which pairs it joins, in each step anew
-  SpringTerms<Real> spring_terms = {};  ///< without stiffness, if it is no spring
+  bool finds_pairs = false;             ///< it finds the pairs that it joins itself, in each step
+  SpringTerms<Real> spring_terms = {};  ///< without stiffness if it is not a spring
   bool joins_two() const { return sees == Sees::pair; }
   bool visits_tops() const { return sees == Sees::top; }
 };
 
-/// One function runs the effect on all that it visits; so nothing is virtual for each body.
+/// One virtual function runs the effect on all that it visits, so that none is called for each.
 //! [any_effect]
 template <class Real>
 class AnyEffect {
@@ -46,7 +46,8 @@ class AnyEffect {
   /// Runs the effect's function on a group or on pairs.
   virtual void run(Bodies<Real>& bodies, const Visits& visits,
                    const Moment<Real>& moment) const = 0;
-  /// Empty if the body needs the effect, else why it does not. Of an effect on two: if any do.
+  /// Empty if the body needs the effect, else why it does not. Of an effect on two: if any pair
+  /// does.
   virtual std::string_view why_skipped(const Facts& facts) const = 0;
   /// The energy (J) that the effect stores for a body, or for two, where it knows one.
   virtual Real potential_energy(const BodyState<Real>& first,
@@ -67,7 +68,7 @@ bool is_spring(const AnyEffect<Real>& effect) {
   return terms.stiffness != 0 || terms.damping != 0;
 }
 
-/// What of its form the effect writes: a spring that holds its body at the centre gives no torque.
+/// Which of the quantities of its form the effect writes: a spring at the centre gives no torque.
 template <class Real, class Effect>
 Quantities writes_of(const Effect& effect) {
   const Quantities all = form_of<Effect, Real>().writes;
@@ -77,7 +78,7 @@ Quantities writes_of(const Effect& effect) {
   return all;
 }
 
-/// What the effect says that it reads, or all that it sees.
+/// What the effect declares that it reads, or else all that it sees.
 template <class Real, class Effect>
 constexpr Quantities reads_of() {
   constexpr Sees sees = form_of<Effect, Real>().sees;

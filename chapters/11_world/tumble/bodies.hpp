@@ -13,7 +13,7 @@ namespace tumble {
 /// stays the same is the Handle.
 using BodyIndex = std::uint32_t;
 
-/// Says which array element of a body there isn't.
+/// Stands for an array element that a body does not have.
 constexpr BodyIndex no_index = static_cast<BodyIndex>(-1);
 
 /// What an effect sees of one body. A point shows a top that can't turn and does not spin.
@@ -36,7 +36,7 @@ struct Bodies {
 };
 //! [bodies]
 
-/// True when the body can't face anywhere: it has no top.
+/// True when the body has no orientation: it has no top.
 template <class Real>
 bool is_point(const Bodies<Real>& bodies, BodyIndex body) {
   return bodies.top_of[body] == no_index;

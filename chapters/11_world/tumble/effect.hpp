@@ -1,6 +1,6 @@
 /// @file
-/// What an effect is: a value with a name and one function. And who needs it, and why others do
-/// not.
+/// What an effect is: a value with a name and one function. And which bodies need it, and why the
+/// others do not.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace tumble {
 
-/// What of a body an effect that writes `writes` can't change: empty if there is anything it can.
+/// Why an effect that writes `writes` can change nothing of a body; empty if it can change it.
 inline std::string_view why_unwritable(Quantities writes, const Facts& facts) {
   const bool centre = writes.has_any(quantity::force | quantity::velocity) && !facts.is_static;
   const bool top = writes.has_any(quantity::torque | quantity::spin) && facts.can_turn;

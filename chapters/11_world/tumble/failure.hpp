@@ -1,5 +1,5 @@
 /// @file
-/// Why a step could not be taken: the step once more on a copy, effect by effect.
+/// Why a step could not be taken, found by taking it once more on a copy, effect by effect.
 #pragma once
 
 #include <stdexcept>
@@ -19,12 +19,12 @@ class SimulationError : public std::runtime_error {
         effect(std::move(effect_name)),
         time(at_time) {}
   std::string body;    ///< whose motion could not be computed
-  std::string effect;  ///< which effect is to blame; empty if it is none alone
+  std::string effect;  ///< which effect is to blame; empty if no single one is
   double time;         ///< s, at the start of the step
 };
 
-/// What no finite turn is found for, as the end of a sentence: the angle |ω| h (rad), and how far
-/// sine_cosine() reaches.
+/// The end of a sentence about a turn that is too far: the angle |ω| h (rad), and the range of
+/// sine_cosine().
 template <class Real>
 std::string turn_too_far(const Top<Real>& top, Same<Real> time_step) {
   const Vec3<Real> spin = angular_velocity_body(top);
@@ -33,7 +33,7 @@ std::string turn_too_far(const Top<Real>& top, Same<Real> time_step) {
          text_of(2 * SineCosineConstants<Real>::limit) + " rad can be turned";
 }
 
-/// What of a body is no number, as the middle of a sentence; empty if all is one.
+/// Which quantity of a body is not finite, as the middle of a sentence; empty if all are.
 template <class Real>
 std::string not_finite_in(const Particle<Real>& centre, const Top<Real>& top) {
   const auto said = [](const char* what, const Vec3<Real>& value, const char* unit) {
@@ -84,8 +84,8 @@ class Replay {
     return !not_finite_in(body.centre, body.top).empty();
   }
 
-  /// Runs the effects of a phase until one gives the lost body what is no number. `alone`: each by
-  /// itself, for those that add to a sum.
+  /// Runs the effects of a phase until one gives the lost body a number that is not finite.
+  /// `alone`: each by itself, for those that add to a sum.
   bool ask_each(Phase phase, const Moment<Real>& moment, const AnyEffect<Real>*& culprit,
                 bool alone) {
     for (const std::size_t i : work_.in_phase[static_cast<std::size_t>(phase)]) {
@@ -105,7 +105,7 @@ class Replay {
     return false;
   }
 
-  /// Why a body that no effect alone has spoilt is lost, by how it was before it drifted.
+  /// Why a body is lost that no effect alone has spoilt, judged by its state before the drift.
   std::string reason(const Bodies<Real>& kicked, Real h) const {
     const BodyState<Real> body = state_of(kicked, lost_);
     if (!is_finite(Vec3<Real>(body.centre.position + h * body.centre.velocity)))

@@ -1,5 +1,5 @@
 /// @file
-/// The forms that an effect's function can take: it is called after what it gives.
+/// The forms that an effect's function can take: it is named after what it gives.
 #pragma once
 
 #include <concepts>
@@ -53,15 +53,15 @@ concept PushBetween = requires(const Effect& effect, const BodyState<Real>& body
                                const Real& time) {
   { effect.push(body, body, time) } -> std::same_as<PairPush<Real>>;
 };
-/// A blow between two bodies, in the impulse phase. It meets the velocities that the blows before
-/// it have made.
+/// A blow between two bodies, in the impulse phase. It acts on the velocities that the blows before
+/// it have left.
 template <class Effect, class Real>
 concept BlowBetween = requires(const Effect& effect, const BodyState<Real>& body,
                                const Moment<Real>& moment) {
   { effect.blow(body, body, moment) } -> std::same_as<PairBlow<Real>>;
 };
 
-/// Such an effect may say itself which bodies meet, in each step anew: a contact does.
+/// Such an effect may itself find which bodies meet, in each step: a contact would.
 template <class Effect, class Real>
 concept FindsPairs = requires(const Effect& effect, const Bodies<Real>& bodies,
                               std::vector<BodyPair>& pairs) {
@@ -82,7 +82,7 @@ struct Form {
   int count = 0;  ///< functions; an effect has one
 };
 
-/// What the effect gives to who sees `Seen`.
+/// What the effect gives when its function sees `Seen`.
 template <class Effect, class Seen, class Real>
 constexpr Form form_seeing(Sees sees) {
   Form form;

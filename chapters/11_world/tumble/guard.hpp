@@ -1,5 +1,5 @@
 /// @file
-/// What keeps a world whole: a step that leads to a number that is no number is taken back.
+/// What keeps a world whole: a step that leads to an infinite number or to NaN is taken back.
 #pragma once
 
 #include <optional>

@@ -15,7 +15,7 @@ auto is_locked(const Top<Real>& top) {
          top.inverse_moments.z() == 0;
 }
 
-/// Adds to the sums what can be used: a body that can't move has no use for a force.
+/// Adds to the sums what can have an effect: a force has none on a body that can't move.
 //! [add_push]
 template <class Real>
 void add_push(Particle<Real>& centre, Top<Real>& top, const Push<Real>& push) {
@@ -76,7 +76,7 @@ void visit(const Effect& effect, Particle<Real>& centre, Top<Real>& top,
   }
 }
 
-/// A body that is changed where it lies. A point has a top that is thrown away.
+/// A body that is changed in place. A point has a top that is thrown away.
 template <class Real>
 struct BodyInPlace {
   Particle<Real>& centre;

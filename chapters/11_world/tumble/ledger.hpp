@@ -1,5 +1,5 @@
 /// @file
-/// The books of a world: what each effect put in and took out, and what nobody can account for.
+/// The books of a world: what each effect put in and took out, and what remains unexplained.
 #pragma once
 
 #include <cstdio>

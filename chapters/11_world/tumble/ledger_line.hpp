@@ -54,11 +54,11 @@ LedgerLine holdings_of(const Bodies<Real>& bodies) {
   return sum;
 }
 
-/// What a push gives a body in the kick of `time_step` seconds, exactly but for rounding. `before`
+/// What a push gives a body in the kick of `time_step` seconds, exact but for rounding. `before`
 /// and `after` are the body around the kick, when it has not yet moved.
 ///
-/// With Δv = h ΣF/m the energy grows by ½ m (v' + v)·(v' − v) = h ΣF · ½ (v + v'). The sum falls
-/// apart into the effects' shares, and the same holds for L, with ½ (ω + ω').
+/// With Δv = h ΣF/m the energy grows by ½ m (v' + v)·(v' − v) = h ΣF · ½ (v + v'). The sum splits
+/// into the effects' shares, and the same holds for L, with ½ (ω + ω').
 //! [work_of]
 template <class Real>
 LedgerLine work_of(const Push<Real>& push, const BodyState<Real>& before,

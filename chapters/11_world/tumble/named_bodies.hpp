@@ -82,7 +82,7 @@ class NamedBodies {
     replace_by_last(names_, index);
   }
 
-  /// How all move now, and what the plan knows of whether they do.
+  /// How all bodies move now, and what the plan knows of whether they do.
   Snapshot<Real> snapshot(std::int64_t ticks, const std::vector<Facts>& alone) const {
     Snapshot<Real> now;
     now.ticks = ticks;
@@ -99,7 +99,7 @@ class NamedBodies {
     return now;
   }
 
-  /// Lets all move as they did.
+  /// Lets all bodies move as they did then.
   void restore(const Snapshot<Real>& then) {
     std::size_t top = 0;
     for (BodyIndex index = 0; index < size(); ++index) {
@@ -114,7 +114,7 @@ class NamedBodies {
     }
   }
 
-  /// Puts another state in the place of the body's. Its sums stay empty.
+  /// Replaces the body's state. Its sums stay empty.
   void set(BodyIndex index, RigidBody<Real> body) {
     clear_forces(body);
     kept_.set_body(index, body);

@@ -7,7 +7,7 @@
 
 namespace tumble {
 
-/// Notes why a plan may have changed, and tells what of it has. It keeps the last hundred
+/// Notes why a plan may have changed, and says what in it has. It keeps the last hundred
 /// sentences.
 class News {
  public:

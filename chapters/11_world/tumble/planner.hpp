@@ -32,7 +32,7 @@ class Planner : public PlanGroups<Real> {
     refresh(static_cast<BodyIndex>(facts_.size() - 1), roster);
   }
 
-  /// A body is other than it was.
+  /// A body has changed.
   template <class Roster>
   void change_body(BodyIndex body, const Roster& roster) {
     refresh(body, roster);
@@ -66,7 +66,7 @@ class Planner : public PlanGroups<Real> {
     replace_by_last(own_, body);
   }
 
-  /// It has gone: the body in its place has the pairs that it had.
+  /// The body has gone: the pairs of the one that got its place are found again.
   template <class Roster>
   void join_again(BodyIndex body, const Roster& roster) {
     ++work_.version;
@@ -74,7 +74,7 @@ class Planner : public PlanGroups<Real> {
       for (const std::uint64_t number : own_[body]) join(entry_of(number), roster);
   }
 
-  /// An effect came.
+  /// An effect was added.
   template <class Roster>
   void add_effect(Entry<Real> entry, const Roster& roster) {
     const std::uint64_t number = entry.handle.number;
@@ -95,7 +95,7 @@ class Planner : public PlanGroups<Real> {
     meet(number, roster);
   }
 
-  /// The effect goes.
+  /// The effect is removed.
   template <class Roster>
   void remove_effect(std::uint64_t number, const Roster& roster) {
     const auto found = find(number);

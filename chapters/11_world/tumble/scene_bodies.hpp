@@ -1,5 +1,5 @@
 /// @file
-/// The bodies of a world, and how one changes them while it runs.
+/// The bodies of a world, and how to change them while it runs.
 #pragma once
 
 #include <tumble/named_bodies.hpp>
@@ -8,8 +8,8 @@
 
 namespace tumble {
 
-/// Bodies, which others give effects and time. Whatever could change the plan tells the planner, so
-/// the plan is always right.
+/// The part of a World that has bodies, but no effects and no time. Every function that could
+/// change the plan tells the planner, so that the plan stays right.
 template <class Real, class Keeping>
 class SceneBodies {
  public:
@@ -24,7 +24,7 @@ class SceneBodies {
     return came(name, bodies_.append(name, body.centre, &body.top));
   }
 
-  /// Takes a body out, and the effects that are fixed to it.
+  /// Removes a body, and the effects that are fixed to it.
   void remove(BodyHandle body) {
     const BodyIndex index = bodies_.index_of(body);
     news_.note("'" + name_of(body) + "' was removed");
@@ -51,7 +51,7 @@ class SceneBodies {
   RigidBody<Real> body(BodyHandle body) const { return bodies_.body(bodies_.index_of(body)); }
   /// All of them: a reference to them, or, from a Keeping that has them in another form, a copy.
   decltype(auto) bodies() const { return bodies_.kept().bodies(); }
-  /// How the bodies are kept, to say on how many threads they are stepped.
+  /// How the bodies are kept, for instance to set the number of threads.
   Keeping& keeping() { return bodies_.kept(); }
 
   // --- Changes while it runs --------------------------------------------------------------------
@@ -103,8 +103,8 @@ class SceneBodies {
     });
   }
 
-  /// A force (N) at `point` (m), both in world axes, in the next step alone: what a player's hand
-  /// does. Those of several calls add up.
+  /// A force (N) at `point` (m), both in world axes, in the next step alone, such as a player's
+  /// push. The forces of several calls add up.
   void push_at(BodyHandle body, const Vec3<Same<Real>>& force, const Vec3<Same<Real>>& point) {
     require_finite(name_of(body) + ": force", force, "N");
     require_finite(name_of(body) + ": point of the force", point, "m");

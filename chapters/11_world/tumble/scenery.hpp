@@ -7,7 +7,7 @@
 
 namespace tumble {
 
-/// Bodies and effects: the part of a World that knows no time.
+/// Bodies and effects: the part of a World that has no time.
 template <class Real, class Keeping>
 class Scenery : public SceneBodies<Real, Keeping> {
   using Base = SceneBodies<Real, Keeping>;
@@ -17,7 +17,7 @@ class Scenery : public SceneBodies<Real, Keeping> {
 
   // --- Effects ----------------------------------------------------------------------------------
 
-  /// Adds an effect for every body, those to come too.
+  /// Adds an effect for every body, including those that are added later.
   template <class Effect>
   EffectHandle add(const Effect& effect) {
     static_assert(EffectOnOne<Effect, Real> || FindsPairs<Effect, Real>,
@@ -40,7 +40,7 @@ class Scenery : public SceneBodies<Real, Keeping> {
     planner_.remove_effect(effect.number, bodies_);
   }
 
-  /// The effect, of which one must know the type. @throws std::invalid_argument if it is another.
+  /// The effect, whose type the caller must know. @throws std::invalid_argument if it is another.
   template <class Effect>
   const Effect& effect(EffectHandle handle) const {
     const Entry<Real>& entry = entry_of(handle);
@@ -62,8 +62,8 @@ class Scenery : public SceneBodies<Real, Keeping> {
     planner_.replace_effect(handle.number, std::move(erased), bodies_);
   }
 
-  /// From now on the bodies whose moments differ turn by `rule`: one of turning_methods.hpp, or of
-  /// the user's own.
+  /// From now on the bodies whose moments differ turn by `rule`: one of turning_methods.hpp, or one
+  /// of the user's own.
   template <TurningRule<Real> Rule>
   void turn_by(const Rule& rule) {
     news_.note("another method of turning was chosen");

@@ -6,7 +6,7 @@
 
 namespace tumble {
 
-/// The motion of all bodies after so many steps. What acts on them is no part of it.
+/// The motion of all bodies after so many steps. What acts on them is not part of it.
 //! [snapshot]
 template <class Real>
 struct Snapshot {

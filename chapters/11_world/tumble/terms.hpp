@@ -1,5 +1,5 @@
 /// @file
-/// What effects and steps speak of: phases, facts, pushes and moments.
+/// The terms in which effects and steps are described: phases, facts, pushes and moments.
 #pragma once
 
 #include <tumble/bodies.hpp>

@@ -31,13 +31,13 @@ struct Input {
 template <class Real>
 struct Work {
   std::vector<Entry<Real>> effects;  ///< in the order in which they came
-  /// Those that visit somebody, by phase: places in `effects`.
+  /// Those that visit any body, by phase: indices into `effects`.
   std::array<std::vector<std::size_t>, 5> in_phase;
   std::vector<Input<Real>> inputs;            ///< pushes of this step alone
   Group pushed, movers;                       ///< centres
   Group torqued, steady, tumbling;            ///< tops
   std::shared_ptr<const AnyRule<Real>> rule;  ///< turns those that tumble
-  std::uint64_t version = 0;                  ///< another one after each change
+  std::uint64_t version = 0;                  ///< a new number after each change
 };
 //! [work]
 
@@ -60,7 +60,7 @@ void add(const std::vector<Input<Real>>& inputs, Bodies<Real>& bodies) {
   }
 }
 
-/// The motions that every world has. Each has a sentence for those that do not need it.
+/// The motions that every world has. Each has a sentence for bodies that do not need it.
 struct Motion {
   std::string_view name;
   Phase phase;

@@ -1,4 +1,4 @@
-set title "The time per body hardly depends on their number, up to the end of a cache"
+set title "The time per body hardly depends on their number until they outgrow a cache"
 set terminal svg size 480,620 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
 set output name.".svg"
 set xlabel "bodies"

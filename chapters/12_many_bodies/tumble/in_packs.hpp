@@ -10,11 +10,11 @@
 namespace tumble {
 
 /// Says how a World keeps its bodies, in place of OneByOne: `width` side by side, stepped by as
-/// many threads as one likes. Every bit of the motion stays the same.
+/// many threads as you ask for. Every bit of the motion stays the same.
 template <class Real, int width = natural_width<Real>>
 class InPacks {
  public:
-  /// With fewer bodies than this for each thread, to wake one would take longer than to do its
+  /// With fewer bodies than this for each thread, waking one would take longer than doing its
   /// work.
   static constexpr std::size_t smallest_share = 512;
 

@@ -13,7 +13,7 @@ struct WholePacks {
   std::uint32_t begin, end;
 };
 
-/// A pack of whose bodies some are visited.
+/// A pack in which some bodies are visited and others not.
 template <class Real, int width>
 struct PartOfPack {
   std::uint32_t pack;
@@ -84,7 +84,7 @@ void for_each_whole(const PackGroup<Real, width>& group, std::uint32_t begin, st
     visit(std::max(run->begin, begin), std::min(run->end, end));
 }
 
-/// Calls `visit` with each other pack that has members, and with them.
+/// Calls `visit` with each other pack that has members, and with their mask.
 template <class Real, int width, class Visit>
 void for_each_part(const PackGroup<Real, width>& group, std::uint32_t begin, std::uint32_t end,
                    const Visit& visit) {

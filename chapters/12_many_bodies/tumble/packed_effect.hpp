@@ -1,5 +1,5 @@
 /// @file
-/// An effect that acts on packs of bodies, and a turning rule that does.
+/// An effect that acts on packs of bodies, and a turning rule for packs.
 #pragma once
 
 #include <tumble/any_effect.hpp>
@@ -8,8 +8,8 @@
 
 namespace tumble {
 
-/// An effect of any type that can visit packs. What it makes of a body has the bits that
-/// AnyEffect::run() would have given it.
+/// An effect of any type that can visit packs. Each body gets the bits that AnyEffect::run() would
+/// have given it.
 template <class Real, int width>
 class PackedEffect {
  public:
@@ -21,8 +21,8 @@ class PackedEffect {
                             std::uint32_t end, const Moment<Real>& moment) const = 0;
 };
 
-/// The effect with every number of its own `width` times over. One of the user's that can't be had
-/// so stays as it is, and visits the lanes one by one.
+/// The effect with each of its numbers `width` times over. An effect of the user's that has no
+/// widened() stays as it is, and visits the lanes one by one.
 //! [widened]
 template <class Real, int width, class Effect>
 auto widened(const Effect& effect) {

@@ -31,8 +31,8 @@ void take_over(Top<Pack<Real, width>>& pack, const Top<Pack<Real, width>>& chang
   }
 }
 
-/// The loop in which nearly all of the time is spent. The kernel and all that it calls must become
-/// one piece here: a function of its own would hand over its vectors through memory.
+/// The loop in which nearly all of the time is spent. The kernel and all that it calls must be
+/// inlined here: a function of its own would be handed its vectors through memory.
 //! [visit_row]
 template <class Packs, class Kernel>
 [[gnu::flatten]] void visit_row(const Kernel& kernel, Packs* begin, const Packs* end) {

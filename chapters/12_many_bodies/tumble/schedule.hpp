@@ -10,12 +10,12 @@ namespace tumble {
 /// What a pass does to each block.
 enum class Act { remember, effect, inputs, kick, drift, turn_steadily, tumble, guard };
 
-/// One thing that is done to the bodies of a group, which is sorted into packs.
+/// One thing that is done to the bodies of a group, sorted into packs.
 template <class Real, int width>
 struct PackedPass {
   Act act;
   PackGroup<Real, width> group = {};
-  std::size_t entry = 0;  ///< which of the scene's effects, if it is one
+  std::size_t entry = 0;  ///< the number of the scene's effect, if it is one
   const PackedEffect<Real, width>* effect = nullptr;  ///< that one
   const PackedRule<Real, width>* rule = nullptr;      ///< for those that tumble
 };
@@ -28,8 +28,9 @@ struct Row {
   std::vector<std::uint32_t> blocks;
 };
 
-/// An effect on centres alone and one on tops alone do not meet, so a stage has a row of passes for
-/// each. An effect that sees both must come after everything before it: it begins a stage.
+/// An effect on centres alone and one on tops alone do not affect each other, so a stage has a row
+/// of passes for each. An effect that sees both must come after everything before it: it begins a
+/// stage.
 //! [stage]
 template <class Real, int width>
 struct Stage {
@@ -45,7 +46,7 @@ class Schedule {
   /// A block's particles and tops together fit the smallest cache: some 20 kB.
   static constexpr std::uint32_t packs_in_block = 32;
 
-  /// Work that has another version than this needs another schedule.
+  /// Work of another version than this needs another schedule.
   std::uint64_t version = 0;
   std::vector<Stage<Real, width>> stages;
 

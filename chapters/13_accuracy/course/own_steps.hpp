@@ -10,7 +10,7 @@
 
 namespace tumble::course {
 
-/// What is no state.
+/// A state that is not a number.
 template <class Real>
 Top<Real> failed(Top<Real> top) {
   top.orientation.real = std::numeric_limits<Real>::quiet_NaN();
@@ -23,7 +23,7 @@ Particle<Real> failed(Particle<Real> particle) {
 }
 
 /// A contestant that `carry(body, tolerance)` takes through the whole problem. Where no step meets
-/// the tolerance the answer is no number.
+/// the tolerance the answer is NaN.
 template <class Body, class Gather, class Carry>
 Contestant<Body> own_steps(const std::string& name, const Problem<Body, Gather>& problem,
                            const Carry& carry) {

@@ -149,7 +149,7 @@ Particle<long double> exactly(const Particle<Real>& particle) {
           .inverse_mass = particle.inverse_mass};
 }
 
-/// One problem: where it starts, what acts, and after how long one asks where it is.
+/// One problem: where it starts, what acts, and after what time its state is asked for.
 template <class Body, class Gather>
 struct Problem {
   std::string name;

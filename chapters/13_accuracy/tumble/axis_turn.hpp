@@ -1,5 +1,5 @@
 /// @file
-/// A symmetric top under a torque on its axis, as the little that is unknown of it: where the axis
+/// A symmetric top under a torque on its axis, reduced to what is unknown of it: where the axis
 /// points, L, and one angle.
 #pragma once
 
@@ -7,18 +7,18 @@
 
 namespace tumble {
 
-/// The axis c of a symmetric top knows nothing of the spin about it. In the world, with i for the
-/// inverse of the two equal moments and Λ = i L,
+/// The equations of a symmetric top's axis c do not contain the angle of the spin about it. In the
+/// world, with i for the inverse of the two equal moments and Λ = i L,
 ///
 ///     c' = Λ × c,  Λ' = i τ(c, t),
 ///
-/// and where τ has no part along c, L · c is constant. How the body stands is one angle more: its
-/// orientation is s⁻¹ a b, where s is the shortest turn that takes c to a fixed direction n, a is a
-/// turn about n by an angle ψ, and b is constant. With ω = Λ + k c, where k = (i_c − i) L · c,
+/// and where τ has no part along c, L · c is constant. One further angle says how the body stands:
+/// its orientation is s⁻¹ a b, where s is the shortest turn that takes c to a fixed direction n, a
+/// is a turn about n by an angle ψ, and b is constant. With ω = Λ + k c, where k = (i_c − i) L · c,
 ///
 ///     ψ' = ω · (c + n)/(1 + c · n) = k + Λ · (c + n)/(1 + c · n),
 ///
-/// an integral that no look asks for. A top that spins fast needs no short steps for that: the spin
+/// an integral that no stage needs. A top that spins fast needs no short steps for that: the spin
 /// is in k. We take n along the z axis, up or down, where c is nearer; see fold() for when it is
 /// not any more.
 //! [axis_turn]

@@ -1,15 +1,15 @@
 /// @file
-/// Pairs of Runge–Kutta rules that share their looks: the difference of their answers is the error
-/// of a step, and a third weighing of the looks gives the states within it.
+/// Pairs of Runge–Kutta rules that share their stages: the difference of their answers estimates
+/// the error of a step, and a third weighing of the stages gives the states within it.
 #pragma once
 
 #include <tumble/tableaux.hpp>
 
 namespace tumble {
 
-/// The fifth order of Dormand and Prince (1980) with a fourth order beside it. The look at the end
-/// is the first of the next step. `errors` weighs the looks into the difference of the two answers,
-/// `dense` into what a cubic through both ends lacks to a state of fourth order in between (Hairer,
+/// The fifth order of Dormand and Prince (1980) with a fourth order beside it. The stage at the end
+/// is the first of the next step. `errors` weighs the stages into the difference of the two
+/// answers, `dense` into what a cubic through both ends lacks for fourth order in between (Hairer,
 /// Nørsett and Wanner, Solving Ordinary Differential Equations I, §II.6).
 //! [pair]
 struct DormandPrince54 {

@@ -8,8 +8,8 @@
 
 namespace tumble {
 
-/// The rows of a pair: that of error i, of the look i beyond the step, of the i-th part of what
-/// lies within it.
+/// The rows of a pair: that of error i, of stage i beyond the step, and of the i-th part of the
+/// state within it.
 template <class Pair, std::size_t i>
 struct RowOfError {
   static constexpr auto& row = Pair::errors[i];
@@ -23,8 +23,8 @@ struct RowWithin {
   static constexpr auto& row = Pair::dense[i];
 };
 
-/// The square of how far numbers are off at the end of a step, in terms of what is allowed: a place
-/// `tolerance` m and a velocity as many m/s for each second of the step, and a few roundings on
+/// The square of the error at the end of a step, relative to what is allowed: `tolerance` m in the
+/// position and as many m/s in the velocity for each second of the step, and a few roundings on
 /// top, for no step can be better.
 //! [error_of_particle]
 template <class Real>
@@ -45,7 +45,7 @@ template <class Real>
 /// The same for a top: the orientation is off by an angle, for which `tolerance` rad are allowed a
 /// second, and L by a part of its size. The four numbers of a quaternion q that is off by δ are off
 /// by the angle 2 |Im(q* δ)|; along q itself they have no meaning. The size of L is that at the
-/// start, for one that a bad step has blown up would excuse its own error.
+/// start, since an L that a bad step has blown up would excuse its own error.
 //! [error_of_top]
 template <class Real>
 [[gnu::always_inline]] inline Real square_of_error(const Numbers<Real, 7>& error,
@@ -65,8 +65,8 @@ template <class Real>
 }
 //! [error_of_top]
 
-/// What several estimates say together, all as squares: one speaks for itself; of two, where the
-/// second falls more slowly, e₁²/√(e₁² + e₂²/100).
+/// Combines several estimates, all as squares: a single one is returned as it is; two, of which the
+/// second falls more slowly, give e₁²/√(e₁² + e₂²/100).
 template <class Real, std::size_t count>
 [[gnu::always_inline]] inline Real together(const std::array<Real, count>& squares) {
   if constexpr (count == 1) return squares[0];
@@ -137,8 +137,8 @@ class EmbeddedSteps {
   }
 
   /// The body within the step just attempted, at a `part` of it from 0 to 1: a cubic through both
-  /// ends with their rates, and what the looks know beyond it. Looks that the step itself did not
-  /// need are made now.
+  /// ends with their rates, and what the stages know beyond it. Stages that the step itself did not
+  /// need are evaluated now.
   //! [within]
   Body within(Real part) {
     if constexpr (!error_sees_end) look_at_end();

@@ -1,5 +1,5 @@
 /// @file
-/// A free top as the little that is unknown of it: where L points in the body, and one angle.
+/// A free top, reduced to what is unknown of it: where L points in the body, and one angle.
 #pragma once
 
 #include <tumble/runge_kutta.hpp>
@@ -8,16 +8,16 @@
 namespace tumble {
 
 /// Euler's equations know nothing of the orientation: l = L/|L|, three numbers, obey
-/// l' = |L| l × I⁻¹ l. And L stands still in the world, so that one angle more says how the body
+/// l' = |L| l × I⁻¹ l. And L stands still in the world, so that one further angle says how the body
 /// stands. Let e be a fixed direction in the body, and s the shortest turn that takes l to it. Then
 /// the orientation is b a s, where b is constant and a is a turn about e by an angle ψ. The rate of
-/// ψ is ω · l without what the turn of s has along l,
+/// ψ is ω · l less the component along l of the angular velocity of s,
 ///
 ///     ψ' = ω · (l + e)/(1 + l · e),
 ///
-/// a mere integral: no look asks for ψ. L stays in the world to the last digit, however large the
+/// a mere integral: no stage needs ψ. L is fixed in the world to within rounding, however large the
 /// errors of l and ψ. For e we take the axis that L goes around, the first or the last, on the side
-/// where L is and stays: then 1 + l · e is 1 at least, and ω · l is 2E/|L|, a constant.
+/// where L is and stays: then 1 + l · e is at least 1, and ω · l is 2E/|L|, a constant.
 //! [free_turn]
 template <class Real>
 class FreeTurn {
@@ -64,7 +64,7 @@ class FreeTurn {
     begin_at(top_.angular_momentum_body / size_);
   }
 
-  /// The square of the angle that an error of l is.
+  /// The square of the angle to which an error of l amounts.
   [[gnu::always_inline]] Real square(const Numbers<Real, 3>& off, const Numbers<Real, 3>&) const {
     return off[0] * off[0] + off[1] * off[1] + off[2] * off[2];
   }

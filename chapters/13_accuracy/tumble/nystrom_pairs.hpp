@@ -7,10 +7,10 @@
 
 namespace tumble {
 
-/// A rule for x'' = a(x, t). Look i is made nodes[i] h after the start, where the velocity leads
-/// and the looks before it add h² Σ looks[i][j] a_j. The place gains h² Σ places[j] a_j, the
-/// velocity h Σ velocities[j] a_j; the errors are weighed likewise. The last look is made at the
-/// end of the step, and is the first of the next.
+/// A rule for x'' = a(x, t). Stage i is evaluated nodes[i] h after the start, where the velocity
+/// leads, displaced by h² Σ looks[i][j] a_j from the stages before it. The position gains
+/// h² Σ places[j] a_j and the velocity h Σ velocities[j] a_j; the errors are weighed likewise. The
+/// last stage is evaluated at the end of the step, and is the first of the next.
 //! [nystrom]
 template <std::size_t s>
 struct NystromTableau {
@@ -20,7 +20,7 @@ struct NystromTableau {
 };
 //! [nystrom]
 
-/// Eighth order with a sixth beside it, nine looks of which eight are new: Dormand, El-Mikkawy and
+/// Eighth order with a sixth beside it, nine stages of which eight are new: Dormand, El-Mikkawy and
 /// Prince (1987).
 struct DormandPrinceNystrom86 {
   static constexpr int power = 7;  ///< the estimated error of a step falls as h to this power

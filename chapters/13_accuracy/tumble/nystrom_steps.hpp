@@ -25,9 +25,9 @@ struct RowOfErrorsOfVelocities {
   static constexpr auto& row = Pair::rule.errors_of_velocities;
 };
 
-/// Steps of a particle by a Nyström pair, for travel(). Velocities are no part of a look, so each
-/// look weighs three numbers instead of six, and eight of them reach the order for which a rule
-/// that knows nothing of places and velocities needs eleven at least (Butcher 1985).
+/// Steps of a particle by a Nyström pair, for travel(). Velocities take no part in a stage, so each
+/// stage weighs three numbers instead of six, and eight of them reach the order for which a rule
+/// that does not tell positions from velocities needs at least eleven (Butcher 1985).
 template <class Pair, class Gather, class Real>
 class NystromSteps {
  public:
@@ -127,7 +127,7 @@ class NystromSteps {
   std::array<Three, looks> rates_ = {};
 };
 
-/// As carry(), by a Nyström pair: where force depends on time and place alone.
+/// Like carry(), by a Nyström pair, where the force depends on time and place alone.
 template <class Pair, class Gather, class Real>
 Journey carry_by_nystrom(Particle<Real>& particle, const Gather& gather, Real time,
                          Same<Real> seconds, Same<Real> tolerance) {

@@ -1,5 +1,5 @@
 /// @file
-/// Tops of which little is unknown choose their own steps.
+/// Tops that are reduced to a few unknowns choose their own steps.
 #pragma once
 
 #include <tumble/axis_turn.hpp>
@@ -8,10 +8,10 @@
 
 namespace tumble {
 
-/// Steps by an embedded pair, for travel(), of a top that a few numbers and the integral ψ say all
-/// of: FreeTurn or AxisTurn. The error of a step is that of the numbers, as the motion counts it,
-/// and that of ψ, an angle: two turns about perpendicular axes, so that their squares add up.
-/// `tolerance` rad are allowed a second, and as large a part of |L|.
+/// Steps by an embedded pair, for travel(), of a top that a few numbers and the integral ψ describe
+/// completely: FreeTurn or AxisTurn. The error of a step is that of the numbers, as the motion
+/// counts it, and that of ψ, an angle: two turns about perpendicular axes, so that their squares
+/// add. `tolerance` rad are allowed a second, and as large a fraction of |L|.
 template <class Pair, class Motion, class Real>
 class ReducedSteps {
  public:
@@ -71,7 +71,7 @@ class ReducedSteps {
   static constexpr std::size_t looks = Rule::rule.nodes.size(), count = std::tuple_size_v<State>;
   static constexpr bool error_sees_end = Pair::errors[0][looks] != 0;
 
-  /// Whether anything weighs ψ' of this look.
+  /// Whether ψ' has a weight at this stage.
   static constexpr bool is_asked_for(std::size_t i) {
     bool is = i < looks && Rule::rule.weights[i] != 0;
     for (const auto& row : Pair::errors) is = is || row[i] != 0;
@@ -129,7 +129,7 @@ Journey carry_freely(Top<Real>& top, Same<Real> seconds, Same<Real> tolerance) {
 //! [carry_freely]
 
 /// Takes a symmetric top from `time` (s) through `seconds`, where the torque depends on time and on
-/// where the axis points, and has no part along it: `gather` says it (N m, world axes) by
+/// where the axis points, and has no part along it: `gather` returns it (N m, world axes) by
 /// torque_on_axis(axis, time). `tolerance`: rad, and parts of |L|, that may be lost in a second.
 /// @throws std::invalid_argument unless two moments are equal and none is locked, and as
 /// carry_freely(). @throws StepError if no step meets the tolerance.

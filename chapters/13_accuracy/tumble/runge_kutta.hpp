@@ -91,8 +91,8 @@ template <class Real>
 }
 
 /// Σ weight_j rate_j for number n, with the weights that Row::row lists. They are known when the
-/// program is compiled, so that nothing is spent on those that are 0. The look just made comes
-/// last, so that the processor adds up the others while it waits for it.
+/// program is compiled, so that nothing is spent on those that are 0. The stage just evaluated
+/// comes last, so that the processor adds up the others while it waits for it.
 template <class Row, std::size_t n, class Real, std::size_t count, std::size_t s>
 [[gnu::always_inline]] inline Real weighed_number(
     const std::array<Numbers<Real, count>, s>& rates) {
@@ -114,8 +114,8 @@ template <class Row, std::size_t n, class Real, std::size_t count, std::size_t s
 }
 
 /// of(0), of(1), …, one by one and not in a loop. Out of a loop g++ would make sums of two or four
-/// numbers at once, and such a sum has to wait until the single numbers of the last look have all
-/// arrived in memory: that made a step twice as dear.
+/// numbers at once, and such a sum has to wait until the single numbers of the last stage have all
+/// arrived in memory, which made a step take twice as long.
 //! [each]
 template <class Real, std::size_t count, class Of>
 [[gnu::always_inline]] inline Numbers<Real, count> each(const Of& of) {
@@ -133,7 +133,7 @@ template <class Row, class Real, std::size_t count, std::size_t s>
   return each<Real, count>([&](auto n) { return weighed_number<Row, n>(rates); });
 }
 
-/// The rows of a rule's tableau: that of look i, and that of the whole step.
+/// The rows of a rule's tableau: that of stage i, and that of the whole step.
 template <class Rule, std::size_t i>
 struct RowOfLook {
   static constexpr auto row = [] {
@@ -156,8 +156,9 @@ template <class Row, class Real, std::size_t count, std::size_t s>
       [&](auto n) { return start[n] + time_step * weighed_number<Row, n>(rates); });
 }
 
-/// Where a look is made: the same, added up from the start on with the weights times h, so that
-/// from the look before it is one product and one sum. This rounds a little more; a look may.
+/// The state of a stage: the same, added up from the start on with the weights times h, so that it
+/// is one product and one sum away from the stage before. This rounds a little more than the step
+/// itself may.
 template <class Row, class Real, std::size_t count, std::size_t s>
 [[gnu::always_inline]] inline Numbers<Real, count> led_to_look(
     const Numbers<Real, count>& start, Same<Real> time_step,
@@ -176,12 +177,13 @@ template <class Row, class Real, std::size_t count, std::size_t s>
   });
 }
 
-/// The number of a look, known when the program is compiled.
+/// The number of a stage, known when the program is compiled.
 template <std::size_t i>
 using Look = std::integral_constant<std::size_t, i>;
 
-/// Makes all looks of a rule but the first, which `rates` holds already. `rates_at(numbers, ahead,
-/// Look<i>())` answers for a state `ahead` seconds after the start. `rates` may have room for more.
+/// Evaluates all stages of a rule but the first, which `rates` holds already. `rates_at(numbers,
+/// ahead, Look<i>())` gives the rates of a state `ahead` seconds after the start. `rates` may have
+/// room for more.
 //! [look]
 template <class Rule, class Real, std::size_t count, std::size_t room, class RatesAt>
 [[gnu::always_inline]] inline void look(const Numbers<Real, count>& start, Same<Real> time_step,
@@ -199,8 +201,8 @@ template <class Rule, class Real, std::size_t count, std::size_t room, class Rat
 }
 //! [look]
 
-/// The numbers after one step: look after look, and then all of them weighed. `first` is what
-/// rates_at() would say of the start.
+/// The numbers after one step: stage after stage, and then all of them weighed. `first` is what
+/// rates_at() would return for the start.
 //! [after_step]
 template <class Rule, class Real, std::size_t count, class RatesAt>
 Numbers<Real, count> after_step(const Numbers<Real, count>& start,

@@ -1,6 +1,6 @@
 /// @file
-/// How long the next step may be, from what the last ones have erred, and the journey that is made
-/// of such steps.
+/// How long the next step may be, from the errors of the last ones, and the journey that is made of
+/// such steps.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 namespace tumble {
 
 /// The logarithm of a float to the base 2, and back, each within 0.045: the bits of a float are its
-/// exponent and then what follows the first digit, so as a whole number they count the powers of
-/// two, in between by a straight line. For the length of a step that will do, and takes no time.
+/// exponent and then what follows the first digit, so read as a whole number they count the powers
+/// of two, with a straight line in between. That is accurate enough for the length of a step.
 //! [rough]
 inline float rough_log2(float value) {
   return static_cast<float>(std::bit_cast<std::int32_t>(value)) / 8388608.0F - 126.957F;
@@ -25,18 +25,19 @@ inline float rough_exp2(float exponent) {
 }
 //! [rough]
 
-/// Chooses steps so that each errs by what is allowed. If errors fall as h^power, the factor
-/// (1/error)^(1/power) leads there at once; a seventh is left to what the estimate does not see.
+/// Chooses steps so that the error of each is what is allowed. If errors fall as h^power, the
+/// factor (1/error)^(1/power) leads there at once; a seventh is kept in reserve for what the
+/// estimate does not see.
 ///
-/// Alone that hunts where not the error but the stability of the method limits the step: too long
-/// and too short in turn. So the error before is looked at as well: 0.3/power integral and
-/// 0.4/power proportional (Gustafsson 1991).
+/// By itself this hunts where not the error but the stability of the method limits the step, which
+/// is then too long and too short in turn. So the previous error counts as well: 0.3/power integral
+/// and 0.4/power proportional (Gustafsson 1991).
 //! [step_control]
 class StepControl {
  public:
   explicit StepControl(int power) : power_(static_cast<float>(power)) {}
 
-  /// By what to multiply a step that erred by the root of `square`, of which 1 is allowed.
+  /// The factor for a step whose error was the root of `square`, of which 1 is allowed.
   float factor(float square) {
     if (!(square < std::numeric_limits<float>::max())) return failed(0.1F);
     const float digits = rough_log2(std::max(square, 1e-18F)) / 2;
@@ -59,7 +60,7 @@ class StepControl {
 };
 //! [step_control]
 
-/// Checks where they enter what a journey is asked for.
+/// Checks on entry what a journey is asked for.
 /// @throws std::invalid_argument unless the time is 0 or more and the tolerance more than 0, both
 /// finite.
 template <class Real>
@@ -80,22 +81,22 @@ class StepError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A step that the tolerance allows, as far as one can tell before the first: rates that would lose
-/// `rate` times the tolerance if they were wrong altogether, and change at the rate r, err by
-/// rate (h r)^power or so; `changes` is r times `rate`, 1/s.
+/// A step that the tolerance allows, as far as one can tell before the first. Rates that would lose
+/// `rate` times the tolerance if they were altogether wrong, and that change at the rate r, have an
+/// error of about rate (h r)^power; `changes` is r times `rate`, 1/s.
 template <class Real>
 Real first_step_of(Real rate, Same<Real> changes, int power, Same<Real> seconds) {
   const Real wanted = 2 * rate / changes * std::pow(rate, -1 / static_cast<Real>(power));
   return wanted < seconds ? wanted : seconds;
 }
 
-/// Takes a stepper through `seconds`, from a step of `first` seconds on. attempt(h) makes a step of
-/// h seconds and says the square of what it erred, with 1 allowed; accept() makes it count. What is
-/// not accepted is done again, shorter. `when_stepped(gone, h)` is told of each step before it
-/// counts.
+/// Takes a stepper through `seconds`, beginning with a step of `first` seconds. attempt(h) makes a
+/// step of h seconds and returns the square of its error, with 1 allowed; accept() makes it count.
+/// A step that is not accepted is repeated, shorter. `when_stepped(gone, h)` is called for each
+/// accepted step before it counts.
 ///
-/// The last step ends where the journey does, to the bit, and the one before it shares what is
-/// left, lest a tiny step remain.
+/// The last step ends where the journey does, to the bit, and shares the remaining time with the
+/// one before it, lest a tiny step be left.
 /// @throws StepError if steps fall below what the clock can show.
 //! [travel]
 template <class Real, class Stepper, class WhenStepped>

@@ -9,18 +9,18 @@
 
 namespace tumble {
 
-/// A particle in a field of force with potential energy −U. With T for the energy of motion and
-/// B = U − T, which is constant, ln(T + B) − ln U is 0, and as an energy of its own (the
-/// logarithmic Hamiltonian: Mikkola and Tanikawa 1999, Preto and Tremaine 1999) it moves the
+/// A particle in a field of force with potential energy −U. With T for the kinetic energy and
+/// B = U − T, which is constant, ln(T + B) − ln U is 0, and used as a Hamiltonian itself (the
+/// logarithmic one: Mikkola and Tanikawa 1999, Preto and Tremaine 1999) it moves the
 /// particle along the same path, in a time s of its own: dt = ds/(T + B) in a drift, dt = ds/U in a
-/// kick. A drift knows T, a kick knows U, so both are exact, and every row of kicks and drifts may
-/// be used. Around a star the place after each step is on the true ellipse, however long the step:
-/// only the time is wrong.
+/// kick. T is constant in a drift and U in a kick, so both are exact, and every row of kicks and
+/// drifts may be used. Around a star the position after each step lies on the true ellipse, however
+/// long the step: only the time is wrong.
 //! [transformed_time]
 template <class Gather, class Real>
 class TransformedTime {
  public:
-  /// `gather` says U (J) by pull_energy(particle), besides leaving the force in the particle.
+  /// `gather` returns U (J) by pull_energy(particle), besides leaving the force in the particle.
   TransformedTime(const Particle<Real>& particle, const Gather& gather)
       : gather_(&gather), particle_(particle), mass_(mass_of(particle)) {
     gather(particle_, 0);
@@ -47,7 +47,7 @@ class TransformedTime {
   Real time() const { return time_; }    ///< s since the start
   Real bound() const { return bound_; }  ///< B, J
 
-  /// What a second is in s, J s, where the particle is now.
+  /// How much of s passes in a second where the particle is now, J s.
   Real rate() const { return kinetic_energy_of(particle_) + bound_; }
 
   /// Takes the particle to time() = `end` by a drift, a kick and a drift in time itself: for a rest
