@@ -74,7 +74,7 @@ ${style_and_script('player', /<figure class="(?:player|live)/.test(html))}${styl
 <script src="book.js" defer></script>
 <script src="reading.js" defer></script>
 <script src="search.js" defer></script>
-</head>
+${/<form class="prediction"/.test(html) ? '<script src="predict.js" defer></script>\n' : ''}</head>
 <body class="${kind}${page.id === 'cheat_sheet' ? ' cheat-sheet' : ''}"${page.chapter && !page.is_being_made ? ' data-kept' : ''}>
 <a class="skip" href="#text">Skip to the text</a>
 <header id="sidebar">
