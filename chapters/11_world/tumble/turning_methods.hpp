@@ -64,9 +64,8 @@ struct CarryingMomentum {
   }
 };
 
-/// Euler's equations in body axes by implicit Euler, solved by one step of Newton's method for a time
-/// step in s: turn_implicitly(). First order, and loses energy. Catto's talk of 2015 has the same
-/// step for ω in place of L.
+/// Euler's equations in body axes by implicit Euler, solved by one step of Newton's method for a
+/// time step in s: turn_implicitly(). First order, and it loses energy.
 struct ImplicitNewton {
   static constexpr std::string_view name = "implicit Newton";
   template <class Real>
@@ -76,7 +75,7 @@ struct ImplicitNewton {
 };
 
 /// Explicit Euler for L in body axes (kg m²/s) over a time step in s, with |L| scaled back to what
-/// it was: turn_restoring_momentum(). First order, and the energy drifts.
+/// it was: turn_restoring_momentum(). First order; nothing restores the energy.
 struct RestoringMomentum {
   static constexpr std::string_view name = "restoring momentum";
   template <class Real>
@@ -95,8 +94,8 @@ struct ExplicitEuler {
   }
 };
 
-/// Without gyroscopic motion: turns by |ω| h about ω, and keeps L (kg m²/s) in body axes, for a time
-/// step of h seconds: turn_steadily().
+/// Without gyroscopic motion: turns by |ω| h about ω, and keeps L (kg m²/s) in body axes, for a
+/// time step of h seconds: turn_steadily().
 struct Steady {
   static constexpr std::string_view name = "steady";
   template <class Real>
