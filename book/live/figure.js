@@ -336,35 +336,6 @@
     await (await wake(element)).set(changes_of(query));
   }
 
-  /** What a reader predicted is kept in the browser, and shown beside what happens. */
-  function keep_prediction(form) {
-    const key = `tumble.prediction.${form.dataset.prediction}`;
-    const fold = form.querySelector('details');
-    const said = make('p', {className: 'live-predicted'}, {role: 'status'});
-    fold.querySelector('summary').after(said);
-    const show = text => {
-      said.textContent = text ? `You predicted: ${text}` : '';
-    };
-    const keep = text => {
-      try {
-        localStorage.setItem(key, text);
-      } catch { /* a browser that keeps nothing */ }
-      show(text);
-      fold.open = true;
-    };
-    let kept = '';
-    try {
-      kept = localStorage.getItem(key) ?? '';
-    } catch { /* as above */ }
-    show(kept);
-    for (const input of form.querySelectorAll('input')) {
-      if (input.type === 'radio') input.checked = input.value === kept;
-      else input.value = kept.split(' ')[0];
-      input.addEventListener('change', () => keep(input.type === 'radio' ? input.value : `${input.value} ${input.dataset.unit}`.trim()));
-    }
-    form.addEventListener('submit', event => event.preventDefault());
-  }
-
   function start() {
     const figures = document.querySelectorAll('figure.live[data-script]');
     const near = new IntersectionObserver(entries => {
@@ -375,7 +346,6 @@
         }
     }, {rootMargin: '600px'});
     for (const element of figures) near.observe(element);
-    for (const form of document.querySelectorAll('form.live-prediction')) keep_prediction(form);
     document.addEventListener('click', async event => {
       const link = event.target.closest('a.live-set');
       const element = link && document.getElementById(link.hash.slice(1));

@@ -2,10 +2,11 @@
 import {existsSync, readFileSync} from 'node:fs';
 import {dirname, join, normalize} from 'node:path';
 import {check_line, failed_line, folded_checks, verdict_of_all} from './checks.mjs';
-import {live_figure, live_link, prediction} from './live.mjs';
+import {live_figure, live_link} from './live.mjs';
 import {list_of_exercises, semester, wrong_answers} from './exercise_tables.mjs';
 import {figure} from './figures.mjs';
 import {player} from './players.mjs';
+import {prediction} from './predictions.mjs';
 import {BookError, table_in} from './results.mjs';
 import {table} from './tables.mjs';
 import {table_of_costs} from './costs.mjs';
@@ -52,6 +53,7 @@ export class Blocks {
   live_scripts = new Map(); // what brings a figure to life: the text of a script by its file's name
   quoted = new Set(); // the checks, and the programs as CHAPTER/PROGRAM, that some page shows
   folded = new Set(); // the chapters that show all their other checks
+  predicted = new Set(); // the names of predictions, under which a browser keeps the answers
 
   constructor(settings, results, pages, exercises) {
     this.settings = settings;
@@ -230,6 +232,8 @@ export class Blocks {
       throw new BookError(`{{predict ${argument}}} should read {{predict name | question | choice; other choice | what happens}}, or ` +
         '"number unit" in place of the choices');
     }
+    if (this.predicted.has(name)) throw new BookError(`there is a prediction "${name}" already; browsers keep the answers by this name`);
+    this.predicted.add(name);
     const [shown, told] = [question, answer].map(text =>
       text.replace(/\{\{value\s+([^{}]*)\}\}/g, (_, value) => typeset(this.value_of(page, value.trim()))));
     return prediction(name, shown, choices.split(';').map(choice => choice.trim()), told);

@@ -52,6 +52,9 @@ const seconds_until_next_look = 10;
 const style_and_script = (name, is_needed) =>
   is_needed ? `<link rel="stylesheet" href="${name}.css">\n<script src="${name}.js" defer></script>\n` : '';
 
+/** A long name of a file may break where its parts meet. */
+const breakable = html => html.replace(/[/_]/g, '$&<wbr>');
+
 /** The whole page. `page` is one of `pages` or {name, title, file, under} for a page of the reference. */
 export function layout(page, {html, headings}, pages, book) {
   const reference = pages.all.find(each => each.id === 'reference');
@@ -74,7 +77,7 @@ ${style_and_script('player', /<figure class="(?:player|live)/.test(html))}${styl
 <script src="book.js" defer></script>
 <script src="reading.js" defer></script>
 <script src="search.js" defer></script>
-</head>
+${/<form class="prediction\b/.test(html) ? '<script src="predict.js" defer></script>\n' : ''}</head>
 <body class="${kind}${page.id === 'cheat_sheet' ? ' cheat-sheet' : ''}"${page.chapter && !page.is_being_made ? ' data-kept' : ''}>
 <a class="skip" href="#text">Skip to the text</a>
 <header id="sidebar">
@@ -84,7 +87,7 @@ ${navigation(pages, page)}
 </header>
 <main id="text" tabindex="-1">
 ${way_here(page, reference)}
-<h1>${page.under ? escape(plain(escape(page.title))) : escape(page.title)}</h1>
+<h1>${page.under ? breakable(escape(plain(escape(page.title)))) : escape(page.title)}</h1>
 ${kind === 'source' ? '' : table_of_contents(headings)}
 <div class="contents">
 ${html}

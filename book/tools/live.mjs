@@ -51,16 +51,6 @@ export function live_figure({name, file, printed, module, says, source}) {
   return {html, script};
 }
 
-/** A question before a figure: choices, or "number UNIT"; what happens is folded until the reader has chosen. */
-export function prediction(name, question, choices, answer) {
-  const [, unit] = /^number ?(.*)$/.exec(choices.join(';')) ?? [];
-  const inputs = unit !== undefined
-    ? [`<label><input type="number" step="any" data-unit="${escape(unit)}"> ${escape(unit)}</label>`]
-    : choices.map(choice => `<label><input type="radio" name="${name}" value="${escape(choice)}"> ${escape(choice)}</label>`);
-  return `<form class="live-prediction" data-prediction="${name}"><fieldset><legend>${escape(question)}</legend>${inputs.join('')}</fieldset>` +
-    `<details class="fold"><summary>What happens</summary><p>${escape(answer)}</p></details></form>`;
-}
-
 /** A link in a sentence that sets knobs, such as "h=0.1&rule=2". */
 export function live_link(name, changes, words) {
   return `<a class="live-set" href="#live_${name}" data-set="${escape(changes)}">${escape(words)}</a>`;

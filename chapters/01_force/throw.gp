@@ -1,4 +1,4 @@
-set title "The coarser the step, the lower the ball: by g h t / 2"
+set title "The coarser the step, the lower the ball"
 set xlabel "distance (m)"
 set ylabel "height (m)"
 set xrange [0:16.5]

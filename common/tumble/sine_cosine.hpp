@@ -74,9 +74,11 @@ struct SineCosineConstants {
   static constexpr std::array<Real, terms> cosine_series = series(0);
 };
 
+/// The sine and the cosine of one angle, as sine_cosine() returns them: no unit, between -1 and 1
+/// up to its rounding errors, or both NaN.
 template <class Real>
 struct SineCosine {
-  Real sine, cosine;
+  Real sine, cosine;  ///< of one angle
 };
 
 /// The sine and cosine of `angle` (rad), each within two units in its last place; right next to a

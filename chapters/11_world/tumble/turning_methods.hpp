@@ -43,6 +43,9 @@ struct SplittingWithoutSine {
   }
 };
 
+/// The energy as three, one for each body axis, and a turn about each in turn: turn_axis_by_axis().
+/// The top's L is in body axes (kg m²/s), the time step in s, as for every rule of this list.
+/// Second order; McLachlan (1993), Reich (1994).
 struct AxisByAxis {
   static constexpr std::string_view name = "axis by axis";
   template <class Real>
@@ -51,6 +54,8 @@ struct AxisByAxis {
   }
 };
 
+/// Turns by |ω| h about the present ω while L (kg m²/s) stands still in world axes, for a time step
+/// of h seconds: turn_carrying_momentum(). First order, and exact in L.
 struct CarryingMomentum {
   static constexpr std::string_view name = "carrying momentum";
   template <class Real>
@@ -59,6 +64,8 @@ struct CarryingMomentum {
   }
 };
 
+/// Euler's equations in body axes by implicit Euler, solved by one step of Newton's method for a
+/// time step in s: turn_implicitly(). First order, and it loses energy.
 struct ImplicitNewton {
   static constexpr std::string_view name = "implicit Newton";
   template <class Real>
@@ -67,6 +74,8 @@ struct ImplicitNewton {
   }
 };
 
+/// Explicit Euler for L in body axes (kg m²/s) over a time step in s, with |L| scaled back to what
+/// it was: turn_restoring_momentum(). First order; nothing restores the energy.
 struct RestoringMomentum {
   static constexpr std::string_view name = "restoring momentum";
   template <class Real>
@@ -75,6 +84,8 @@ struct RestoringMomentum {
   }
 };
 
+/// Euler's equations in body axes by explicit Euler, L ← L + h L × ω (kg m²/s) for a time step of
+/// h seconds: turn_explicitly(). First order; |L| and the energy grow without bound.
 struct ExplicitEuler {
   static constexpr std::string_view name = "explicit Euler";
   template <class Real>
@@ -83,7 +94,8 @@ struct ExplicitEuler {
   }
 };
 
-/// Without gyroscopic motion.
+/// Without gyroscopic motion: turns by |ω| h about ω, and keeps L (kg m²/s) in body axes, for a
+/// time step of h seconds: turn_steadily().
 struct Steady {
   static constexpr std::string_view name = "steady";
   template <class Real>

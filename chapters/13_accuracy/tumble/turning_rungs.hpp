@@ -8,6 +8,8 @@
 
 namespace tumble {
 
+/// One solution of a linear equation for L in body axes (kg m²/s) for each time step (s):
+/// turn_linearly_implicitly().
 struct LinearlyImplicit {
   static constexpr std::string_view name = "linearly implicit";
   template <class Real>
@@ -16,7 +18,8 @@ struct LinearlyImplicit {
   }
 };
 
-/// Chapter 8's splitting in the portions of a row.
+/// Chapter 8's splitting in the portions of a row (no unit): each is made with that part of the
+/// time step (s), on a top with L in body axes (kg m²/s).
 //! [in_row]
 template <class Row>
 struct SplittingInRow {
@@ -26,22 +29,28 @@ struct SplittingInRow {
   }
 };
 
+/// Order 4 in five steps: Suzuki (1990).
 struct SplittingSuzuki : SplittingInRow<Suzuki> {
   static constexpr std::string_view name = "splitting, Suzuki";
 };
 //! [in_row]
+/// Order 4: Blanes and Moan (2002), S6.
 struct SplittingBlanesMoanFourth : SplittingInRow<BlanesMoanFourth> {
   static constexpr std::string_view name = "splitting, Blanes-Moan 4";
 };
+/// Order 6 in seven steps: Yoshida (1990), solution A.
 struct SplittingYoshida : SplittingInRow<Yoshida> {
   static constexpr std::string_view name = "splitting, Yoshida";
 };
+/// Order 6: Blanes and Moan (2002), S10.
 struct SplittingBlanesMoanSixth : SplittingInRow<BlanesMoanSixth> {
   static constexpr std::string_view name = "splitting, Blanes-Moan 6";
 };
+/// Order 8 in seventeen steps: Kahan and Li (1997), s17odr8a.
 struct SplittingKahanLiEighth : SplittingInRow<KahanLiEighth> {
   static constexpr std::string_view name = "splitting, Kahan-Li 8";
 };
+/// Order 10 in thirty-five steps: Sofroniou and Spaletta (2005).
 struct SplittingSofroniouSpaletta : SplittingInRow<SofroniouSpaletta> {
   static constexpr std::string_view name = "splitting, Sofroniou-Spaletta";
 };

@@ -80,7 +80,7 @@ async function follow_sentences(page, figure, name) {
   assert.ok(await links.count() > 0, 'a sentence with a link');
   const findings = new Set([await told(figure)]);
   for (let n = 0; n < await links.count(); ++n) {
-    const wanted = [...new URLSearchParams(await links.nth(n).getAttribute('data-set'))];
+    const wanted = [...new URLSearchParams(await links.nth(n).getAttribute('data-set'))].filter(([knob]) => knob !== 'drawn');
     await figure.evaluate(element => { element.has_told = new Promise(done => { element.addEventListener('told', done, {once: true}); }); });
     await links.nth(n).click();
     await figure.evaluate(element => element.has_told);
@@ -142,10 +142,10 @@ test('What a reader predicted is kept in the browser and shown beside what happe
   const choice = form.locator('input[type="radio"]').nth(1);
   await choice.check();
   const words = await choice.getAttribute('value');
-  assert.equal(await form.locator('.live-predicted').textContent(), `You predicted: ${words}`);
+  assert.equal(await form.locator('.predicted').textContent(), `You predicted: ${words}`);
   assert.ok(await form.locator('details p').last().isVisible());
   await page.reload();
-  assert.equal(await form.locator('.live-predicted').textContent(), `You predicted: ${words}`);
+  assert.equal(await form.locator('.predicted').textContent(), `You predicted: ${words}`);
   await page.context().close();
 });
 
