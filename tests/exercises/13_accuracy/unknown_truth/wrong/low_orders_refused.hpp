@@ -1,5 +1,5 @@
-// caught by: Where only roundings differ, or the differences don't shrink, there is no order to tell
-// message: gave up where it should have answered
+// caught by: Where only roundings differ, or the differences don't shrink, there is no order to
+// tell message: gave up where it should have answered
 #pragma once
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// caught by: Where only roundings differ, or the differences don't shrink, there is no order to tell
-// message: ask for more than 4 epsilon times the last
+// caught by: Where only roundings differ, or the differences don't shrink, there is no order to
+// tell message: ask for more than 4 epsilon times the last
 #pragma once
 
 #include <cmath>
