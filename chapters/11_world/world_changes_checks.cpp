@@ -304,6 +304,10 @@ TEST_CASE_TEMPLATE("A push that is given before a step that fails is given again
   CHECK(world.body(ball).centre.velocity.x() == 3);
   world.step();
   CHECK(world.body(ball).centre.velocity.x() == 3);
+  CHECK(same_bits(world.body(ball).centre.force, Vec3<Real>(0, 0, 0)));
+  world.add(Gravity<Real>{{0, 0, -8}});  // what it kicks has no push from before in it
+  world.step();
+  CHECK(same_bits(world.body(ball).centre.velocity, Vec3<Real>(3, 0, -8)));
 }
 
 TEST_CASE_TEMPLATE("An effect can be changed, and visits then whom it needs", Real,

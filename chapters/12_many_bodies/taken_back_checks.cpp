@@ -53,6 +53,19 @@ TEST_CASE_TEMPLATE("A step in packs that fails is taken back to the bit, with th
 }
 //! [taken_back]
 
+TEST_CASE_TEMPLATE("A step in packs that fails turns back tops that tumble in packs of their own",
+                   Real, EVERY_PRECISION) {
+  World<Real, InPacks<Real>> world(steps_per_second(64));
+  const MassProperties<Real> brick = mass_properties(Box<Real>{{1, 2, 3}}, 6);
+  for (int n = 0; n < 21; ++n)
+    world.add("brick " + std::to_string(n),
+              make_rigid_body<Real>("brick", brick, {}, {0, 0, 1}, {1, Real(n + 1) / 4, 2}).body);
+  world.add(Wind<Real>{0}, {world.add("kite", make_particle<Real>(1, {1, 2, 3}))});
+  const Bodies<Real> before = world.bodies();
+  CHECK(complaint_of_step(world).find("wind gives a force") != std::string::npos);
+  CHECK(same_motion(before, world.bodies()));
+}
+
 TEST_CASE_TEMPLATE("The books of a world in packs are those of one body after another", Real,
                    EVERY_PRECISION) {
   Dice dice(77), same_dice(77);
