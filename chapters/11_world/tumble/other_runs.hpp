@@ -12,9 +12,9 @@ namespace tumble {
 /// body that it is meant for; `moves`, with a Motion and a body, whether a motion does.
 /// `index_of` gives the place of a handle.
 //! [step_without_groups]
-template <class Real, class Visits_, class Moves, class IndexOf>
+template <class Real, class DoesVisit, class Moves, class IndexOf>
 void step_without_groups(Bodies<Real>& bodies, const Work<Real>& work, const Moment<Real>& moment,
-                         const Visits_& visits, const Moves& moves, const IndexOf& index_of) {
+                         const DoesVisit& visits, const Moves& moves, const IndexOf& index_of) {
   const Real h = moment.time_step;
   const auto run_phase = [&](Phase phase) {
     for (const Entry<Real>& entry : work.effects) {
