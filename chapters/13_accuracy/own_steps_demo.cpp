@@ -191,10 +191,10 @@ int main(int argument_count, char** arguments) {
   expect(forgetful.rejected > 3 * remembering.rejected, "a controller without a memory hunts");
 
   // Beyond the end: the loop stops after the step that has passed it.
-  EmbeddedSteps<DormandPrince54, Particled, Star<double>, double> beyond(orbit.start, orbit.gather,
-                                                                         0, 1e-6);
+  using Steps = EmbeddedSteps<DormandPrince54, Particled, Star<double>, double>;
+  Steps beyond(orbit.start, orbit.gather, 0, 1e-6);
   double gone = 0, h = 1e-3;
-  StepControl control(beyond.power);
+  StepControl control(Steps::power);
   while (gone < orbit.seconds) {
     const auto square = static_cast<float>(beyond.attempt(h));
     if (square <= 1) {
