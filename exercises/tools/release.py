@@ -21,7 +21,7 @@ from outputs import occupy_standard_descriptors
 from plain_text import complain, one_line, say, why_unheard
 from starter import regions_of
 
-LEFT_OUT = re.compile(r"(solutions|work|build|third_party)/|tests/exercises/(?!CMakeLists|tools/(run|test_|gradescope_format))|"
+LEFT_OUT = re.compile(r"(solutions|work|build|third_party)/|tests/exercises/(?!CMakeLists|judge_checks|tools/(run|test_|gradescope_format))|"
                       r"(.*/)?(instructor[^/]*|node_modules|__pycache__)(/|$)|MANIFEST\.json$", re.IGNORECASE)
 LICENCES = {"eigen3.txt": "/usr/share/doc/libeigen3-dev/copyright", "doctest.txt": "/usr/share/doc/doctest-dev/copyright",
             "MPL-2.0.txt": "/usr/share/common-licenses/MPL-2.0"}
