@@ -1,5 +1,6 @@
 // The plan against the step that knows nothing of the bodies and asks nobody.
 #include <course/checks.hpp>
+#include <course/complaint_of_step.hpp>
 #include <course/exhaustive.hpp>
 #include <course/random_world.hpp>
 
@@ -7,17 +8,6 @@ using namespace tumble;
 using namespace tumble::course;
 
 namespace {
-
-/// Steps, and says whether that could be done.
-template <class Step>
-std::string complaint_of_step(const Step& step) {
-  try {
-    step();
-  } catch (const SimulationError& error) {
-    return error.what();
-  }
-  return {};
-}
 
 // Effects of a user's own: one for each thing that can be given, and each thing that can be seen.
 

@@ -1,21 +1,11 @@
 #include <course/checks.hpp>
+#include <course/complaint_of_step.hpp>
 #include <course/random_world.hpp>
 
 using namespace tumble;
 using namespace tumble::course;
 
 namespace {
-
-/// Steps, and says whether that could be done.
-template <class Step>
-std::string complaint_of_step(const Step& step) {
-  try {
-    step();
-  } catch (const SimulationError& error) {
-    return error.what();
-  }
-  return {};
-}
 
 const PlanRow* row_of(const Plan& plan, std::string_view effect) {
   for (const PlanRow& row : plan.rows)

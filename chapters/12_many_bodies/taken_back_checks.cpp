@@ -44,9 +44,9 @@ TEST_CASE_TEMPLATE("A step in packs that fails is taken back to the bit, with th
     packed.step();
   }
   for (int again = 0; again < 2; ++again) {
-    const std::string complaint = complaint_of_step(plain);
+    const std::string complaint = complaint_of_step([&] { plain.step(); });
     CHECK(complaint.find("wind gives a force of (inf, 0, 0) N") != std::string::npos);
-    CHECK(complaint_of_step(packed) == complaint);
+    CHECK(complaint_of_step([&] { packed.step(); }) == complaint);
     CHECK(packed.ticks() == 96);
     CHECK(same_motion(plain.bodies(), packed.bodies()));
   }
@@ -62,7 +62,7 @@ TEST_CASE_TEMPLATE("A step in packs that fails turns back tops that tumble in pa
               make_rigid_body<Real>("brick", brick, {}, {0, 0, 1}, {1, Real(n + 1) / 4, 2}).body);
   world.add(Wind<Real>{0}, {world.add("kite", make_particle<Real>(1, {1, 2, 3}))});
   const Bodies<Real> before = world.bodies();
-  CHECK(complaint_of_step(world).find("wind gives a force") != std::string::npos);
+  CHECK(complaint_of_step([&] { world.step(); }).find("wind gives a force") != std::string::npos);
   CHECK(same_motion(before, world.bodies()));
 }
 

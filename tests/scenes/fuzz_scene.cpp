@@ -1,6 +1,7 @@
 // Whatever the text of a scene file is: it becomes a world whose plan, reference run and packs
 // agree to the bit, or it is refused with the name of the file. Nothing else is allowed to happen.
 // libFuzzer calls this with texts of its own making, and run_corpus.cpp with those in corpus/.
+#include <course/complaint_of_step.hpp>
 #include <course/random_world.hpp>
 #include <tumble/in_packs.hpp>
 #include <tumble/scene/read_scene.hpp>
@@ -8,17 +9,6 @@
 using namespace tumble;
 
 namespace {
-
-/// Takes a step, or says why that can't be done.
-template <class Step>
-std::string complaint_of_step(const Step& step) {
-  try {
-    step();
-  } catch (const SimulationError& error) {
-    return error.what();
-  }
-  return {};
-}
 
 void require(bool fact) {
   if (!fact) std::abort();
@@ -31,9 +21,9 @@ void load_and_step(std::string_view text) {
     World<Real> reference = planned;
     auto packed = read_scene<Real, InPacks<Real>>(text, "fuzz.json", {.most_copies = 5}).world;
     for (int step = 0; step < 3; ++step) {
-      const std::string complaint = complaint_of_step([&] { planned.step(); });
-      require(complaint_of_step([&] { reference.step_by_reference(); }) == complaint);
-      require(complaint_of_step([&] { packed.step(); }) == complaint);
+      const std::string complaint = course::complaint_of_step([&] { planned.step(); });
+      require(course::complaint_of_step([&] { reference.step_by_reference(); }) == complaint);
+      require(course::complaint_of_step([&] { packed.step(); }) == complaint);
       require(course::same_motion(planned.bodies(), reference.bodies()));
       require(course::same_motion(planned.bodies(), packed.bodies()));
     }

@@ -1,5 +1,6 @@
 #include "check_plan.hpp"
 
+#include <course/complaint_of_step.hpp>
 #include <course/exhaustive.hpp>
 #include <course/scene_rules.hpp>
 #include <cstdio>
@@ -9,17 +10,6 @@
 
 namespace tumble::simulate {
 namespace {
-
-/// Steps, and says why not if that could not be done.
-template <class Step>
-std::string complaint_of(const Step& step) {
-  try {
-    step();
-  } catch (const SimulationError& error) {
-    return error.what();
-  }
-  return {};
-}
 
 template <class Real>
 ExitCode check(const Options& options) {
@@ -37,8 +27,8 @@ ExitCode check(const Options& options) {
     return step_failed;
   };
   for (std::int64_t step = 1; step <= steps; ++step) {
-    const std::string complaint = complaint_of([&] { planned.step(); });
-    const std::string other = complaint_of([&] { exhaustive.step_exhaustively(); });
+    const std::string complaint = course::complaint_of_step([&] { planned.step(); });
+    const std::string other = course::complaint_of_step([&] { exhaustive.step_exhaustively(); });
     if (other != complaint)
       return parted("by plan it ends with \"" + complaint + "\", and without with \"" + other +
                     "\"");

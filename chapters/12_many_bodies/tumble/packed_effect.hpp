@@ -58,13 +58,14 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
     } else if constexpr (sees == Sees::body) {
       const bool changes_tops =
           this->traits().writes.has_any(quantity::torque | quantity::spin | quantity::orientation);
-      visit_bodies(bodies, packs, begin, end, changes_tops,
-                   [&](Particle<Packed>& centre, Top<Packed>& top, const auto& members) {
-                     if constexpr (is_widened)
-                       visit(kernel_, centre, top, Moment<Packed>{moment.time, moment.time_step});
-                     else
-                       visit_lanes(centre, top, members, moment);
-                   });
+      visit_bodies(
+          bodies, packs, begin, end, changes_tops,
+          [&](Particle<Packed>& centre, Top<Packed>& top, [[maybe_unused]] const auto& members) {
+            if constexpr (is_widened)
+              visit(kernel_, centre, top, Moment<Packed>{moment.time, moment.time_step});
+            else
+              visit_lanes(centre, top, members, moment);
+          });
     } else {
       auto& array = [&]() -> auto& {
         if constexpr (sees == Sees::centre)

@@ -19,10 +19,10 @@ inline btVector3 bullet_vector(const Triple& v) {
 class BulletBodies {
  public:
   explicit BulletBodies(const Setting& setting)
-      : time_step(static_cast<btScalar>(setting.time_step())),
-        torque_on_each(has_torque(setting.scene) ? bullet_vector(torque) : btVector3(0, 0, 0)),
-        gyroscopic(setting.gyroscopic) {
-    btRigidBody::btRigidBodyConstructionInfo info(static_cast<btScalar>(mass), nullptr, &shape,
+      : time_step_(static_cast<btScalar>(setting.time_step())),
+        torque_on_each_(has_torque(setting.scene) ? bullet_vector(torque) : btVector3(0, 0, 0)),
+        gyroscopic_(setting.gyroscopic) {
+    btRigidBody::btRigidBodyConstructionInfo info(static_cast<btScalar>(mass), nullptr, &shape_,
                                                   bullet_vector(moments));
     // What Bullet calls damping is the part of the speed that is lost in a second.
     if (has_damping(setting.scene))
@@ -37,24 +37,24 @@ class BulletBodies {
       body->setAngularVelocity(bullet_vector(start.angular_velocity));
       body->setActivationState(DISABLE_DEACTIVATION);
       body->setFlags(BT_DISABLE_WORLD_GRAVITY |
-                     (gyroscopic ? BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY : 0));
+                     (gyroscopic_ ? BT_ENABLE_GYROSCOPIC_FORCE_IMPLICIT_BODY : 0));
       if (has_gravity(setting.scene)) body->setGravity({0, 0, static_cast<btScalar>(gravity)});
-      bodies.push_back(std::move(body));
+      bodies_.push_back(std::move(body));
     }
   }
 
   Motion motion(std::size_t n) const {
-    const btRigidBody& body = *bodies[n];
+    const btRigidBody& body = *bodies_[n];
     return {triple_of(body.getCenterOfMassPosition()), triple_of(body.getLinearVelocity()),
             triple_of(body.getAngularVelocity())};
   }
 
  protected:
-  btScalar time_step;
-  btVector3 torque_on_each;
-  bool gyroscopic;
-  btSphereShape shape{1};
-  std::vector<std::unique_ptr<btRigidBody>> bodies;
+  btScalar time_step_;
+  btVector3 torque_on_each_;
+  bool gyroscopic_;
+  btSphereShape shape_{1};
+  std::vector<std::unique_ptr<btRigidBody>> bodies_;
 };
 
 /// Its integration functions, called for each body in the order in which its world calls them. The
@@ -65,24 +65,24 @@ class BulletFunctions : public BulletBodies {
 
   void run(int steps) {
     for (int step = 0; step < steps; ++step)
-      for (const auto& body : bodies) this->step(*body);
+      for (const auto& body : bodies_) this->step(*body);
   }
 
  private:
   //! [bullet_functions]
   void step(btRigidBody& body) const {
     body.applyGravity();
-    body.applyTorque(torque_on_each);
-    body.applyDamping(time_step);
-    if (gyroscopic) {
-      const btVector3 change = body.computeGyroscopicImpulseImplicit_Body(time_step);
-      body.integrateVelocities(time_step);
+    body.applyTorque(torque_on_each_);
+    body.applyDamping(time_step_);
+    if (gyroscopic_) {
+      const btVector3 change = body.computeGyroscopicImpulseImplicit_Body(time_step_);
+      body.integrateVelocities(time_step_);
       body.setAngularVelocity(body.getAngularVelocity() + change);
     } else {
-      body.integrateVelocities(time_step);
+      body.integrateVelocities(time_step_);
     }
     btTransform there;
-    body.predictIntegratedTransform(time_step, there);
+    body.predictIntegratedTransform(time_step_, there);
     body.proceedToTransform(there);
     body.clearForces();
   }
@@ -93,14 +93,14 @@ class BulletFunctions : public BulletBodies {
 class BulletWorld : public BulletBodies {
  public:
   explicit BulletWorld(const Setting& setting) : BulletBodies(setting) {
-    for (const auto& body : bodies) world_.addRigidBody(body.get(), 0, 0);
+    for (const auto& body : bodies_) world_.addRigidBody(body.get(), 0, 0);
   }
 
   //! [bullet_world]
   void run(int steps) {
     for (int step = 0; step < steps; ++step) {
-      for (const auto& body : bodies) body->applyTorque(torque_on_each);
-      world_.stepSimulation(time_step, 0);  // 0: one step, of just this length
+      for (const auto& body : bodies_) body->applyTorque(torque_on_each_);
+      world_.stepSimulation(time_step_, 0);  // 0: one step, of just this length
     }
   }
   //! [bullet_world]
