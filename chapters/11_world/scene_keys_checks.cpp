@@ -69,17 +69,20 @@ TEST_CASE("The step of a scene is so many in a second, or so many nanoseconds, o
   CHECK(step_of("") == 1.0 / 60);
 }
 
-TEST_CASE("Title, description, duration and turning method are those of the file, or the default") {
+TEST_CASE(
+    "Title, description, duration, turning method and scheme are the file's, or the default") {
   const Scene<double> said = read(R"({"title": "T", "description": "D", "duration": 3.5,
-    "turning_method": "axis_by_axis", "bodies": [{"name": "a", "mass": 1}]})");
+    "turning_method": "axis_by_axis", "scheme": "verlet", "bodies": [{"name": "a", "mass": 1}]})");
   CHECK(said.title == "T");
   CHECK(said.description == "D");
   CHECK(said.duration == 3.5);
   CHECK(said.world.turning_method() == "axis by axis");
+  CHECK(said.world.scheme() == Scheme::verlet);
   const Scene<double> bare = read(R"({"duration": 1, "bodies": [{"name": "a", "mass": 1}]})");
   CHECK(bare.title == "keys.json");
   CHECK(bare.description.empty());
   CHECK(bare.world.turning_method() == "splitting");
+  CHECK(bare.world.scheme() == Scheme::semi_implicit_euler);
   CHECK(bare.world.effects().empty());
 }
 

@@ -187,6 +187,7 @@ drift                drift    1 of 2  velocity             position           no
 kick of the spin     no pass  0 of 2  orientation, torque  spin               not 2: points do not turn
 steady turning       no pass  0 of 2  spin                 orientation        not 2: points do not turn
 tumbling: splitting  no pass  0 of 2  spin                 orientation, spin  not 2: points do not turn
+order 1: semi-implicit Euler
 )");
   Ledger<double> ledger(world);
   ledger.step(world);

@@ -1,4 +1,5 @@
 #include <course/checks.hpp>
+#include <course/orders.hpp>
 #include <course/random_boxes.hpp>
 #include <course/scene_rules.hpp>
 #include <tumble/ladder.hpp>
@@ -84,3 +85,66 @@ TEST_CASE_TEMPLATE("Beyond that they are stopped, and never leave a number that 
   CHECK(stopped_up_to(1000 * SineCosineConstants<Real>::limit) > 0);
 }
 //! [rungs_stay_finite]
+
+/// The gather of a problem as an effect of a world.
+template <class Gather>
+struct AsEffect {
+  static constexpr std::string_view name = "problem";
+  static constexpr Quantities reads = quantity::time | quantity::orientation;
+  Gather gather;
+  Vec3<double> torque(Top<double> top, double time) const {
+    gather(top, time);
+    return top.torque;
+  }
+};
+
+/// How far a world has turned a problem's top aside from `truth` in a second.
+template <class Gather>
+double turned_aside(const Problem<Top<double>, Gather>& problem, std::size_t rule, Scheme scheme,
+                    int steps, const Top<Wide>& truth) {
+  World<double> world(steps_per_second(steps));
+  SceneRules::choose(world, rule);
+  world.step_by(scheme);
+  world.add("top", RigidBody<double>{.centre = make_particle<double>(1), .top = problem.start});
+  world.add(AsEffect<Gather>{problem.gather});
+  for (int n = 0; n < steps; ++n) world.step();
+  const Quaternion<double>& turned = world.bodies().tops[0].orientation;
+  return static_cast<double>(angle_between<Wide>(
+      {turned.real, turned.imaginary.template cast<Wide>()}, truth.orientation));
+}
+
+template <class Gather>
+void check_orders_in_worlds(const Problem<Top<double>, Gather>& problem) {
+  // The truth by a rung of order 10, in steps of a thousandth of a second.
+  Top<Wide> truth{
+      .orientation = {problem.start.orientation.real,
+                      problem.start.orientation.imaginary.template cast<Wide>()},
+      .angular_momentum_body = problem.start.angular_momentum_body.template cast<Wide>(),
+      .inverse_moments = problem.start.inverse_moments.template cast<Wide>()};
+  const auto gather = exactly(problem.gather);
+  gather(truth, 0);
+  for (int n = 0; n < 1000; ++n)
+    step_by_row<SofroniouSpaletta>(truth, gather, n * Wide(0.001L), Wide(0.001L));
+  for (const Scheme scheme : {Scheme::semi_implicit_euler, Scheme::verlet, Scheme::suzuki})
+    for (std::size_t rule = 0; rule < SceneRules::names.size(); ++rule) {
+      CAPTURE(SceneRules::names[rule]);
+      CAPTURE(name_of(scheme));
+      World<double> world;
+      SceneRules::choose(world, rule);
+      world.step_by(scheme);
+      world.add("top", RigidBody<double>{.centre = make_particle<double>(1), .top = problem.start});
+      const int promised = world.plan().accuracy.order;
+      const int steps = 64;
+      const double order = std::log2(turned_aside(problem, rule, scheme, steps, truth) /
+                                     turned_aside(problem, rule, scheme, 2 * steps, truth));
+      CAPTURE(order);
+      CHECK(std::lround(order) >= promised);
+    }
+}
+
+//! [orders_in_worlds]
+TEST_CASE("Under a torque, by every rule and scheme, a world's error falls as its plan promises") {
+  check_orders_in_worlds(driven_top<double>());
+  check_orders_in_worlds(heavy_top<double>("heavy top", 5));
+}
+//! [orders_in_worlds]

@@ -1,5 +1,5 @@
-// Steps scenes in three ways, by plan, by reference and in packs, in both precisions, and prints a
-// digest of every state: scene_bits SCENE.json...
+// Steps scenes in three ways, by plan, by reference and in packs, and by plan with the other
+// schemes too, in both precisions, and prints a digest of every state: scene_bits SCENE.json...
 #include "digest.hpp"
 
 #include <filesystem>
@@ -33,6 +33,11 @@ void print_digests(const std::filesystem::path& path) {
   bits::print<Real>(what, run(scene.world, plan));
   bits::print<Real>(what + ", by reference",
                     run(scene.world, [](auto& world) { world.step_by_reference(); }));
+  for (const Scheme scheme : {Scheme::verlet, Scheme::suzuki}) {
+    World<Real> world = scene.world;
+    world.step_by(scheme);
+    bits::print<Real>(std::string(name_of(scheme)) + ", " + what, run(std::move(world), plan));
+  }
   auto packed = read_scene_file<Real, InPacks<Real>>(path);
   packed.world.keeping().use_threads(1);
   bits::print<Real>(what + ", in packs", run(packed.world, plan));

@@ -1,5 +1,5 @@
 // Prints every key that the loader knows: object, key, unit, and whether it is required; then every
-// turning method.
+// turning method, and every scheme after the word "scheme".
 #include <course/scene_rules.hpp>
 #include <cstdio>
 #include <string>
@@ -20,4 +20,5 @@ int main() {
   print(tumble::effect_kinds);
   for (const std::string& word : tumble::turning_method_words<tumble::course::SceneRules>())
     std::printf("%s\n", word.c_str());
+  for (const std::string& word : tumble::scheme_words()) std::printf("scheme %s\n", word.c_str());
 }

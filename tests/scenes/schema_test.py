@@ -26,10 +26,10 @@ def resolved(part):
 
 Draft202012Validator.check_schema(schema)
 
-loader, methods = {}, []
+loader, methods, schemes = {}, [], []
 for line in subprocess.run([program], check=True, capture_output=True, text=True).stdout.splitlines():
     if "\t" not in line:
-        methods.append(line)
+        (schemes if line.startswith("scheme ") else methods).append(line.removeprefix("scheme "))
         continue
     kind, key, unit, required = line.split("\t")
     loader.setdefault(kind, {})[key] = (unit, required != "")
@@ -53,6 +53,8 @@ published_methods = published["scene"]["properties"]["turning_method"]["enum"]
 if "exact_solution" not in methods:
     methods.append("exact_solution")
 verify(published_methods == methods, f"turning methods differ: {published_methods}, {methods}")
+published_schemes = published["scene"]["properties"]["scheme"]["enum"]
+verify(published_schemes == schemes, f"schemes differ: {published_schemes}, {schemes}")
 
 validator = Draft202012Validator(schema)
 shipped = sorted(path for path in scenes.glob("*.json") if path.name != "scene.schema.json")
@@ -68,6 +70,7 @@ for mistake in (
     lambda scene: scene.update(gravity=9.81),
     lambda scene: scene.update(duration=0),
     lambda scene: scene.update(turning_method="magic"),
+    lambda scene: scene.update(scheme="velvet"),
     lambda scene: scene["bodies"][2].update(mass=-1),
     lambda scene: scene["bodies"][2].update(colour="red"),
     lambda scene: scene["bodies"][3]["solid"].update(shape="spere"),

@@ -104,6 +104,9 @@ inline std::vector<BadScene> bad_scenes() {
             "splitting_without_sine, axis_by_axis, carrying_momentum, implicit_newton, "
             "restoring_momentum, "
             "explicit_euler, steady"),
+      whole(R"("scheme": "velvet", )",
+            "/scheme is \"velvet\"; no scheme has that name; did you mean verlet?"),
+      whole(R"("scheme": 2, )", "/scheme is 2; it must be a text"),
       // Bodies.
       body("3", "/bodies/0 is 3; it must be an object: a body"),
       body(R"({"mass": 1})", "/bodies/0 needs the key name"),

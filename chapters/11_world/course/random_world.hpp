@@ -132,12 +132,17 @@ void add_random_effect(World<Real, Keeping>& world, Dice& dice,
   }
 }
 
+inline Scheme random_scheme(Dice& dice) {
+  return Scheme(dice.below(scheme_names.size()));
+}
+
 template <class Real, class Keeping = OneByOne<Real>>
 World<Real, Keeping> random_world(Dice& dice, std::size_t most_bodies = 5) {
   using Rules = TurningRules<Splitting, SplittingWithoutSine, AxisByAxis, CarryingMomentum, Steady,
                              ImplicitNewton>;
   World<Real, Keeping> world(steps_per_second(60));
   Rules::choose(world, dice.below(6));
+  world.step_by(random_scheme(dice));
   std::vector<BodyHandle> bodies;
   for (std::size_t n = 0, count = 1 + dice.below(most_bodies); n < count; ++n)
     bodies.push_back(add_random_body(world, dice, "body " + std::to_string(n)));
@@ -152,7 +157,9 @@ void meddle(World<Real, Keeping>& world, Dice& dice, int number) {
   if (world.body_count() == 0) return;
   const BodyHandle body = world.handle_at(static_cast<BodyIndex>(dice.below(world.body_count())));
   const bool has_top = !world.is_point(body);
-  switch (dice.below(7)) {
+  switch (dice.below(8)) {
+    case 7:
+      return world.step_by(random_scheme(dice));
     case 0:
       return world.set_velocity(body, dice.vector<Real>());
     case 1:

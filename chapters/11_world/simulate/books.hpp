@@ -33,6 +33,7 @@ std::string books_of(const Ledger<Real>& ledger, Scene<Real, Keeping>& scene,
   const double h = time_step_of<double>(world.step_length());
   std::string text = "{\"bodies\":" + std::to_string(world.body_count());
   text.append(",\"turning_method\":").append(nlohmann::json(world.turning_method()).dump());
+  text.append(",\"scheme\":").append(nlohmann::json(name_of(world.scheme())).dump());
   text.append(",\"steps\":").append(std::to_string(world.ticks()));
   text.append(",\"time_step\":").append(json_number(h));
   text.append(",\"time\":").append(json_number(static_cast<double>(world.ticks()) * h));

@@ -24,6 +24,8 @@ SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or t
   --until SECONDS     simulate this long instead of the scene's duration, to the nearest whole number of steps
   --method METHOD     turn by another rule of chapter 8, or by a rung of chapter 13; for a METHOD that does not exist
                       the answer lists those that do
+  --scheme SCHEME     step all bodies by semi_implicit_euler, verlet or suzuki: order 1, 2 or 4 where nothing limits it;
+                      --plan says what does
   --precision KIND    double (the default) or float
   --seed N            draw other random bodies: N, 0 to 2^53, is added to each seed of the file
   --threads N         let N threads share the work, 1 to 1024; by default one for each processor. No bit depends on it
@@ -46,9 +48,9 @@ the scene is wrong, 3 if a file could not be written, 4 if memory or threads did
 signal that ended it: 130 after Ctrl-C.
 )";
 
-const std::vector<std::string> options_with_value = {"dt",    "until",   "method", "precision",
-                                                     "csv",   "jsonl",   "plot",   "view",
-                                                     "every", "threads", "books",  "seed"};
+const std::vector<std::string> options_with_value = {
+    "dt",   "until", "method", "scheme",  "precision", "csv", "jsonl",
+    "plot", "view",  "every",  "threads", "books",     "seed"};
 const std::vector<std::string> switches = {"plan", "check-plan", "no-ledger", "bill", "help"};
 
 double seconds(const std::string& option, const std::string& text) {
@@ -160,18 +162,20 @@ Options read(const cxxopts::ParseResult& given) {
       throw UsageError("--until is " + text("until") +
                        " s; it must be greater than 0 and at most 1e9 s");
   }
-  if (given.count("method")) {
-    const auto& words = turning_method_words<course::SceneRules>();
-    const auto found = std::find(words.begin(), words.end(), text("method"));
+  const auto place_in = [&](const auto& words, const std::string& option) {
+    const auto found = std::find(words.begin(), words.end(), text(option));
     if (found == words.end()) {
       std::string all;
       for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
-      throw UsageError("no method is called " + text("method") +
-                       did_you_mean(text("method"), {words.begin(), words.end()}) +
-                       "\nThe methods are: " + all);
+      throw UsageError("no " + option + " is called " + text(option) +
+                       did_you_mean(text(option), {words.begin(), words.end()}) + "\nThe " +
+                       option + "s are: " + all);
     }
-    options.changes.turning_method = static_cast<std::size_t>(found - words.begin());
-  }
+    return static_cast<std::size_t>(found - words.begin());
+  };
+  if (given.count("method"))
+    options.changes.turning_method = place_in(turning_method_words<course::SceneRules>(), "method");
+  if (given.count("scheme")) options.changes.scheme = Scheme(place_in(scheme_words(), "scheme"));
   if (given.count("precision")) {
     options.is_float = text("precision") == "float";
     if (!options.is_float && text("precision") != "double")

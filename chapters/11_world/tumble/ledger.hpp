@@ -80,48 +80,57 @@ class Ledger {
   //! [book_step]
   static void book_step(Bodies<Real> bodies, const Work<Real>& work, const Moment<Real>& moment,
                         Lines& lines) {
-    const Real h = moment.time_step;
     const auto book = [&](const std::string& name, const auto& change) {
       const LedgerLine had = holdings_of(bodies);
       change();
       LedgerLine gained = holdings_of(bodies);
       line_of(lines, name) += gained -= had;
     };
-    const auto book_phase = [&](Phase phase) {
+    const auto book_phase = [&](Phase phase, const Moment<Real>& at) {
       for (const std::size_t i : work.in_phase[static_cast<std::size_t>(phase)]) {
         const Entry<Real>& entry = work.effects[i];
-        book(entry.effect->name(), [&] { entry.effect->run(bodies, entry.visits, moment); });
+        book(entry.effect->name(), [&] { entry.effect->run(bodies, entry.visits, at); });
       }
     };
-    Bodies<Real> alone = bodies;  // for one force at a time
     for (const std::size_t i : work.in_phase[static_cast<std::size_t>(Phase::force)])
       line_of(lines, work.effects[i].effect->name());  // lines stand in the order of the scene
-    run(work, Phase::force, bodies, moment);
-    add(work.inputs, bodies);
-    book_phase(Phase::kick);
-    const Bodies<Real> summed = bodies;
-    for_each_of(work.pushed, bodies.centres, [&](auto& centre) { kick(centre, h); });
-    for_each_of(work.torqued, bodies.tops, [&](auto& top) { kick(top, h); });
-    for (const std::size_t i : work.in_phase[static_cast<std::size_t>(Phase::force)]) {
-      work.effects[i].effect->run(alone, work.effects[i].visits, moment);
-      book_kick(alone, summed, bodies, h, line_of(lines, work.effects[i].effect->name()));
+    for (const Portion<Real>& portion : work.portions) {
+      const Moment<Real> part = moment_of(portion, moment);
+      const Real h = part.time_step;
+      if (portion.stroke == Stroke::kick) {
+        Bodies<Real> alone = bodies;  // for one force at a time
+        run(work, Phase::force, bodies, part);
+        add(work.inputs, bodies);
+        book_phase(Phase::kick, part);
+        const Bodies<Real> summed = bodies;
+        for_each_of(work.pushed, bodies.centres, [&](auto& centre) { kick(centre, h); });
+        for_each_of(work.torqued, bodies.tops, [&](auto& top) { kick(top, h); });
+        for (const std::size_t i : work.in_phase[static_cast<std::size_t>(Phase::force)]) {
+          work.effects[i].effect->run(alone, work.effects[i].visits, part);
+          book_kick(alone, summed, bodies, h, line_of(lines, work.effects[i].effect->name()));
+        }
+        add(work.inputs, alone);
+        if (!work.inputs.empty()) book_kick(alone, summed, bodies, h, line_of(lines, "input"));
+        for_each_of(work.pushed, bodies.centres, [](auto& centre) { clear_force(centre); });
+        for_each_of(work.torqued, bodies.tops, [](auto& top) { clear_torque(top); });
+      } else if (portion.stroke == Stroke::fade) {
+        book_phase(Phase::impulse, moment);
+        book_phase(Phase::damping, moment);
+      } else {
+        if (!work.movers.empty())
+          book("drift", [&] {
+            for_each_of(work.movers, bodies.centres, [&](auto& centre) { drift(centre, h); });
+          });
+        if (!work.steady.empty())
+          book("steady turning", [&] {
+            for_each_of(work.steady, bodies.tops, [&](auto& top) { turn_steadily(top, h); });
+          });
+        if (!work.tumbling.empty())
+          book("tumbling: " + work.rule->name(),
+               [&] { work.rule->turn(bodies.tops, work.tumbling, h); });
+      }
     }
-    add(work.inputs, alone);
-    if (!work.inputs.empty()) book_kick(alone, summed, bodies, h, line_of(lines, "input"));
-    book_phase(Phase::impulse);
-    book_phase(Phase::damping);
-    if (!work.movers.empty())
-      book("drift", [&] {
-        for_each_of(work.movers, bodies.centres, [&](auto& centre) { drift(centre, h); });
-      });
-    if (!work.steady.empty())
-      book("steady turning", [&] {
-        for_each_of(work.steady, bodies.tops, [&](auto& top) { turn_steadily(top, h); });
-      });
-    if (!work.tumbling.empty())
-      book("tumbling: " + work.rule->name(),
-           [&] { work.rule->turn(bodies.tops, work.tumbling, h); });
-    book_phase(Phase::drift);
+    book_phase(Phase::drift, moment);
   }
   //! [book_step]
 

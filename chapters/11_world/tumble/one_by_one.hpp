@@ -26,26 +26,20 @@ class OneByOne {
   /// One step. @return the body that it led nowhere, if it did: all are then as they were before
   //! [step]
   std::optional<BodyIndex> step(const Work<Real>& work, const Moment<Real>& moment) {
-    const Real h = moment.time_step;
-    std::vector<Particle<Real>>& centres = bodies_.centres;
-    std::vector<Top<Real>>& tops = bodies_.tops;
     before_.remember(bodies_, work);
-
-    run(work, Phase::force, bodies_, moment);
-    add(work.inputs, bodies_);
-
-    run(work, Phase::kick, bodies_, moment);
-    for_each_of(work.pushed, centres, [&](auto& centre) { kick(centre, h), clear_force(centre); });
-    for_each_of(work.torqued, tops, [&](auto& top) { kick(top, h), clear_torque(top); });
-
-    run(work, Phase::impulse, bodies_, moment);
-    run(work, Phase::damping, bodies_, moment);
-
-    for_each_of(work.movers, centres, [&](auto& centre) { drift(centre, h); });
-    for_each_of(work.steady, tops, [&](auto& top) { turn_steadily(top, h); });
-    work.rule->turn(tops, work.tumbling, h);
+    for (const Portion<Real>& portion : work.portions)  // of Euler's step: kick, fade, drift
+      switch (portion.stroke) {
+        case Stroke::kick:
+          kick_all(work, moment_of(portion, moment));
+          break;
+        case Stroke::fade:
+          run(work, Phase::impulse, bodies_, moment);
+          run(work, Phase::damping, bodies_, moment);
+          break;
+        case Stroke::drift:
+          drift_all(work, moment_of(portion, moment).time_step);
+      }
     run(work, Phase::drift, bodies_, moment);
-
     const std::optional<BodyIndex> lost = first_lost(bodies_, work);
     if (lost) before_.restore(bodies_, work);
     return lost;
@@ -53,6 +47,23 @@ class OneByOne {
   //! [step]
 
  private:
+  //! [strokes]
+  void kick_all(const Work<Real>& work, const Moment<Real>& moment) {
+    const Real h = moment.time_step;
+    run(work, Phase::force, bodies_, moment);
+    add(work.inputs, bodies_);
+    run(work, Phase::kick, bodies_, moment);
+    for_each_of(work.pushed, bodies_.centres,
+                [&](auto& centre) { kick(centre, h), clear_force(centre); });
+    for_each_of(work.torqued, bodies_.tops, [&](auto& top) { kick(top, h), clear_torque(top); });
+  }
+  void drift_all(const Work<Real>& work, Real h) {
+    for_each_of(work.movers, bodies_.centres, [&](auto& centre) { drift(centre, h); });
+    for_each_of(work.steady, bodies_.tops, [&](auto& top) { turn_steadily(top, h); });
+    work.rule->turn(bodies_.tops, work.tumbling, h);
+  }
+  //! [strokes]
+
   template <class, class>
   friend class World;
   template <class, class>

@@ -15,23 +15,22 @@ namespace tumble {
 template <class Real, class DoesVisit, class Moves, class IndexOf>
 void step_without_groups(Bodies<Real>& bodies, const Work<Real>& work, const Moment<Real>& moment,
                          const DoesVisit& visits, const Moves& moves, const IndexOf& index_of) {
-  const Real h = moment.time_step;
-  const auto run_phase = [&](Phase phase) {
+  const auto run_phase = [&](Phase phase, const Moment<Real>& at) {
     for (const Entry<Real>& entry : work.effects) {
       const EffectTraits<Real>& traits = entry.effect->traits();
       if (traits.phase != phase) continue;
       if (traits.finds_pairs) {
-        entry.effect->run(bodies, {}, moment);
+        entry.effect->run(bodies, {}, at);
       } else if (traits.joins_two()) {
         for (std::size_t i = 0; i < entry.targets.size(); i += 2)
           entry.effect->run(
-              bodies, {{}, {{index_of(entry.targets[i]), index_of(entry.targets[i + 1])}}}, moment);
+              bodies, {{}, {{index_of(entry.targets[i]), index_of(entry.targets[i + 1])}}}, at);
       } else {
         const auto visit_one = [&](BodyIndex body) {
           Visits one;
           if (!visits(entry, body)) return;
           one.group.insert(traits.visits_tops() ? bodies.top_of[body] : body);
-          entry.effect->run(bodies, one, moment);
+          entry.effect->run(bodies, one, at);
         };
         if (entry.everyone)
           for (BodyIndex body = 0; body < bodies.centres.size(); ++body) visit_one(body);
@@ -47,23 +46,31 @@ void step_without_groups(Bodies<Real>& bodies, const Work<Real>& work, const Mom
     for (BodyIndex top = 0; top < bodies.tops.size(); ++top)
       if (moves(motion, bodies.body_of[top])) change(bodies.tops[top]);
   };
-  run_phase(Phase::force);
-  add(work.inputs, bodies);
-  run_phase(Phase::kick);
-  for_centres(kick_motion, [&](auto& centre) { kick(centre, h), clear_force(centre); });
-  for_tops(kick_of_spin, [&](auto& top) { kick(top, h), clear_torque(top); });
-  run_phase(Phase::impulse);
-  run_phase(Phase::damping);
-  for_centres(drift_motion, [&](auto& centre) { drift(centre, h); });
-  for_tops(steady_turning, [&](auto& top) { turn_steadily(top, h); });
-  Group one;
-  one.insert(0);
-  for_tops(tumbling_motion, [&](auto& top) {
-    std::vector<Top<Real>> alone = {top};
-    work.rule->turn(alone, one, h);
-    top = alone[0];
-  });
-  run_phase(Phase::drift);
+  for (const Portion<Real>& portion : work.portions) {
+    const Moment<Real> part = moment_of(portion, moment);
+    const Real h = part.time_step;
+    if (portion.stroke == Stroke::kick) {
+      run_phase(Phase::force, part);
+      add(work.inputs, bodies);
+      run_phase(Phase::kick, part);
+      for_centres(kick_motion, [&](auto& centre) { kick(centre, h), clear_force(centre); });
+      for_tops(kick_of_spin, [&](auto& top) { kick(top, h), clear_torque(top); });
+    } else if (portion.stroke == Stroke::fade) {
+      run_phase(Phase::impulse, moment);
+      run_phase(Phase::damping, moment);
+    } else {
+      for_centres(drift_motion, [&](auto& centre) { drift(centre, h); });
+      for_tops(steady_turning, [&](auto& top) { turn_steadily(top, h); });
+      for_tops(tumbling_motion, [&](auto& top) {
+        Group one;
+        one.insert(0);
+        std::vector<Top<Real>> alone = {top};
+        work.rule->turn(alone, one, h);
+        top = alone[0];
+      });
+    }
+  }
+  run_phase(Phase::drift, moment);
 }
 //! [step_without_groups]
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <tumble/accuracy.hpp>
 #include <tumble/planner.hpp>
 
 namespace tumble {
@@ -28,6 +29,7 @@ struct PlanRow {
 /// What each step does, in this order.
 struct Plan {
   std::vector<PlanRow> rows;
+  Accuracy accuracy;
   std::vector<std::string> warnings;  ///< what may go wrong, such as a step too long for a spring
   /// The lines of those that visit somebody.
   std::size_t passes() const {
@@ -167,6 +169,7 @@ inline std::string table_of(const Plan& plan) {
     line.erase(line.find_last_not_of(' ') + 1);
     text.append(line).append("\n");
   }
+  text.append(text_of(plan.accuracy)).append("\n");
   for (const std::string& warning : plan.warnings) text.append("warning: ").append(warning) += '\n';
   return text;
 }

@@ -22,6 +22,11 @@ class Planner : public PlanGroups<Real> {
     work_.rule = std::move(rule);
     ++work_.version;
   }
+  void step_by(Scheme scheme) {
+    work_.scheme = scheme;
+    work_.portions = portions_of<Real>(scheme);
+    ++work_.version;
+  }
 
   /// A body was appended.
   template <class Roster>

@@ -70,10 +70,18 @@ class Scenery : public SceneBodies<Real, Keeping> {
     planner_.turn_by(Keeping::erased_rule(rule));
   }
 
+  /// From now on all bodies are stepped by `scheme`.
+  void step_by(Scheme scheme) {
+    news_.note("the scheme " + std::string(tumble::name_of(scheme)) + " was chosen");
+    springs_changed_ = true;
+    planner_.step_by(scheme);
+  }
+
   /// The effects of the scene, in the order in which they came.
   const std::vector<Entry<Real>>& effects() const { return planner_.work().effects; }
   /// The name of the rule by which bodies turn whose moments differ.
   const std::string& turning_method() const { return planner_.work().rule->name(); }
+  Scheme scheme() const { return planner_.work().scheme; }
 
  protected:
   using Base::Base;

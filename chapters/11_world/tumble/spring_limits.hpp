@@ -15,6 +15,40 @@ Real largest_inverse_mass_at(const RigidBody<Real>& body, Real arm) {
   return body.centre.inverse_mass + arm * arm * body.top.inverse_moments.maxCoeff();
 }
 
+/// The time step (s) up to which a scheme keeps a swing of the stiffness k (N/m) and the damping c
+/// (N s/m), for a mass of 1 kg, from growing without bound.
+///
+/// Verlet's bound is that of Euler's step. With D for half a drift and K for a kick, read from left
+/// to right, n steps of Verlet's are (D K D)ⁿ = D (K D D)ⁿ D⁻¹, and K D D is Euler's step: the one
+/// grows if the other does. Suzuki's bound is found by trial. A step of it is a matrix that turns
+/// the position x and h v into the next ones; with the trace T and the determinant Δ of that matrix
+/// they stay bounded if |T| < 1 + Δ and Δ ≤ 1. That is tried at each hundredth of Euler's bound.
+template <class Real>
+Real largest_stable_time_step(Scheme scheme, Real stiffness, Real damping) {
+  const Real of_euler = largest_stable_time_step<Real>(stiffness, damping, 1);
+  if (scheme != Scheme::suzuki || !std::isfinite(of_euler)) return of_euler;
+  const auto portions = portions_of<double>(scheme);
+  const auto stays_bounded = [&](double h) {
+    const double angle = std::sqrt(static_cast<double>(stiffness)) * h;
+    const double lost = static_cast<double>(damping) * h;
+    double determinant = 1;
+    std::array<std::array<double, 2>, 2> columns = {{{1, 0}, {0, 1}}};  // x and h v, from 1 and 0
+    for (const Portion<double>& portion : portions) {
+      if (portion.stroke == Stroke::kick) determinant *= 1 - portion.lasts * lost;
+      for (auto& [x, hv] : columns)
+        if (portion.stroke == Stroke::kick)
+          hv -= portion.lasts * (angle * angle * x + lost * hv);
+        else if (portion.stroke == Stroke::drift)
+          x += portion.lasts * hv;
+    }
+    return determinant <= 1 && std::abs(columns[0][0] + columns[1][1]) < 1 + determinant;
+  };
+  const double hundredth = static_cast<double>(of_euler) / 100;
+  int n = 0;
+  while (n < 500 && stays_bounded((n + 1) * hundredth)) ++n;
+  return static_cast<Real>(n * hundredth);
+}
+
 /// The time step (s) up to which no small stretches of springs can grow, and the spring (its place
 /// in `entries`) that limits it; infinite without springs. A spring under tension also resists
 /// being turned aside, with the tension times its arm: that is left out, and can need a shorter
@@ -34,7 +68,8 @@ struct SpringLimit {
 
 /// `roster` has the bodies and knows the place of a handle, see NamedBodies.
 template <class Real, class Roster>
-SpringLimit<Real> spring_limit(const std::vector<Entry<Real>>& entries, const Roster& roster) {
+SpringLimit<Real> spring_limit(const Work<Real>& work, const Roster& roster) {
+  const std::vector<Entry<Real>>& entries = work.effects;
   struct End {
     std::size_t entry;
     BodyIndex body;
@@ -62,6 +97,9 @@ SpringLimit<Real> spring_limit(const std::vector<Entry<Real>>& entries, const Ro
     }
   }
   SpringLimit<Real> limit;
+  struct {
+    Real stiffness, damping, limit;
+  } last = {-1, -1, 0};  // springs that are alike are asked once
   std::size_t end = 0;
   for (const std::size_t stride : ends_of_spring) {
     const SpringTerms<Real> terms = entries[ends[end].entry].effect->traits().spring_terms;
@@ -71,7 +109,9 @@ SpringLimit<Real> spring_limit(const std::vector<Entry<Real>>& entries, const Ro
       stiffness += std::sqrt(terms.stiffness) * here.inverse_mass * root_stiffness[here.body];
       damping += std::sqrt(terms.damping) * here.inverse_mass * root_damping[here.body];
     }
-    const Real largest = largest_stable_time_step<Real>(stiffness, damping, 1);
+    if (stiffness != last.stiffness || damping != last.damping)
+      last = {stiffness, damping, largest_stable_time_step(work.scheme, stiffness, damping)};
+    const Real largest = last.limit;
     if (largest < limit.time_step) limit = {largest, ends[end].entry};
     end += stride;
   }

@@ -62,7 +62,8 @@ struct BodyPair {
   BodyIndex first, second;
 };
 
-/// When a step happens and how long it lasts.
+/// When a step happens and how long it lasts. To an effect of the phases force and kick: when its
+/// kick happens, and how long that is; by Suzuki's scheme one of them lasts a negative time.
 template <class Real>
 struct Moment {
   Real time = 0;       ///< s, at the start of the step

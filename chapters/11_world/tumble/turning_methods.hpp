@@ -15,6 +15,9 @@ namespace tumble {
 /// visits the bodies of a pack one after another.
 ///
 /// Where a rule finds no finite turn it should leave NaN; the world then takes the step back.
+///
+/// It may also say of which `order` it is, and that it is symmetric in time (`is_symmetric`): a
+/// step back by it undoes a step forth. A plan that is not told counts on nothing.
 //! [turning_rule]
 template <class Rule, class Real>
 concept TurningRule = requires(const Rule& rule, Top<Real>& top, const Real& time_step) {
@@ -27,6 +30,8 @@ concept TurningRule = requires(const Rule& rule, Top<Real>& top, const Real& tim
 //! [turning_methods]
 struct Splitting {
   static constexpr std::string_view name = "splitting";
+  static constexpr int order = 2;
+  static constexpr bool is_symmetric = true;
   template <class Real>
   void operator()(Top<Real>& top, Same<Real> time_step) const {
     turn_by_splitting(top, time_step);
@@ -37,6 +42,8 @@ struct Splitting {
 /// The same in a third of the time, for angles that are small.
 struct SplittingWithoutSine {
   static constexpr std::string_view name = "splitting without sine";
+  static constexpr int order = 2;
+  static constexpr bool is_symmetric = true;
   template <class Real>
   void operator()(Top<Real>& top, Same<Real> time_step) const {
     turn_by_splitting_without_sine(top, time_step);
@@ -48,6 +55,8 @@ struct SplittingWithoutSine {
 /// Second order; McLachlan (1993), Reich (1994).
 struct AxisByAxis {
   static constexpr std::string_view name = "axis by axis";
+  static constexpr int order = 2;
+  static constexpr bool is_symmetric = true;
   template <class Real>
   void operator()(Top<Real>& top, Same<Real> time_step) const {
     turn_axis_by_axis(top, time_step);
@@ -58,6 +67,7 @@ struct AxisByAxis {
 /// of h seconds: turn_carrying_momentum(). First order, and exact in L.
 struct CarryingMomentum {
   static constexpr std::string_view name = "carrying momentum";
+  static constexpr int order = 1;
   template <class Real>
   void operator()(Top<Real>& top, Same<Real> time_step) const {
     turn_carrying_momentum(top, time_step);
@@ -68,6 +78,7 @@ struct CarryingMomentum {
 /// time step in s: turn_implicitly(). First order, and it loses energy.
 struct ImplicitNewton {
   static constexpr std::string_view name = "implicit Newton";
+  static constexpr int order = 1;
   template <class Real>
   void operator()(Top<Real>& top, Same<Real> time_step) const {
     turn_implicitly(top, time_step);
@@ -78,6 +89,7 @@ struct ImplicitNewton {
 /// it was: turn_restoring_momentum(). First order; nothing restores the energy.
 struct RestoringMomentum {
   static constexpr std::string_view name = "restoring momentum";
+  static constexpr int order = 1;
   template <class Real>
   void operator()(Top<Real>& top, Same<Real> time_step) const {
     turn_restoring_momentum(top, time_step);
@@ -88,6 +100,7 @@ struct RestoringMomentum {
 /// h seconds: turn_explicitly(). First order; |L| and the energy grow without bound.
 struct ExplicitEuler {
   static constexpr std::string_view name = "explicit Euler";
+  static constexpr int order = 1;
   template <class Real>
   void operator()(Top<Real>& top, Same<Real> time_step) const {
     turn_explicitly(top, time_step);
@@ -98,6 +111,7 @@ struct ExplicitEuler {
 /// time step of h seconds: turn_steadily().
 struct Steady {
   static constexpr std::string_view name = "steady";
+  static constexpr int order = 0;
   template <class Real>
   void operator()(Top<Real>& top, Same<Real> time_step) const {
     turn_steadily(top, time_step);

@@ -7,6 +7,7 @@
 #include <tumble/any_effect.hpp>
 #include <tumble/handles.hpp>
 #include <tumble/rule.hpp>
+#include <tumble/scheme.hpp>
 
 namespace tumble {
 
@@ -37,7 +38,9 @@ struct Work {
   Group pushed, movers;                       ///< centres
   Group torqued, steady, tumbling;            ///< tops
   std::shared_ptr<const AnyRule<Real>> rule;  ///< turns those that tumble
-  std::uint64_t version = 0;                  ///< a new number after each change
+  Scheme scheme = Scheme::semi_implicit_euler;
+  std::vector<Portion<Real>> portions = portions_of<Real>(scheme);  ///< of a step by the scheme
+  std::uint64_t version = 0;  ///< a new number after each change
 };
 //! [work]
 

@@ -64,7 +64,7 @@ class World : public Scenery<Real, Keeping> {
   // --- The plan ---------------------------------------------------------------------------------
 
   /// What each step does, as a table. It is made when one asks; what it tells of is always right.
-  Plan plan() const { return {rows_of(planner_, bodies_), warnings()}; }
+  Plan plan() const { return {rows_of(planner_, bodies_), accuracy_of(work()), warnings()}; }
   /// What may go wrong, such as a step too long for a spring.
   std::vector<std::string> warnings() const {
     const SpringLimit<Real> limit = spring_limit();
@@ -77,7 +77,7 @@ class World : public Scenery<Real, Keeping> {
   }
 
   /// Up to which step the springs can't feed on themselves.
-  SpringLimit<Real> spring_limit() const { return tumble::spring_limit(work().effects, bodies_); }
+  SpringLimit<Real> spring_limit() const { return tumble::spring_limit(work(), bodies_); }
 
   /// What has changed the plan since the world began, a sentence each; the last hundred of them.
   std::vector<std::string> news() const {

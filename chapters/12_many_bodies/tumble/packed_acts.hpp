@@ -20,7 +20,8 @@ struct PackedActs {
   /// What a pass does to the packs of an array from `begin` to before `end`.
   template <class Array>
   bool act(const Work<Real>& work, const Pass& pass, Array& array, std::uint32_t begin,
-           std::uint32_t end, const Moment<Real>& moment) {
+           std::uint32_t end, const Moment<Real>& step) {
+    const Moment<Real> moment = moment_of(pass.portion, step);
     const Pack<Real, width> h = moment.time_step;
     switch (pass.act) {
       case Act::remember:
@@ -46,7 +47,7 @@ struct PackedActs {
   }
   //! [act]
 
-  void act_on_both(const Work<Real>& work, const Pass& pass, const Moment<Real>& moment) {
+  void act_on_both(const Work<Real>& work, const Pass& pass, const Moment<Real>& step) {
     if (pass.act == Act::inputs)
       for (const Input<Real>& input : work.inputs) {
         RigidBody<Real> body = body_at(bodies, input.body);
@@ -55,7 +56,7 @@ struct PackedActs {
       }
     else
       pass.effect->run_on_packs(bodies, work.effects[pass.entry].visits, pass.group, 0, no_index,
-                                moment);
+                                moment_of(pass.portion, step));
   }
 
   /// The body that was lost. All are put back to where they were.

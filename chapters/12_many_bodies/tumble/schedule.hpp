@@ -14,6 +14,7 @@ enum class Act { remember, effect, inputs, kick, drift, turn_steadily, tumble, g
 template <class Real, int width>
 struct PackedPass {
   Act act;
+  Portion<Real> portion = whole_step<Real>;  ///< of the step, in which it is done
   PackGroup<Real, width> group = {};
   std::size_t entry = 0;  ///< the number of the scene's effect, if it is one
   const PackedEffect<Real, width>* effect = nullptr;  ///< that one
@@ -56,19 +57,27 @@ class Schedule {
     on_centres(Act::remember, work.movers);
     on_tops(Act::remember, work.steady);
     on_tops(Act::remember, work.tumbling);
-    add_effects(work, Phase::force);
-    if (!work.inputs.empty()) on_both({Act::inputs});
-    add_effects(work, Phase::kick);
-    on_centres(Act::kick, work.pushed);
-    on_tops(Act::kick, work.torqued);
-    add_effects(work, Phase::impulse);
-    add_effects(work, Phase::damping);
-    on_centres(Act::drift, work.movers);
-    on_tops(Act::turn_steadily, work.steady);
-    on_tops(Act::tumble, work.tumbling);
-    if (!work.tumbling.empty())
-      stages.back().on_tops.passes.back().rule =
-          dynamic_cast<const PackedRule<Real, width>*>(work.rule.get());
+    for (const Portion<Real>& portion : work.portions) {
+      now_ = portion;
+      if (portion.stroke == Stroke::kick) {
+        add_effects(work, Phase::force);
+        if (!work.inputs.empty()) on_both({Act::inputs});
+        add_effects(work, Phase::kick);
+        on_centres(Act::kick, work.pushed);
+        on_tops(Act::kick, work.torqued);
+      } else if (portion.stroke == Stroke::fade) {
+        add_effects(work, Phase::impulse);
+        add_effects(work, Phase::damping);
+      } else {
+        on_centres(Act::drift, work.movers);
+        on_tops(Act::turn_steadily, work.steady);
+        on_tops(Act::tumble, work.tumbling);
+        if (!work.tumbling.empty())
+          stages.back().on_tops.passes.back().rule =
+              dynamic_cast<const PackedRule<Real, width>*>(work.rule.get());
+      }
+    }
+    now_ = whole_step<Real>;
     add_effects(work, Phase::drift);
     on_centres(Act::guard, work.movers);
     on_tops(Act::guard, work.steady);
@@ -85,14 +94,14 @@ class Schedule {
     stages.emplace_back().on_both.push_back(std::move(pass));
   }
   void add(Row<Real, width>& row, Act act, const Group& group) {
-    if (!group.empty()) row.passes.push_back({act, pack_group<Real, width>(group)});
+    if (!group.empty()) row.passes.push_back({act, now_, pack_group<Real, width>(group)});
   }
 
   void add_effects(const Work<Real>& work, Phase phase) {
     for (const std::size_t i : work.in_phase[static_cast<std::size_t>(phase)]) {
       const Entry<Real>& entry = work.effects[i];
       PackedPass<Real, width> pass{
-          Act::effect, pack_group<Real, width>(entry.visits.group), i,
+          Act::effect, now_, pack_group<Real, width>(entry.visits.group), i,
           dynamic_cast<const PackedEffect<Real, width>*>(entry.effect.get())};
       const Sees sees = entry.effect->traits().sees;
       if (sees == Sees::centre)
@@ -103,6 +112,8 @@ class Schedule {
         on_both(std::move(pass));
     }
   }
+
+  Portion<Real> now_ = whole_step<Real>;  // that of the passes which are being added
 
   static void find_blocks(Row<Real, width>& row) {
     std::vector<std::uint32_t>& blocks = row.blocks;

@@ -2,6 +2,7 @@
 /// The turning methods that scene files can name: those of worlds, and the exact solution.
 #pragma once
 
+#include <limits>
 #include <tumble/exact/free_top.hpp>
 #include <tumble/in_packs.hpp>
 #include <tumble/turning_rungs.hpp>
@@ -13,6 +14,8 @@ namespace tumble::course {
 //! [exact_rule]
 struct ExactSolution {
   static constexpr std::string_view name = "exact solution";
+  static constexpr int order = std::numeric_limits<int>::max();  // no step is too long for it
+  static constexpr bool is_symmetric = true;
   template <std::floating_point Real>
   void operator()(Top<Real>& top, Real time_step) const {
     top = exact::FreeTop<Real>(top).at(time_step);

@@ -12,6 +12,7 @@ namespace tumble {
 /// turn_linearly_implicitly().
 struct LinearlyImplicit {
   static constexpr std::string_view name = "linearly implicit";
+  static constexpr int order = 1;
   template <class Real>
   void operator()(Top<Real>& top, Same<Real> time_step) const {
     turn_linearly_implicitly(top, time_step);
@@ -23,6 +24,7 @@ struct LinearlyImplicit {
 //! [in_row]
 template <class Row>
 struct SplittingInRow {
+  static constexpr bool is_symmetric = true;
   template <class Real>
   void operator()(Top<Real>& top, Same<Real> time_step) const {
     turn_by_row<Row>(top, time_step);
@@ -32,27 +34,33 @@ struct SplittingInRow {
 /// Order 4 in five steps: Suzuki (1990).
 struct SplittingSuzuki : SplittingInRow<Suzuki> {
   static constexpr std::string_view name = "splitting, Suzuki";
+  static constexpr int order = 4;
 };
 //! [in_row]
 /// Order 4: Blanes and Moan (2002), S6.
 struct SplittingBlanesMoanFourth : SplittingInRow<BlanesMoanFourth> {
   static constexpr std::string_view name = "splitting, Blanes-Moan 4";
+  static constexpr int order = 4;
 };
 /// Order 6 in seven steps: Yoshida (1990), solution A.
 struct SplittingYoshida : SplittingInRow<Yoshida> {
   static constexpr std::string_view name = "splitting, Yoshida";
+  static constexpr int order = 6;
 };
 /// Order 6: Blanes and Moan (2002), S10.
 struct SplittingBlanesMoanSixth : SplittingInRow<BlanesMoanSixth> {
   static constexpr std::string_view name = "splitting, Blanes-Moan 6";
+  static constexpr int order = 6;
 };
 /// Order 8 in seventeen steps: Kahan and Li (1997), s17odr8a.
 struct SplittingKahanLiEighth : SplittingInRow<KahanLiEighth> {
   static constexpr std::string_view name = "splitting, Kahan-Li 8";
+  static constexpr int order = 8;
 };
 /// Order 10 in thirty-five steps: Sofroniou and Spaletta (2005).
 struct SplittingSofroniouSpaletta : SplittingInRow<SofroniouSpaletta> {
   static constexpr std::string_view name = "splitting, Sofroniou-Spaletta";
+  static constexpr int order = 10;
 };
 
 /// A list of rules with more of them.

@@ -36,6 +36,7 @@ inline constexpr auto scene_keys = keys({{"$schema"},
                                          {"step"},
                                          {"duration", "s", true},
                                          {"turning_method"},
+                                         {"scheme"},
                                          {"bodies", "", true},
                                          {"effects"}});
 inline constexpr auto step_keys = keys({{"per_second", "1/s"}, {"nanoseconds", "ns"}});

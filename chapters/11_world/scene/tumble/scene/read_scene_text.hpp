@@ -34,6 +34,9 @@ Scene<Real, Keeping> read_scene_text(std::string_view text, const std::string& f
   if (object.has("turning_method"))
     scene.turning_method = object["turning_method"].one_of("method", turning_methods);
   if (changes.turning_method) scene.turning_method = changes.turning_method;
+  if (object.has("scheme"))
+    scene.world.step_by(Scheme(object["scheme"].one_of("scheme", scheme_words())));
+  if (changes.scheme) scene.world.step_by(*changes.scheme);
 
   const Value bodies = object["bodies"];
   bodies.list("bodies");

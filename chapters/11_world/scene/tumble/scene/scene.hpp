@@ -45,24 +45,35 @@ struct Scene {
 struct SceneChanges {
   std::optional<StepLength> step = {};
   std::optional<std::size_t> turning_method = {};  ///< its number in the list that is read with
+  std::optional<Scheme> scheme = {};
   std::uint64_t seed = 0;  ///< added to the seed of each "many"; but for 0 there must be one
   /// No element of "bodies" becomes more bodies than this.
   std::size_t most_copies = static_cast<std::size_t>(most_bodies);
 };
 
-/// The names of rules as scene files spell them: "axis_by_axis", "splitting_kahan_li_8".
+/// Names as scene files spell them: "axis by axis" is axis_by_axis.
+template <std::size_t count>
+std::array<std::string, count> words_of(const std::array<std::string_view, count>& names) {
+  std::array<std::string, count> words;
+  for (std::size_t i = 0; i < count; ++i)
+    for (const char letter : names[i])
+      if (letter != ',')
+        words[i] += letter == ' ' || letter == '-'   ? '_'
+                    : letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a')
+                                                     : letter;
+  return words;
+}
+
+/// The names of rules: "axis_by_axis", "splitting_kahan_li_8".
 template <class Rules>
 const auto& turning_method_words() {
-  static const auto words = [] {
-    std::array<std::string, Rules::names.size()> made;
-    for (std::size_t i = 0; i < made.size(); ++i)
-      for (const char letter : Rules::names[i])
-        if (letter != ',')
-          made[i] += letter == ' ' || letter == '-'   ? '_'
-                     : letter >= 'A' && letter <= 'Z' ? static_cast<char>(letter - 'A' + 'a')
-                                                      : letter;
-    return made;
-  }();
+  static const auto words = words_of(Rules::names);
+  return words;
+}
+
+/// The names of schemes: "semi_implicit_euler", "verlet", "suzuki".
+inline const auto& scheme_words() {
+  static const auto words = words_of(scheme_names);
   return words;
 }
 

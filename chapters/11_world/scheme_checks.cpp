@@ -1,0 +1,281 @@
+// Schemes of higher order for a whole world.
+#include <course/checks.hpp>
+#include <numbers>
+#include <tumble/air_and_water.hpp>
+#include <tumble/gravity.hpp>
+#include <tumble/solids.hpp>
+#include <tumble/springs.hpp>
+#include <tumble/world.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+constexpr std::array every_scheme = {Scheme::semi_implicit_euler, Scheme::verlet, Scheme::suzuki};
+
+/// A force that swings, N, for a mass of 1 kg.
+template <class Real>
+struct Swing {
+  static constexpr std::string_view name = "swing";
+  static constexpr Quantities reads = quantity::time;
+  Vec3<Real> force(const Particle<Real>&, Real time) const { return {std::cos(3 * time), 0, 0}; }
+};
+
+/// A thing of 1 kg with what acts on it, and where it is after a second.
+template <class Real>
+struct Scenario {
+  const char* name;
+  Particle<Real> start;
+  void (*add_effects)(World<Real>& world);
+  Vec3<Real> end;
+  int most = 4;  ///< the order that the effects allow
+};
+
+template <class Real>
+std::vector<Scenario<Real>> scenarios() {
+  constexpr double pi = std::numbers::pi;
+  // ẍ = −4 x − ẋ, from 1 m at rest: e^(−t/2) (cos wt + sin wt / 2w) with w = √(4 − 1/4).
+  const double w = std::sqrt(3.75);
+  const auto faded = static_cast<Real>(std::exp(-0.5) * (std::cos(w) + std::sin(w) / (2 * w)));
+  return {
+      {"swinging force",
+       make_particle<Real>(1, {0, 0, 0}, {1, 0, 0}),
+       [](World<Real>& world) { world.add(Swing<Real>{}); },
+       {static_cast<Real>(1 + (1 - std::cos(3.0)) / 9), 0, 0}},
+      {"spring",
+       make_particle<Real>(1, {1, 0, 0}),
+       [](World<Real>& world) {
+         world.add(SpringToPoint<Real>{.spring = {.stiffness = 4}, .anchor = {0, 0, 0}},
+                   {world.handle_at(0)});
+       },
+       {static_cast<Real>(std::cos(2.0)), 0, 0}},
+      // Half round a star: a = 1 m and GM = π², so a round takes 2 s; from 0.9 m to 1.1 m.
+      {"orbit",
+       make_particle<Real>(1, {Real(0.9), 0, 0},
+                           {0, static_cast<Real>(pi * std::sqrt(2 / 0.9 - 1)), 0}),
+       [](World<Real>& world) {
+         world.add(PointGravity<Real>{.strength = static_cast<Real>(pi * pi), .centre = {0, 0, 0}});
+       },
+       {Real(-1.1), 0, 0}},
+      {"spring with a damper",
+       make_particle<Real>(1, {1, 0, 0}),
+       [](World<Real>& world) {
+         world.add(
+             SpringToPoint<Real>{.spring = {.stiffness = 4, .damping = 1}, .anchor = {0, 0, 0}},
+             {world.handle_at(0)});
+       },
+       {faded, 0, 0},
+       1},
+      {"spring in air",
+       make_particle<Real>(1, {1, 0, 0}),
+       [](World<Real>& world) {
+         world.add(SpringToPoint<Real>{.spring = {.stiffness = 4}, .anchor = {0, 0, 0}},
+                   {world.handle_at(0)});
+         world.add(LinearDamping<Real>{.rate = 1});
+       },
+       {faded, 0, 0},
+       1}};
+}
+
+/// How far from where it should be a second after its start.
+template <class Real>
+double error_of(const Scenario<Real>& scenario, Scheme scheme, int steps) {
+  World<Real> world(steps_per_second(steps));
+  world.step_by(scheme);
+  world.add("thing", scenario.start);
+  scenario.add_effects(world);
+  CHECK(world.plan().accuracy.order == std::min(order_of(scheme), scenario.most));
+  for (int n = 0; n < steps; ++n) world.step();
+  return static_cast<double>((world.bodies().centres[0].position - scenario.end).norm());
+}
+
+}  // namespace
+
+//! [orders]
+TEST_CASE("A world's error falls with the power of its step that the plan promises") {
+  for (const Scenario<double>& scenario : scenarios<double>())
+    for (const Scheme scheme : every_scheme) {
+      CAPTURE(scenario.name);
+      CAPTURE(name_of(scheme));
+      const double order =
+          std::log2(error_of(scenario, scheme, 128) / error_of(scenario, scheme, 256));
+      CAPTURE(order);
+      CHECK(std::lround(order) == std::min(order_of(scheme), scenario.most));
+    }
+}
+//! [orders]
+
+TEST_CASE("In float a scheme has its order until the roundings of its steps come into sight") {
+  for (const Scenario<float>& scenario : scenarios<float>())
+    for (const Scheme scheme : every_scheme) {
+      CAPTURE(scenario.name);
+      CAPTURE(name_of(scheme));
+      const double error = error_of(scenario, scheme, 16);
+      const double finer = error_of(scenario, scheme, 32);
+      // Some ten roundings a step, of numbers up to 10: u each, and for Suzuki five times as many.
+      const double roundings = 32 * 50 * 10 * static_cast<double>(unit_roundoff<float>);
+      const double expected = error / std::exp2(std::min(order_of(scheme), scenario.most));
+      CHECK(finer <= 1.5 * expected + roundings);
+    }
+}
+
+TEST_CASE_TEMPLATE(
+    "A step by Verlet is half a drift, a kick by the force there and then, and half a "
+    "drift",
+    Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(10));
+  world.step_by(Scheme::verlet);
+  world.add("thing", make_particle<Real>(1, {0, 0, 0}, {1, 2, 3}));
+  world.add(Swing<Real>{});
+  const Real h = world.time_step();
+  Vec3<Real> x(0, 0, 0), v(1, 2, 3);
+  for (int n = 0; n < 20; ++n) {
+    x += h / 2 * v;
+    v += h * Vec3<Real>(std::cos(3 * (Real(n) * h + h / 2)), 0, 0);
+    x += h / 2 * v;
+    world.step();
+    CHECK((world.bodies().centres[0].position - x).norm() <=
+          8 * Real(n + 1) * unit_roundoff<Real> * x.norm());
+  }
+}
+
+/// A box and a ball on a spring that holds the box at a corner, and both round a star.
+template <class Real>
+World<Real> world_that_can_go_back(Scheme scheme) {
+  World<Real> world(steps_per_second(50));
+  world.step_by(scheme);
+  const BodyHandle box =
+      world.add("box", make_rigid_body<Real>("box", mass_properties(Box<Real>{{1, 2, 3}}, 1), {},
+                                             {0, 1, 0}, {1, 2, Real(0.5)})
+                           .body);
+  const BodyHandle ball = world.add("ball", make_particle<Real>(2, {4, 0, 0}));
+  world.add(PointGravity<Real>{.strength = 20, .centre = {0, 0, 9}});
+  world.add(SpringBetween<Real>{.spring = {.stiffness = 5, .rest_length = 2},
+                                .attachment_first = {Real(0.5), 1, Real(1.5)}},
+            {box, ball});
+  return world;
+}
+
+//! [back]
+TEST_CASE_TEMPLATE(
+    "By Verlet and by Suzuki a world whose motion is turned round goes back to its start", Real,
+    EVERY_PRECISION) {
+  for (const Scheme scheme : every_scheme) {
+    CAPTURE(name_of(scheme));
+    World<Real> world = world_that_can_go_back<Real>(scheme);
+    const Snapshot<Real> start = world.save();
+    const int steps = 100;
+    for (int n = 0; n < steps; ++n) world.step();
+    Snapshot<Real> turned = world.save();
+    for (auto& velocity : turned.velocities) velocity = -velocity;
+    for (auto& momentum : turned.angular_momenta) momentum = -momentum;
+    world.restore(turned);
+    for (int n = 0; n < steps; ++n) world.step();
+    Real missed = 0;
+    const Bodies<Real> back = world.bodies();
+    for (std::size_t i = 0; i < 2; ++i)
+      missed = std::max(missed, (back.centres[i].position - start.positions[i]).norm());
+    missed = std::max(missed, angle_between(back.tops[0].orientation, start.orientations[0]));
+    // Each of the 200 steps rounds numbers up to 10 some hundred times, and what it misses grows
+    // with the time that is left: by not more than 200 in these four seconds.
+    const Real roundings = 200 * 100 * 10 * unit_roundoff<Real> * 200;
+    if (scheme == Scheme::semi_implicit_euler)
+      CHECK(missed > Real(0.01));
+    else
+      CHECK(missed <= roundings);
+  }
+}
+//! [back]
+
+//! [limits]
+TEST_CASE("Below a scheme's limit a spring's swing stays bounded, and a twentieth above it grows") {
+  for (const Scheme scheme : every_scheme)
+    for (const double damping : {0.0, 0.1, 0.5, 2.0, 6.0, 20.0}) {
+      CAPTURE(name_of(scheme));
+      CAPTURE(damping);
+      // The stiffness s² and the damping s c have a limit in proportion to 1/s.
+      const double limit = largest_stable_time_step(scheme, 1.0, damping);
+      const auto largest_after = [&](double times_the_limit) {
+        World<double> world(steps_per_second(100));
+        world.step_by(scheme);
+        world.on_warning([](const std::string&) {});
+        const double s = times_the_limit * limit / world.time_step();
+        world.add("ball", make_particle<double>(1, {1, 0, 0}));
+        world.add(SpringToPoint<double>{.spring = {.stiffness = s * s, .damping = s * damping},
+                                        .anchor = {0, 0, 0}},
+                  {world.handle_at(0)});
+        CHECK(world.warnings().empty() == (times_the_limit < 1));
+        double largest = 0;
+        for (int n = 0; n < 2000 && largest < 1e6; ++n) {
+          world.step();
+          largest = std::max(largest, world.bodies().centres[0].position.norm());
+        }
+        return largest;
+      };
+      CHECK(largest_after(0.99) < 100);
+      CHECK(largest_after(1.05) >= 1e6);
+    }
+}
+//! [limits]
+
+TEST_CASE("Whoever chooses a scheme that a spring is too stiff for is warned at the next step") {
+  World<double> world(steps_per_second(10));
+  std::vector<std::string> told;
+  world.on_warning([&](const std::string& warning) { told.push_back(warning); });
+  world.step_by(Scheme::suzuki);
+  world.add("ball", make_particle<double>(1, {1, 0, 0}));
+  // w h = 2.3, above 2 and below 2.7
+  world.add(SpringToPoint<double>{.spring = {.stiffness = 23.0 * 23}, .anchor = {0, 0, 0}},
+            {world.handle_at(0)});
+  world.step();
+  CHECK(told.empty());
+  world.step_by(Scheme::verlet);
+  world.step();
+  world.step();
+  REQUIRE(told.size() == 1);
+  CHECK(told[0].find("the time step is 0.1 s, and only up to 0.08695652173913") !=
+        std::string::npos);
+}
+
+/// A rule of the user's own.
+struct Unsaid {
+  static constexpr std::string_view name = "my own";
+  void operator()(Top<double>& top, double h) const { turn_by_splitting(top, h); }
+};
+
+TEST_CASE("A plan says of which order the step is, and what stands in the way of a higher one") {
+  World<double> world = world_that_can_go_back<double>(Scheme::semi_implicit_euler);
+  const auto last_line = [&] {
+    const std::string table = table_of(world.plan());
+    return table.substr(table.rfind('\n', table.size() - 2) + 1);
+  };
+  CHECK(last_line() == "order 1: semi-implicit Euler\n");
+  world.step_by(Scheme::suzuki);
+  CHECK(last_line() == "order 4: Suzuki\n");
+  world.turn_by(CarryingMomentum{});
+  CHECK(last_line() ==
+        "order 1 in place of 4 (Suzuki): turning by carrying momentum is of order 1\n");
+  world.turn_by(Unsaid{});
+  CHECK(last_line() ==
+        "order 0 in place of 4 (Suzuki): turning by my own does not say its order\n");
+  world.step_by(Scheme::semi_implicit_euler);
+  world.turn_by(Steady{});
+  CHECK(last_line() ==
+        "order 0 in place of 1 (semi-implicit Euler): turning by steady is of order 0\n");
+  world.turn_by(AxisByAxis{});
+  world.step_by(Scheme::verlet);
+  const EffectHandle air = world.add(LinearDamping<double>{.rate = 1});
+  world.add(QuadraticDrag<double>{.coefficient = 1});
+  CHECK(last_line() ==
+        "order 1 in place of 2 (Verlet): 'linear damping' acts apart from the kicks; 'quadratic "
+        "drag' depends on a velocity or a spin\n");
+  world.remove(air);
+  // An effect that visits nobody limits nothing, nor does a rule by which nobody turns.
+  World<double> points;
+  points.step_by(Scheme::verlet);
+  points.turn_by(CarryingMomentum{});
+  points.add("point", make_particle<double>(1));
+  points.add(AngularDamping<double>{.rate = 1});
+  CHECK(points.plan().accuracy.order == 2);
+}

@@ -1,0 +1,85 @@
+/// @file
+/// In which portions a step kicks and drifts.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <tumble/terms.hpp>
+#include <vector>
+
+namespace tumble {
+
+/// By which scheme a world steps all its bodies.
+//! [scheme]
+enum class Scheme {
+  semi_implicit_euler,  ///< a kick, then a drift: chapter 6. Order 1
+  verlet,               ///< half a drift, a kick, half a drift. Order 2
+  suzuki  ///< five of Verlet's steps, the middle one backwards: Suzuki (1990). Order 4
+};
+//! [scheme]
+
+inline constexpr std::array<std::string_view, 3> scheme_names = {"semi-implicit Euler", "Verlet",
+                                                                 "Suzuki"};
+inline std::string_view name_of(Scheme scheme) {
+  return scheme_names[static_cast<std::size_t>(scheme)];
+}
+
+/// The power of the time step with which the error of a scheme falls, where nothing limits it.
+inline int order_of(Scheme scheme) {
+  return scheme == Scheme::semi_implicit_euler ? 1 : scheme == Scheme::verlet ? 2 : 4;
+}
+
+/// What a portion of a step does.
+enum class Stroke { kick, fade, drift };
+
+/// A portion of a step; its times are parts of the whole step.
+//! [portion]
+template <class Real>
+struct Portion {
+  Stroke stroke;
+  Real begins;  ///< the drifts before it have led so far
+  Real lasts;   ///< negative: backwards
+};
+//! [portion]
+
+/// What belongs to the step as a whole: blows and damping, and what acts on places at its end.
+template <class Real>
+inline constexpr Portion<Real> whole_step = {Stroke::fade, 0, 1};
+
+/// When a portion of a step happens.
+template <class Real>
+Moment<Real> moment_of(const Portion<Real>& portion, const Moment<Real>& step) {
+  return {step.time + portion.begins * step.time_step, portion.lasts * step.time_step};
+}
+
+/// The portions of a scheme's step, in their order. Blows and damping, which are given for whole
+/// steps, come once, before the last drift.
+//! [portions_of]
+template <class Real>
+std::vector<Portion<Real>> portions_of(Scheme scheme) {
+  std::vector<Portion<Real>> portions;
+  double elapsed = 0;
+  const auto add = [&](Stroke stroke, double lasts) {
+    portions.push_back({stroke, static_cast<Real>(elapsed), static_cast<Real>(lasts)});
+    if (stroke == Stroke::drift) elapsed += lasts;
+  };
+  if (scheme == Scheme::semi_implicit_euler) {
+    add(Stroke::kick, 1);
+    add(Stroke::drift, 1);
+  } else {
+    // p³ + p³ + (1 − 4p)³ + p³ + p³ = 0, so that the errors of third order cancel: p = 1/(4 − ∛4).
+    constexpr double p = 0.41449077179437573714;
+    const std::vector<double> lengths =
+        scheme == Scheme::verlet ? std::vector{1.0} : std::vector{p, p, 1 - 4 * p, p, p};
+    for (const double length : lengths) {
+      add(Stroke::drift, length / 2);
+      add(Stroke::kick, length);
+      add(Stroke::drift, length / 2);
+    }
+  }
+  portions.insert(portions.end() - 1, whole_step<Real>);
+  return portions;
+}
+//! [portions_of]
+
+}  // namespace tumble
