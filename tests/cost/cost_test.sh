@@ -59,7 +59,8 @@ keeps beside_the_middle_axis --inertia 1,2,3 --spin 1e-200,1,1e-300 --for 1 --an
 keeps two_like_axes --inertia 3,3,2 --spin 1,1e-7,1e-250 --for 1 --angle 1e-6
 keeps scene t_handle --for 3 --angle 1e-3
 keeps flight t_handle --for 3 --angle 1e-8
-keeps orbits orbit --for 120 --place 100 --rate 1
+keeps orbits orbit --for 100 --place 100 --rate 1 # of a scene a hundred states are held against the truth
+keeps fine_orbits orbit --for 100 --place 0.001 --rate 1
 
 # The answer in words.
 run --inertia 1,2,3 --spin 1,2,0.5 --for 5 --angle 1e-6

@@ -23,14 +23,16 @@ Json json_of(const std::optional<Found>& found, const Answer& answer) {
   const bool steps = found->candidate->takes_steps;
   const long rate = frames.rate * found->steps_per_frame;
   const double fit = std::floor(1e9 / found->nanoseconds);
-  return {{"method", found->candidate->method},
-          {"precision", found->candidate->precision},
-          {"steps_per_second", steps ? Json(rate) : Json(nullptr)},
-          {"time_step", steps ? Json(1 / static_cast<double>(rate)) : Json(nullptr)},
-          {"expected_error", json_of(found->errors, answer.asked.wish)},
-          {"margin", number(1 / found->errors.of(answer.asked.wish))},
-          {"nanoseconds_per_simulated_second", found->nanoseconds},
-          {"bodies_per_sixtieth", fit * static_cast<double>(answer.bodies)}};
+  return {
+      {"method", found->candidate->method},
+      {"scheme", found->candidate->scheme.empty() ? Json(nullptr) : Json(found->candidate->scheme)},
+      {"precision", found->candidate->precision},
+      {"steps_per_second", steps ? Json(rate) : Json(nullptr)},
+      {"time_step", steps ? Json(1 / static_cast<double>(rate)) : Json(nullptr)},
+      {"expected_error", json_of(found->errors, answer.asked.wish)},
+      {"margin", number(1 / found->errors.of(answer.asked.wish))},
+      {"nanoseconds_per_simulated_second", found->nanoseconds},
+      {"bodies_per_sixtieth", fit * static_cast<double>(answer.bodies)}};
 }
 
 }  // namespace

@@ -25,7 +25,9 @@ std::string counted(double number, const char* noun) {
 }
 
 std::string method_of(const Found& found, const Frames& frames) {
-  std::string text = found.candidate->method + ", in " + found.candidate->precision;
+  const std::string& scheme = found.candidate->scheme;
+  std::string text = found.candidate->method + (scheme.empty() ? "" : ", scheme " + scheme) +
+                     ", in " + found.candidate->precision;
   if (!found.candidate->takes_steps) return text + ", asked once a state";
   const auto steps = static_cast<double>(found.steps_per_frame);
   const double rate = static_cast<double>(frames.rate) * steps;

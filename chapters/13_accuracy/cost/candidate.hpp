@@ -45,6 +45,7 @@ inline Errors worse(const Errors& a, const Errors& b) {
 /// One method in one precision.
 struct Candidate {
   std::string method, precision;
+  std::string scheme = {};  ///< by which a scene's bodies are stepped; none: Euler's
   int order = 0;            ///< what it claims; the highest is tried first
   bool takes_steps = true;  ///< false: the exact solution, asked once a frame
   /// The errors with so many steps in a frame. Trial 0 is the question that was asked; the others

@@ -23,11 +23,19 @@ struct Snapshot {
 /// More frames than this are not looked at; they are then spread evenly, with the last among them.
 constexpr long most_snapshots = 100;
 
+/// By what a scene is stepped.
+struct Choice {
+  std::optional<std::size_t> method = {};
+  std::optional<Scheme> scheme = {};
+};
+
 template <class Real>
 Scene<Real> scene_with(const std::filesystem::path& file, const Frames& frames, long steps,
-                       std::optional<std::size_t> method) {
+                       const Choice& choice) {
   return read_scene_file<Real, OneByOne<Real>, course::SceneRules>(
-      file, {.step = steps_per_second(frames.rate * steps), .turning_method = method});
+      file, {.step = steps_per_second(frames.rate * steps),
+             .turning_method = choice.method,
+             .scheme = choice.scheme});
 }
 
 template <class Real>
@@ -101,14 +109,16 @@ struct Reference {
 Reference reference_of(const std::filesystem::path& file, const Frames& frames, const Wish& wish,
                        double longest_run) {
   Reference best;
-  std::vector<Snapshot> before, last;
+  // The scheme of the highest order: what the scene's effects take from it is found by the way.
+  const Choice choice = {.scheme = Scheme::suzuki};
+  std::vector<Snapshot> last;
   std::optional<std::vector<Snapshot>> last_extrapolated;
   double last_difference = 0;
   for (long steps = 1; frames.rate * steps <= 1'000'000; steps *= 2) {
     const auto begin = Clock::now();
     std::vector<Snapshot> now;
     try {
-      now = snapshots_of(scene_with<double>(file, frames, steps, {}).world, frames, steps);
+      now = snapshots_of(scene_with<double>(file, frames, steps, choice).world, frames, steps);
     } catch (const SimulationError&) {
       if (2 * frames.rate * steps > 1'000'000) throw;
       last.clear();
@@ -145,54 +155,71 @@ int order_of(std::string_view name) {
   return 1;
 }
 
+/// A world stepped by one choice: its errors and its time.
+template <class Real>
+Candidate candidate_of(const std::filesystem::path& file, const Frames& frames,
+                       const std::shared_ptr<const Reference>& reference, const Choice& choice) {
+  Candidate made;
+  made.errors = [=](long steps, int) {
+    if (frames.rate * steps > 1'000'000) return failed_run;
+    try {
+      Errors errors = errors_between(
+          snapshots_of(scene_with<Real>(file, frames, steps, choice).world, frames, steps),
+          reference->snapshots);
+      errors.angle += reference->uncertainty.angle;
+      errors.place += reference->uncertainty.place;
+      return errors;
+    } catch (const SimulationError&) {
+      return failed_run;
+    }
+  };
+  made.nanoseconds = [=](long steps, int repetitions) {
+    double best = std::numeric_limits<double>::infinity();
+    if (frames.rate * steps > 1'000'000) return best;
+    World<Real> start = scene_with<Real>(file, frames, steps, choice).world;
+    start.plan();
+    for (int run = 0; run < repetitions; ++run) {
+      World<Real> world = start;
+      const auto begin = Clock::now();
+      try {
+        for (long step = 0; step < steps * frames.count; ++step) world.step();
+      } catch (const SimulationError&) {
+        return std::numeric_limits<double>::infinity();
+      }
+      best = std::min(best, std::chrono::duration<double, std::nano>(Clock::now() - begin).count());
+    }
+    return best;
+  };
+  return made;
+}
+
 template <class Real>
 void append(SceneCandidates& made, const std::filesystem::path& file, const Frames& frames,
             const std::shared_ptr<const Reference>& reference) {
-  const Scene<Real> scene = scene_with<Real>(file, frames, 1, {});
-  const auto& tops = scene.world.bodies().tops;
-  const bool tumbles = std::any_of(tops.begin(), tops.end(), is_gyroscopic<Real>);
+  World<Real> world = scene_with<Real>(file, frames, 1, {}).world;
+  const std::string chosen = world.turning_method();
+  const bool tumbles = !world.work().tumbling.empty();
+  const bool is_kicked = !world.work().pushed.empty() || !world.work().torqued.empty() ||
+                         !world.work().in_phase[std::size_t(Phase::kick)].empty();
   for (std::size_t method = 0; method < course::SceneRules::names.size(); ++method) {
     const std::string_view name = course::SceneRules::names[method];
-    if (!tumbles && name != scene.world.turning_method())
-      continue;  // without a tumbling body they are all the same
-    made.candidates.push_back(
-        {.method = turning_method_words<course::SceneRules>()[method],
-         .precision = std::string(range_of<Real>().precision),
-         .order = order_of(name),
-         .errors =
-             [=](long steps, int) {
-               if (frames.rate * steps > 1'000'000) return failed_run;
-               try {
-                 Errors errors = errors_between(
-                     snapshots_of(scene_with<Real>(file, frames, steps, method).world, frames,
-                                  steps),
-                     reference->snapshots);
-                 errors.angle += reference->uncertainty.angle;
-                 errors.place += reference->uncertainty.place;
-                 return errors;
-               } catch (const SimulationError&) {
-                 return failed_run;
-               }
-             },
-         .nanoseconds =
-             [=](long steps, int repetitions) {
-               double best = std::numeric_limits<double>::infinity();
-               if (frames.rate * steps > 1'000'000) return best;
-               World<Real> start = scene_with<Real>(file, frames, steps, method).world;
-               start.plan();
-               for (int run = 0; run < repetitions; ++run) {
-                 World<Real> world = start;
-                 const auto begin = Clock::now();
-                 try {
-                   for (long step = 0; step < steps * frames.count; ++step) world.step();
-                 } catch (const SimulationError&) {
-                   return std::numeric_limits<double>::infinity();
-                 }
-                 best = std::min(
-                     best, std::chrono::duration<double, std::nano>(Clock::now() - begin).count());
-               }
-               return best;
-             }});
+    if (!tumbles && name != chosen) continue;  // without a tumbling body they are all the same
+    int order = 0;
+    course::SceneRules::choose(world, method);
+    for (const Scheme scheme : {Scheme::semi_implicit_euler, Scheme::verlet, Scheme::suzuki}) {
+      world.step_by(scheme);
+      const int promised = world.plan().accuracy.order;
+      if (promised <= order || (order > 0 && !is_kicked)) continue;  // more kicks for nothing
+      order = promised;
+      Candidate candidate =
+          candidate_of<Real>(file, frames, reference, {.method = method, .scheme = scheme});
+      candidate.method = turning_method_words<course::SceneRules>()[method];
+      if (scheme != Scheme::semi_implicit_euler)
+        candidate.scheme = scheme_words()[std::size_t(scheme)];
+      candidate.precision = std::string(range_of<Real>().precision);
+      candidate.order = is_kicked ? promised : order_of(name);
+      made.candidates.push_back(std::move(candidate));
+    }
   }
 }
 
