@@ -10,6 +10,7 @@ import threading
 from pathlib import Path
 
 from complaint import Complaint, GraderFailed
+from patience import Patience
 from shards import Job, run
 from submission import read_header, student_of
 from untrusted import COMPILING
@@ -73,11 +74,9 @@ class _Graders:
                                        start_new_session=True)  # Ctrl-C is for us, who end it in its turn
             self.processes.add(process)
         try:
-            output, said = process.communicate(json.dumps(task).encode("ascii"), timeout=self.seconds)
+            output, said = self._said(process, json.dumps(task).encode("ascii"))
             if process.returncode == 0:
                 return json.loads(output)
-        except subprocess.TimeoutExpired:
-            raise GraderFailed(f"it took more than {self.seconds:g} seconds") from None
         except ValueError:
             pass
         finally:
@@ -86,6 +85,15 @@ class _Graders:
             _end(process)
         why = said.decode("utf-8", "replace").strip()[-2000:]
         raise GraderFailed(why or f"it ended with {process.returncode} and said nothing that can be read")
+
+    def _said(self, process, task):
+        patience = Patience(self.seconds)
+        while tick := patience.tick():
+            try:
+                return process.communicate(task, timeout=tick)
+            except subprocess.TimeoutExpired:
+                task = None  # which is sent once
+        raise GraderFailed(f"it took more than {self.seconds:g} seconds")
 
     def end(self):
         with self.lock:
