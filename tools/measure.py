@@ -27,6 +27,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "exercises" / "tools"))
 from complaint import Complaint  # noqa: E402
 from outputs import occupy_standard_descriptors  # noqa: E402
+from plain_text import complain, say  # noqa: E402
 from running import Running  # noqa: E402
 from shards import Job, Part, Stopped, job_of_part, merge, run, shard_of, stoppable  # noqa: E402
 
@@ -148,8 +149,8 @@ def do_share(arguments):
             failed |= run(part, result_of, 1 if is_alone else os.cpu_count() or 1,
                           measuring.running.stop, tell, lambda task: tasks[task][0]["measures"] == is_alone)
     for task, why in failed.items():
-        print(f"course: {task} failed twice: {why}", file=sys.stderr)
-    print(f"{len(part.done)} of {len(part.tasks)} results of shard {shard.number}/{shard.of} are in {name}")
+        complain(f"{task} failed twice: {why}")
+    say(f"{len(part.done)} of {len(part.tasks)} results of shard {shard.number}/{shard.of} are in {name}")
     return 1 if failed else 0
 
 
@@ -165,8 +166,13 @@ def put_together(arguments):
     what, here = job_of_part(arguments.merge[0]), what_is_measured(arguments)
     programs = read_programs(arguments.programs)
     tasks = tasks_of(programs)
+    if not (isinstance(what, dict) and has_texts(what, *here)):
+        raise Complaint("the parts are of other work than measuring")
     if list(results) != list(tasks) or any(what[key] != here[key] for key in ("programs", "set")):
         raise Complaint("the parts are of another version of the course than this one; only its own can be set into its book")
+    for task, (_, item) in tasks.items():
+        if not is_measured(results[task], item):
+            raise Complaint(f"what the parts hold for {task} is no measurement")
     beside = arguments.into.with_name(arguments.into.name + ".unfinished")
     shutil.rmtree(beside, ignore_errors=True)
     measuring = Measuring(arguments.quick)
@@ -186,6 +192,18 @@ def put_together(arguments):
     shutil.rmtree(arguments.into, ignore_errors=True)
     beside.rename(arguments.into)
     return 0
+
+
+def is_measured(result, item):
+    """Whether it may be what result_of() has made."""
+    if not isinstance(result, dict) or item is not None:
+        return isinstance(result, dict) and has_texts(result, "text", "errors")
+    files = result.get("files")
+    return result.keys() == {"files"} and isinstance(files, dict) and has_texts(files, *files)
+
+
+def has_texts(value, *keys):
+    return value.keys() == set(keys) and all(isinstance(text, str) for text in value.values())
 
 
 def write(folder, files):
@@ -212,7 +230,7 @@ def main():
         with stoppable():
             return put_together(arguments) if arguments.merge else do_share(arguments)
     except Complaint as complaint:
-        print(f"course: {complaint}", file=sys.stderr)
+        complain(complaint)
         return 2
     except Stopped as stopped:
         print("\ncourse: stopped" + ("" if arguments.merge else "; --resume takes it up"), file=sys.stderr)

@@ -31,6 +31,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "exercises" / "tools"))
 from complaint import Complaint  # noqa: E402
 from outputs import Outputs, occupy_standard_descriptors, require_a_place_of_its_own  # noqa: E402
+from plain_text import complain, plain  # noqa: E402
 from shards import WHOLE, Part, Stopped, merge, run, shard_of, stoppable  # noqa: E402
 from running import Running  # noqa: E402
 from sweep_file import combinations_of, find_scene, job_of, read_sweep  # noqa: E402
@@ -116,10 +117,10 @@ def length(vector):
 
 
 def cell(value, digits):
-    """Without a tab or a line's end."""
+    """Plain text without a tab or a line's end."""
     if isinstance(value, float):
         return f"{value:.{digits}g}" if digits else repr(value)
-    return "" if value is None else " ".join(str(value).split())
+    return "" if value is None else plain(" ".join(str(value).split()))
 
 
 def is_row(row):
@@ -138,18 +139,13 @@ def opened_output(outputs, path, inputs):
         return print_text
     require_a_place_of_its_own("--output", path, inputs)
     write = outputs.open("--output", path)
-    return lambda text: write(encoded(text))
-
-
-def encoded(text):
-    """Of a name that is no text every byte is shown."""
-    return text.encode("utf-8", "backslashreplace")
+    return lambda text: write(text.encode())
 
 
 def print_text(text):
     try:
         with open(1, "wb", closefd=False) as out:
-            out.write(encoded(text))
+            out.write(text.encode())
     except OSError as error:
         raise Complaint(f"the standard output can't be written: {error.strerror}") from None
 
@@ -190,7 +186,7 @@ def simulate_share(arguments):
             failed = run(part, lambda task: row_of(simulator, combinations[task], require_unchanged), jobs, simulator.running.stop, tell)
             rows = [part.done[task] for task in part.tasks if task in part.done]
         for task, why in failed.items():
-            print(f"course: {task} failed twice: {why}", file=sys.stderr)
+            complain(f"{task} failed twice: {why}")
         if failed:
             return 1
         if shard == WHOLE:
@@ -238,7 +234,7 @@ def main():
         with stoppable():
             return merge_parts(arguments) if is_merge else simulate_share(arguments)
     except Complaint as complaint:
-        print(f"course: {complaint}", file=sys.stderr)
+        complain(complaint)
         return 2
     except Stopped as stopped:
         print("\ncourse: stopped" + ("" if is_merge else "; --resume takes it up"), file=sys.stderr)

@@ -12,6 +12,7 @@ from complaint import Complaint
 from shards import Job
 
 SCENES = Path(__file__).resolve().parent.parent / "chapters" / "11_world" / "scenes"
+MOST = 1000000  # combinations
 LISTS = {"scenes": str, "methods": str, "precisions": str, "time_steps": (int, float), "seeds": int}
 
 
@@ -36,6 +37,9 @@ def read_sweep(file):
             _require_number(file, key, value)
         else:
             raise Complaint(f"{file}: {key} is no key of a sweep; there are {', '.join(LISTS)} and until")
+    count = math.prod(len(sweep[key]) for key in LISTS if key in sweep)
+    if count > MOST:
+        raise Complaint(f"{file} stands for {count} combinations; at most {MOST} can be simulated")
     return sweep
 
 

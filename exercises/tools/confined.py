@@ -1,5 +1,6 @@
 """Runs programs that are not trusted, or read text that is not, and ends all that they and the grader have started."""
 
+import contextlib
 import ctypes
 import os
 import select
@@ -24,28 +25,28 @@ class Ran:
     cut: str = ""     # why it was cut short: "time", "output" or nothing
 
 
-def run_confined(command, limits, folder, deadline):
-    """Runs a program in `folder`, where it keeps its temporary files too, until time.monotonic() is `deadline`."""
+def run_confined(command, limits, folder, patience):
+    """Runs a program in `folder`, where it keeps its temporary files too, as long as the patience lasts."""
     parent = os.getpid()
     with subprocess.Popen([str(word) for word in command], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                           stderr=subprocess.PIPE, cwd=folder, start_new_session=True,
                           env={"PATH": os.environ.get("PATH", ""), "TMPDIR": str(folder)},
                           preexec_fn=lambda: confine(limits, parent)) as process:
         try:
-            output, cut = _read(process.stderr, limits.output, deadline)
-            if not cut:
-                process.wait(max(deadline - time.monotonic(), 0))
-        except subprocess.TimeoutExpired:
-            cut = "time"
+            output, cut = _read(process.stderr, limits.output, patience)
+            if not cut and not _has_ended(process, patience):
+                cut = "time"
         finally:
             end_group(process.pid)
     return Ran(process.returncode, output, cut)
 
 
-def _read(pipe, most, deadline):
+def _read(pipe, most, patience):
     """What comes until the end, and why it was cut short."""
     said = b""
-    while select.select([pipe], [], [], max(deadline - time.monotonic(), 0))[0]:
+    while tick := patience.tick():
+        if not select.select([pipe], [], [], tick)[0]:
+            continue
         piece = os.read(pipe.fileno(), 1 << 16)
         said += piece
         if not piece:
@@ -53,6 +54,14 @@ def _read(pipe, most, deadline):
         if len(said) > most:
             return said[:most], "output"
     return said, "time"
+
+
+def _has_ended(process, patience):
+    while tick := patience.tick():
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(tick)
+            return True
+    return False
 
 
 def end_group(leader):

@@ -22,13 +22,13 @@ from pathlib import Path
 
 from catalogue import find_all, read_catalogue
 from complaint import Complaint, GraderFailed
-from grade_class import grade_class, is_result, job_of
+from grade_class import grade_class, job_of, require_results
 from made import CommandFailed
 from outputs import Outputs, occupy_standard_descriptors, require_a_place_of_its_own
 from plain_text import complain, one_line, say, why_unheard
 from programs import prepare_all
 from reports import FORMATS, marks
-from shards import WHOLE, Part, Stopped, merge, shard_of, stoppable
+from shards import WHOLE, Part, Stopped, job_of_part, merge, shard_of, stoppable
 from submission import places_of, places_of_header, read_header
 from toolchain import read_toolchain
 from untrusted import require_out_of_reach, require_seals, seals_in_words
@@ -96,9 +96,7 @@ def write_outputs(arguments, outputs, by_name, missing):
 def merged(parts):
     """The results in the parts of a class, and the names of those that have none."""
     results, missing = merge(parts)
-    for name, result in results.items():
-        if not is_result(result):
-            raise Complaint(f"what the parts hold for {one_line(name)} is no result of grading")
+    require_results(results, job_of_part(parts[0]))
     return results, missing
 
 

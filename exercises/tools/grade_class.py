@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import math
 import os
 import signal
 import subprocess
@@ -10,6 +11,8 @@ import threading
 from pathlib import Path
 
 from complaint import Complaint, GraderFailed
+from patience import Patience
+from plain_text import one_line
 from shards import Job, run
 from submission import read_header, student_of
 from untrusted import COMPILING
@@ -24,13 +27,45 @@ def job_of(arguments, submissions, exercises):
                 "seconds": arguments.seconds}, list(submissions))
 
 
-def is_result(result):
-    """Whether it may be what came of a submission. Other work keeps its results in parts, too."""
-    return isinstance(result, dict) and {"student", "submission", "points", "of", "exercises"} <= result.keys()
+CHECK = {"sentence": str, "points": int, "of": int, "status": str, "message": str}
+EXERCISE = {"exercise": str, "title": str, "reason": str, "flags": [str], "checks": [CHECK]}
+RESULT = {"student": str, "submission": str, "points": int, "of": int, "exercises": [EXERCISE], "seconds": float, "handed_in": str}
+
+
+def require_results(results, job):
+    """Complains of what can't have come of grading the job's submissions. Other work keeps its results in parts too, and a part may have
+    been edited on its way."""
+    for name, result in results.items():
+        if not _is_result(name, result, list(job["exercises"]) if _is_job(job) else None):
+            raise Complaint(f"what the parts hold for {one_line(name)} is no result of grading")
+
+
+def _is_job(job):
+    return isinstance(job, dict) and isinstance(job.get("exercises"), dict)
+
+
+def _is_result(name, result, exercises):
+    """Of the job's exercises, for who is named, with points that are there and add up."""
+    if not _has_shape(result, RESULT) or [each["exercise"] for each in result["exercises"]] != exercises:
+        return False
+    checks = [check for exercise in result["exercises"] for check in exercise["checks"]]
+    return ((result["submission"], result["student"]) == (name, student_of(name)) and 0 <= result["seconds"] < math.inf and
+            all(0 <= check["points"] <= check["of"] for check in checks) and
+            all(result[key] == sum(check[key] for check in checks) for key in ("points", "of")))
+
+
+def _has_shape(value, shape):
+    """Whether it has the shape's keys, elements and types."""
+    if isinstance(shape, dict):
+        return isinstance(value, dict) and value.keys() == shape.keys() and all(_has_shape(value[key], shape[key]) for key in shape)
+    if isinstance(shape, list):
+        return isinstance(value, list) and all(_has_shape(each, shape[0]) for each in value)
+    return type(value) is shape or (type(value), shape) == (int, float)
 
 
 def grade_class(arguments, folders, exercises, part, tell):
     """Grades what the part lacks. Returns the results by submission, of those that have one, and why the others have none."""
+    require_results(part.done, part.job.what)
     for name in [name for name, result in part.done.items() if result["handed_in"] != _handed_in(folders[name], exercises)]:
         part.void(name)  # it was handed in once more, so it's graded once more
     graders = _Graders(arguments, exercises, part.job.what["exercises"], min(arguments.jobs, len(folders)))
@@ -73,11 +108,9 @@ class _Graders:
                                        start_new_session=True)  # Ctrl-C is for us, who end it in its turn
             self.processes.add(process)
         try:
-            output, said = process.communicate(json.dumps(task).encode("ascii"), timeout=self.seconds)
+            output, said = self._said(process, json.dumps(task).encode("ascii"))
             if process.returncode == 0:
                 return json.loads(output)
-        except subprocess.TimeoutExpired:
-            raise GraderFailed(f"it took more than {self.seconds:g} seconds") from None
         except ValueError:
             pass
         finally:
@@ -86,6 +119,15 @@ class _Graders:
             _end(process)
         why = said.decode("utf-8", "replace").strip()[-2000:]
         raise GraderFailed(why or f"it ended with {process.returncode} and said nothing that can be read")
+
+    def _said(self, process, task):
+        patience = Patience(self.seconds)
+        while tick := patience.tick():
+            try:
+                return process.communicate(task, timeout=tick)
+            except subprocess.TimeoutExpired:
+                task = None  # which is sent once
+        raise GraderFailed(f"it took more than {self.seconds:g} seconds")
 
     def end(self):
         with self.lock:

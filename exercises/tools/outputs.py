@@ -1,6 +1,7 @@
 """Files that a command writes: opened before its work begins, so that a mistake shows then; complete in the end, or as they were."""
 
 import contextlib
+import fcntl
 import os
 import stat
 import sys
@@ -61,14 +62,28 @@ class Outputs(contextlib.ExitStack):
 
 def occupy_standard_descriptors():
     """What is closed would be given to the first file that is opened, and what is printed would land in it. Nobody hears what is printed
-    where Python had found it closed: then sys.stdout stays None."""
-    for number in range(3):
-        try:
-            os.fstat(number)
-        except OSError:
-            os.open(os.devnull, os.O_RDWR)
+    where it was closed: then sys.stdout is None. A shell that finds one closed may leave its own script there, open for reading."""
+    for number, name in enumerate(("stdin", "stdout", "stderr")):
+        if not _is_open(number, to_write=number > 0):
+            _replace(number)
+            setattr(sys, name, None)
     if sys.stderr is None:
         sys.stderr = open(2, "w", encoding="utf-8", errors="backslashreplace", closefd=False)
+
+
+def _is_open(number, to_write):
+    try:
+        how = fcntl.fcntl(number, fcntl.F_GETFL) & os.O_ACCMODE
+    except OSError:
+        return False
+    return how != os.O_RDONLY or not to_write
+
+
+def _replace(number):
+    null = os.open(os.devnull, os.O_RDWR)
+    if null != number:
+        os.dup2(null, number)
+        os.close(null)
 
 
 def require_a_place_of_its_own(option, file, inputs):

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 
 from confined import end_group
 from limits import Limits, confine, end_with
+from patience import Patience
 
 PASSED, FAILED, TODO, BROKEN = "passed", "failed", "not written yet", "broken"
 OF_THE_MACHINE = (errno.EAGAIN, errno.ENOMEM, errno.EMFILE, errno.ENFILE)  # why a program does not start that is sound
@@ -85,16 +86,16 @@ class _Pair:
 
     def run(self):
         """Lets them talk until the judge is done. Returns why it was cut short: "time", "output" or ""."""
-        deadline = time.monotonic() + 4 * self.limits.seconds  # the machine may have more to do
+        patience = Patience(4 * self.limits.seconds)  # the machine may have more to do
         with selectors.DefaultSelector() as selector:
             selector.register(self.worker.stdout, selectors.EVENT_READ, "worker")
             selector.register(self.judge.stdout, selectors.EVENT_READ, "judge")
             listening = {"worker", "judge"}
             while "judge" in listening:
-                remaining = deadline - time.monotonic()
-                if remaining <= 0:
+                tick = patience.tick()
+                if tick == 0:
                     return "time"
-                for key, _ in selector.select(remaining):
+                for key, _ in selector.select(tick):
                     piece = os.read(key.fd, 1 << 16)
                     if not piece:
                         selector.unregister(key.fileobj)

@@ -258,10 +258,12 @@ def _read(text, name):
 
 
 def _share_in(header):
-    number, of = header["shard"]
-    if not (type(number) is type(of) is int and 1 <= number <= of and isinstance(header["tasks"], list)):
+    (number, of), tasks = header["shard"], header["tasks"]
+    if not (type(number) is type(of) is int and 1 <= number <= of and isinstance(tasks, list)):
         raise ValueError
-    return share(header["tasks"], Shard(number, of))
+    if not all(isinstance(name, str) for name in tasks) or len(set(tasks)) < len(tasks):
+        raise ValueError
+    return share(tasks, Shard(number, of))
 
 
 def _require_equal(file, found, wanted):

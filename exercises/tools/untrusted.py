@@ -10,7 +10,6 @@ import signal
 import stat
 import subprocess
 import tempfile
-import time
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
@@ -21,6 +20,7 @@ from confined import end_strays, run_confined
 from landlock import Reach
 from limits import MEBIBYTE, Limits
 from made import dependencies_in
+from patience import Patience
 from programs import PRECISIONS, answers_source, shared
 from sealed import can_seal
 from toolchain import Toolchain
@@ -134,32 +134,35 @@ class Workshop:
 
     def compile(self, text):
         """The workers by precision, both made of the same text. Raises Uncompiled, or GraderFailed where it's not the text's fault."""
-        deadline = time.monotonic() + 4 * self.seconds
+        patience = self._patience()
         try:
             try:
-                return self._workers(text, deadline)
+                return self._workers(text, patience)
             except Ended:
                 self._try_out_on_the_starter()
             try:
-                return self._workers(text, deadline)
+                return self._workers(text, patience)
             except Ended as ended:
                 raise Uncompiled(f"{ended}, twice, but not on the starter") from None
         except Uncompiled:
             self.try_out()
             raise
 
-    def _workers(self, text, deadline):
+    def _patience(self):
+        return Patience(4 * self.seconds)
+
+    def _workers(self, text, patience):
         self._write(self.exercise.header, text)
         for real in PRECISIONS:
             self._write(f"answers_{real}.cpp", answers_source(self.exercise, real))
-        return {real: self._worker(real, deadline) for real in PRECISIONS}
+        return {real: self._worker(real, patience) for real in PRECISIONS}
 
     def _try_out_on_the_starter(self):
         """Raises GraderFailed if the compiler is ended there too. The starter asks for as much memory as an answer, an empty program
         for far less."""
         starter = self.exercise.folder / self.exercise.header
         try:
-            self._workers(starter.read_text(encoding="utf-8") if starter.exists() else "", time.monotonic() + 4 * self.seconds)
+            self._workers(starter.read_text(encoding="utf-8") if starter.exists() else "", self._patience())
         except Ended as ended:
             raise GraderFailed(f"{ended}; is there too little memory?") from None
         except Uncompiled:
@@ -172,7 +175,7 @@ class Workshop:
             raise GraderFailed(f"{self.place.parent} has less than {ROOM // MEBIBYTE} MB left")
         self._write("nothing.cpp", "int main() {}\n")
         try:
-            self._made("nothing", time.monotonic() + 4 * self.seconds)
+            self._made("nothing", self._patience())
         except Uncompiled as failure:
             why = "; run by root it has a user of its own, who must be able to read the course and its build" if self.user else ""
             raise GraderFailed(f"the compiler does not work where it is confined{why}: {failure}") from None
@@ -184,33 +187,33 @@ class Workshop:
     def empty(self):
         return self.place / "empty"
 
-    def _worker(self, real, deadline):
-        worker = self._made(f"answers_{real}", deadline)
+    def _worker(self, real, patience):
+        worker = self._made(f"answers_{real}", patience)
         foreign = [file for file in _listed(self.place / "made" / f"answers_{real}.o.d") if not self._allows(file)]
         if foreign:
             raise Uncompiled(f"it includes {Path(foreign[0]).name}, which is no part of the chapters up to {self.exercise.chapter}")
         return worker
 
-    def _made(self, name, deadline):
+    def _made(self, name, patience):
         """The program that is made of one file."""
         compiled, program = self.place / "made" / f"{name}.o", self.place / "made" / name
         command, _ = self.toolchain.compile(self.place / "text" / f"{name}.cpp", compiled, self.exercise.chapter,
                                             first_folders=[self.place / "text"])
-        self._run(command, deadline)
-        self._run(self.toolchain.link([compiled, *self._loop(name)], program), deadline)
+        self._run(command, patience)
+        self._run(self.toolchain.link([compiled, *self._loop(name)], program), patience)
         return program
 
     def _loop(self, name):
         return [shared(self.toolchain, "serve.o")] if name.startswith("answers_") else []
 
-    def _run(self, command, deadline):
+    def _run(self, command, patience):
         """Raises Uncompiled with what the compiler said, GraderFailed where somebody else ended it."""
         made = self.place / "made"
         limits = Limits(seconds=self.seconds, memory=MEMORY_OF_COMPILERS, file=FILES_OF_COMPILERS, user=self.user,
                         reach=Reach(readable=(*LIBRARIES, *HEADERS, *self._headers(), shared(self.toolchain, "serve.o")),
                                     executable=(*_tools(self.toolchain.compiler), *_loaders()), writable=(made,)))
         try:
-            ran = run_confined(command, limits, made, deadline)
+            ran = run_confined(command, limits, made, patience)
         except (OSError, subprocess.SubprocessError) as error:
             raise GraderFailed(f"the compiler does not work where it is confined: {command[0]} was not started: {error}") from None
         end_strays()

@@ -138,16 +138,27 @@ class Measurements(unittest.TestCase):
         self.list_programs()
         self.assertIn("anew was compiled anew meanwhile", self.measure("--shard", "1/1", "--part", "all", code=2))
 
-    def test_a_part_that_names_a_file_elsewhere_is_refused(self):
+    def test_a_part_that_was_edited_is_refused(self):
         self.measure("--shard", "1/1", "--part", "all")
         sys.path.insert(0, str(MEASURE.parents[1] / "exercises" / "tools"))
         from shards import Job, Part, merge  # noqa: PLC0415
         results, _ = merge([SCRATCH / "all"])
         job = json.loads((SCRATCH / "all").read_bytes().splitlines()[0].rpartition(b" ")[0])
-        with Part(SCRATCH / "forged", Job(job["job"], job["tasks"])) as part:
-            for task, result in results.items():
-                part.add(task, {"files": {"../../stolen": ""}} if task == "first_alone" else result)
-        self.assertIn("no program of the course leaves", self.measure("--into", "measured", "--merge", "forged", code=2))
+        item = next(task for task in results if ": " in task)
+        for task, forged, what, said in (
+                ("first_alone", {"files": {"../../stolen": ""}}, {}, "no program of the course leaves"),
+                ("first_alone", results[item], {}, "what the parts hold for first_alone is no measurement"),
+                ("first_alone", {"files": {"alone.tsv": 5}}, {}, "what the parts hold for first_alone is no measurement"),
+                (item, {"text": 5, "errors": ""}, {}, f"what the parts hold for {item} is no measurement"),
+                (item, ["text"], {}, f"what the parts hold for {item} is no measurement"),
+                (item, results[item], {"compiler": 5}, "the parts are of other work than measuring"),
+                (item, results[item], {"more": ""}, "the parts are of other work than measuring")):
+            with self.subTest(forged=forged, what=what):
+                with Part(SCRATCH / "forged", Job({**job["job"], **what}, job["tasks"]), resume=False) as part:
+                    for each, result in results.items():
+                        part.add(each, forged if each == task else result)
+                self.assertIn(said, self.measure("--into", "measured", "--merge", "forged", code=2))
+                (SCRATCH / "forged").unlink()
         self.assertFalse((SCRATCH / "stolen").exists())
 
     def test_each_item_of_the_course_has_a_name_of_its_own(self):

@@ -241,6 +241,11 @@ class Sweep(unittest.TestCase):
         self.assertEqual(row[6], "2")
         self.assertTrue(row[-1].startswith("'comet' at 0.5 s (step 2): point gravity gives a force of"), row[-1])
 
+    def test_the_table_holds_plain_text(self):
+        self.write("a\x1b[31m\tb.json", TOPS)
+        self.write("sweep.json", {**SPEC, "scenes": ["a\x1b[31m\tb.json"]})
+        self.assertEqual({line.split("\t")[0] for line in self.sweep("sweep.json").splitlines()[1:]}, {r"a\x1b[31m b.json"})
+
     def test_mistakes_are_told_before_anything_is_simulated(self):
         (SCRATCH / "deep.json").write_text('{"bodies": ' + "[" * 5000 + "]" * 5000 + "}")
         for change, complaint in (
@@ -254,6 +259,10 @@ class Sweep(unittest.TestCase):
                 ({"time_steps": [1]}, "that is less than half a step of 1 s"),
                 ({"seeds": [1.5]}, "1.5 stands in seeds, where it can't"),
                 ({"until": "1"}, 'until is "1"; it must be a number'),
+                ({"scenes": ["a\x1b[2Jb\x9b"]}, r"no scene and no file is called a\x1b[2Jb\x9b"),
+                ({"methods": ["\x1b[31m"]}, r"no method is called \x1b[31m"),
+                ({"seeds": list(range(1001)), "time_steps": list(range(1, 1001))},
+                 "stands for 4004000 combinations; at most 1000000 can be simulated"),
                 ({"scenes": ["n" * 300]}, "no scene and no file is called nnn"),
                 ({"scenes": ["caf\u00e9"]}, "no scene and no file is called caf\u00e9"),
                 ({"scenes": ["/proc/self/mem"]}, "can't be read: Input/output error"),  # a file that can't be read, not even by root

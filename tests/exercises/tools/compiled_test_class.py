@@ -56,6 +56,12 @@ sys.exit(grade.main(sys.argv[1:]))
 """
 
 
+def read_job(part):
+    """The job of a whole part, as its first line has it."""
+    said = json.loads(part.read_bytes().split(b"\n")[0].rpartition(b" ")[0])
+    return Job(said["job"], said["tasks"])
+
+
 class AClassOfStandIns(Grading):
     def setUp(self):
         super().setUp()
@@ -229,6 +235,33 @@ class NothingLost(AClassOfStandIns):
             kept.add("t_handle", ["t_handle", "splitting", 0.01])
         _, said = self.run_to_the_end("merge", part, code=2)
         self.assertIn("what the parts hold for t_handle is no result of grading", said)
+
+    def test_a_part_that_was_edited_makes_no_marks(self):
+        self.hand_in_all(ada=2, bob=1)
+        self.run_to_the_end("--part", "kept", "--marks", "marks.csv")
+        with Part(self.place / "kept", read_job(self.place / "kept"), resume=True) as kept:
+            right = dict(kept.done["ada"])
+        exercise, = right["exercises"]
+        check = exercise["checks"][0]
+        for change in ({"submission": "bob"}, {"student": "bob"}, {"points": 4}, {"points": -1}, {"points": True}, {"of": 2},
+                       {"points": float("nan")}, {"seconds": float("nan")}, {"student": 5}, {"exercises": []}, {"exercises": 5},
+                       {"exercises": [{}]}, {"exercises": [exercise, exercise]}, {"exercises": [{**exercise, "exercise": "other"}]},
+                       {"exercises": [{**exercise, "flags": 5}]}, {"exercises": [{**exercise, "flags": [5]}]},
+                       {"exercises": [{**exercise, "reason": None}]}, {"exercises": [{**exercise, "checks": [{}]}]},
+                       {"points": 10, "exercises": [{**exercise, "checks": [{**check, "points": 9}, exercise["checks"][1]]}]},
+                       {"handed_in": None}, {"more": 1}):
+            with self.subTest(change):
+                with Part(self.place / "kept", read_job(self.place / "kept"), resume=True) as kept:
+                    kept.add("ada", {**right, **change})
+                _, said = self.run_to_the_end("merge", "kept", "--marks", "new.csv", code=2)
+                self.assertEqual(said, "course: what the parts hold for ada is no result of grading\n")
+                self.assertFalse((self.place / "new.csv").exists())
+        _, said = self.run_to_the_end("--part", "kept", "--resume", "--marks", "new.csv", code=2)
+        self.assertEqual(said, "course: what the parts hold for ada is no result of grading\n")
+        with Part(self.place / "kept", read_job(self.place / "kept"), resume=True) as kept:
+            kept.add("ada", right)
+        self.run_to_the_end("merge", "kept", "--marks", "new.csv")
+        self.assertEqual((self.place / "new.csv").read_bytes(), (self.place / "marks.csv").read_bytes())
 
     def test_a_part_is_of_one_job_alone(self):
         self.hand_in_all(ada=2, bob="breaks")

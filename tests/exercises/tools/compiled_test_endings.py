@@ -127,6 +127,33 @@ class Endings(Grading):
                     os.kill(graders[which], signal.SIGKILL)
                 self.after_an_end(COMPILES, "text/answers_double.cpp", end)
 
+    def test_a_job_that_is_suspended_for_longer_than_a_check_may_take_loses_nobody_a_point(self):
+        self.hand_in("ada", "#include <unistd.h>\n" + RIGHT.replace("return number", "usleep(300000);\n  return number"))
+        with subprocess.Popen(self.command("--format", "json", "--seconds", "1"), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL) as grader:
+            self.addCleanup(grader.kill)
+            self.until(lambda: any("/made/answers_double" in name_of(each).split(" ")[0] for each in descendants(grader.pid)))
+            self.freeze({grader.pid, *descendants(grader.pid)}, 5)  # a check has four seconds by the clock
+            result, = json.loads(grader.communicate(timeout=300)[0])
+        self.assertEqual(result["points"], 3, result["exercises"])
+
+    def test_a_compiler_that_is_suspended_is_waited_for(self):
+        program = ("from confined import run_confined; from limits import Limits; from patience import Patience;"
+                   "print(run_confined(['sleep', '1'], Limits(), '/', Patience(2)).cut or 'to its end')")
+        with subprocess.Popen([sys.executable, "-B", "-c", program], cwd=ROOT / "exercises" / "tools", stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE) as waiting:
+            self.addCleanup(waiting.kill)
+            self.until(lambda: any(name_of(each).startswith("sleep") for each in descendants(waiting.pid)))
+            self.freeze({waiting.pid, *descendants(waiting.pid)}, 3)
+            self.assertEqual(waiting.communicate(timeout=60)[0], b"to its end\n")
+
+    def freeze(self, processes, seconds):
+        for number in (signal.SIGSTOP, signal.SIGCONT):
+            for process in processes:
+                os.kill(process, number)
+            if number == signal.SIGSTOP:
+                time.sleep(seconds)
+
     def test_two_graders_at_once_do_not_meet(self):
         for number in range(4):
             self.hand_in(f"student{number}", RIGHT)
@@ -170,10 +197,10 @@ class Endings(Grading):
         """RIGHT, where the compiler is killed on each text that `is_killed`."""
         place = []
 
-        def run(command, limits, folder, deadline):
+        def run(command, limits, folder, patience):
             if is_killed((place[0] / "text" / "doubled.hpp").read_text(encoding="utf-8")):
                 return Ran(1, f"g++: {KILLED}\n".encode())
-            return run_confined(command, limits, folder, deadline)
+            return run_confined(command, limits, folder, patience)
         with a_workshop(self.toolchain, self.exercise, own_user(), 60) as workshop:
             place.append(workshop.place)
             with mock.patch.object(untrusted, "run_confined", run):

@@ -77,12 +77,14 @@ class AClass(Grading):
         self.hand_in("ada", RIGHT)
         words = [sys.executable, "-B", str(ROOT / "exercises" / "tools" / "grade.py"), "--root", str(self.root), "--toolchain",
                  str(self.toolchain_file), str(self.submissions / "ada")]
-        for options, closed, code in (([], ">&-", 2), (["--output", str(self.root / "all")], ">&- 2>&-", 0), ([], "<&- 2>&-", 0)):
+        for options, closed, code in (([], ">&-", 2), (["--output", str(self.root / "all")], ">&- 2>&-", 0), ([], "<&- 2>&-", 0),
+                                      ([], "1</dev/null", 2), ([], "2</dev/null", 0)):  # as a shell leaves its script there
             with self.subTest(closed):
                 done = subprocess.run(["sh", "-c", f'"$@" {closed}', "sh", *words, *options], cwd=self.root, stdin=subprocess.DEVNULL,
                                       capture_output=True, timeout=300)
                 self.assertEqual(done.returncode, code, done.stderr)
                 self.assertIn(b"the standard output is closed" if code else b"", done.stderr)
+                self.assertEqual(done.stdout[:20], b"" if code or options else b"ada: 3 of 3 points\n ")
         self.assertIn("ada: 3 of 3 points", (self.root / "all").read_text(encoding="utf-8"))
 
     def test_limits_that_leave_a_compiler_too_little_are_told(self):

@@ -155,6 +155,7 @@ class OfTheCourse(unittest.TestCase):
             cache = (build / "CMakeCache.txt").read_text(encoding="utf-8")
             for package in ("Eigen3", "doctest"):
                 self.assertIn(f"{package}_DIR:PATH={target}/third_party/", cache)
+            self.run_in(target, "cmake", "--build", str(build), "--target", "judge_checks")
             tests = self.run_in(target, "ctest", "--test-dir", str(build), "-L", "exercises", "--output-on-failure")
             self.assertIn("100% tests passed", tests)
             student = [sys.executable, "-B", "exercises/tools/student.py", "--root", str(target),

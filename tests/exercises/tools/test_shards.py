@@ -7,7 +7,7 @@ import threading
 import time
 
 from complaint import Complaint
-from shards import WHOLE, Job, Part, Shard, Stopped, merge, run, share, shard_of
+from shards import WHOLE, Job, Part, Shard, Stopped, _line, merge, run, share, shard_of
 from test_student_files import InAFolder
 
 NAMES = [f"task {number}" for number in range(20)] + ["caf\udce9", "line\nend", "merge"]
@@ -45,6 +45,11 @@ class Shards(InAFolder):
             files.append(self.folder / f"{number}")
         self.assertEqual(list(merge(files)[0].items()), [(name, work(name)) for name in NAMES])
         self.assertEqual(merge(files), merge([self.folder / "whole"]))
+
+    def test_the_tasks_of_a_part_are_names_unlike_each_other(self):
+        for tasks in ([1, 2], [None], ["a", "a"], [["a"]], {"a": 1}, "ab", None):
+            (self.folder / "part").write_bytes(_line({"job": 1, "shard": [1, 1], "tasks": tasks}))
+            self.refused("is no part of a job; see its line 1", merge, [self.folder / "part"])
 
     def test_a_run_cut_off_at_any_byte_is_taken_up_again(self):
         with self.part() as part:

@@ -100,7 +100,9 @@ class Value {
   }
   std::string text() const {
     if (!json_->is_string()) reject("it must be a text");
-    return json_->get<std::string>();
+    std::string text = json_->get<std::string>();
+    if (plain(text) != text) reject("a text holds no control characters but line ends and tabs");
+    return text;
   }
   /// A list with at least one element.
   const Value& list(const std::string& of) const {

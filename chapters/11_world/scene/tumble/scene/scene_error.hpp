@@ -7,16 +7,17 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tumble/scene/plain_text.hpp>
 #include <vector>
 
 namespace tumble {
 
-/// A scene that can't be loaded. The text reads "FILE: POINTER is VALUE UNIT; RULE".
+/// A scene that can't be loaded. The text reads "FILE: POINTER is VALUE UNIT; RULE", and is plain.
 class SceneError : public std::runtime_error {
  public:
   SceneError(std::string in_file, std::string at_pointer, std::string what_is_wrong)
-      : std::runtime_error(in_file + ": " + at_pointer + (at_pointer.empty() ? "" : " ") +
-                           what_is_wrong),
+      : std::runtime_error(
+            plain(in_file + ": " + at_pointer + (at_pointer.empty() ? "" : " ") + what_is_wrong)),
         file(std::move(in_file)),
         pointer(std::move(at_pointer)),
         sentence(std::move(what_is_wrong)) {}

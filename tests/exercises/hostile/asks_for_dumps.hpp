@@ -1,0 +1,15 @@
+// earns: 3
+// because: gives the compiler orders
+#pragma once
+#pragma GCC optimize("-fdump-tree-all=@TEMPORARY@/dump")
+#pragma GCC optimize("-fsave-optimization-record")
+
+template <class Real>
+Real doubled(Real number) {
+  return 2 * number;
+}
+
+template <class Real>
+Real halved(Real number) {
+  return number / 2;
+}

@@ -1,0 +1,14 @@
+// earns: 0
+// because: it doesn't compile
+#pragma once
+
+template <class Real>
+Real doubled(Real number) {
+  return 2 * number;
+}
+
+template <class Real>
+Real halved(Real number) {
+  return number / 2;
+}
+/* and the main of the worker
