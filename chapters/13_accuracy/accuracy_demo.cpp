@@ -2,6 +2,7 @@
 #include <course/cheapest.hpp>
 #include <course/items.hpp>
 #include <course/record.hpp>
+#include <limits>
 
 #include "contests.hpp"
 
