@@ -25,8 +25,9 @@ class World : public Scenery<Real, Keeping> {
  public:
   using Base::work;
 
-  /// @throws std::invalid_argument if the step is negative or longer than an hour. In one of no time
-  /// no force, kick or drift moves anything; what effects write by themselves they still write.
+  /// @throws std::invalid_argument if the step is negative or longer than an hour. In one of no
+  /// time no force, kick or drift moves anything; what effects write by themselves they still
+  /// write.
   template <TurningRule<Real> Rule = Splitting>
   explicit World(const StepLength& step = {}, const Rule& rule = {})
       : Scenery<Real, Keeping>(time_step_of<Real>(step)), step_(step) {
