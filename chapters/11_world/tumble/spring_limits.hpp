@@ -2,9 +2,12 @@
 /// Up to which time step the stretches of a scene's springs can't feed on themselves.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <tumble/semi_implicit_euler.hpp>
 #include <tumble/work.hpp>
+#include <vector>
 
 namespace tumble {
 
@@ -20,11 +23,17 @@ Real largest_inverse_mass_at(const RigidBody<Real>& body, Real arm) {
 /// being turned aside, with the tension times its arm: that is left out, and can need a shorter
 /// step.
 ///
-/// Springs that share a body stiffen each other. With w the inverse mass at an attachment, the
-/// equation of all stretches s is s̈ = −A s, where A_ij joins springs i and j through a shared body
-/// by at most √k_i √k_j w. Gershgorin's theorem bounds its eigenvalues by the largest row sum,
-/// √k_i (w_a Σ_a √k + w_b Σ_b √k), with the sums over the springs at either end. The same holds for
-/// the dampers with c in place of k, and chapter 6 has the limit for both together.
+/// Springs that share a body stiffen each other. By chapter 6's limit nothing grows while the
+/// springs, each of the strength s = h² k + 2 h c, pull back by less than 4 in every direction of
+/// motion, in units of the inverse mass. The strongest pull is the largest Σ |Σ √s b x|², summed
+/// over the bodies, where b is what a spring does to the body at its end, √w long at most with the
+/// inverse mass w there, and the squares of the x, one for each spring, sum to 1. By Cauchy and
+/// Schwarz |Σ √s b x|² ≤ Σ √s · Σ √s w x². So no pull exceeds the largest √s (w_a Σ_a √s + w_b Σ_b
+/// √s) of a spring, with the sums over the springs at either of its ends.
+///
+/// Where springs and dampers are in the same proportion everywhere, this is h² times the same of
+/// k, plus 2 h times that of c. Elsewhere it is more. In a step t < 1 times as long each s is at
+/// most t times as large, so the step that the same proportion would allow is shortened by as much.
 //! [spring_limit]
 template <class Real>
 struct SpringLimit {
@@ -36,14 +45,16 @@ struct SpringLimit {
 template <class Real, class Roster>
 SpringLimit<Real> spring_limit(const std::vector<Entry<Real>>& entries, const Roster& roster) {
   struct End {
-    std::size_t entry;
+    SpringTerms<Real> terms;
     BodyIndex body;
     Real inverse_mass;
   };
+  struct Spring {
+    std::size_t entry, end_count;  // one or two
+  };
   const std::size_t count = roster.size();
-  std::vector<Real> root_stiffness(count, Real(0)), root_damping(count, Real(0));
+  std::vector<Spring> springs;
   std::vector<End> ends;
-  std::vector<std::size_t> ends_of_spring;  // one or two
   for (std::size_t i = 0; i < entries.size(); ++i) {
     const SpringTerms<Real> terms = entries[i].effect->traits().spring_terms;
     if (!is_spring(*entries[i].effect)) continue;
@@ -55,26 +66,41 @@ SpringLimit<Real> spring_limit(const std::vector<Entry<Real>>& entries, const Ro
     for (std::size_t k = 0; k < targets.size(); ++k) {
       const Real arm = k % stride == 0 ? terms.arm_first : terms.arm_second;
       const BodyIndex body = targets[k];
-      ends.push_back({i, body, largest_inverse_mass_at(roster.body(body), arm)});
-      if (k % stride == 0) ends_of_spring.push_back(stride);
-      root_stiffness[body] += std::sqrt(terms.stiffness);
-      root_damping[body] += std::sqrt(terms.damping);
+      ends.push_back({terms, body, largest_inverse_mass_at(roster.body(body), arm)});
+      if (k % stride == 0) springs.push_back({i, stride});
     }
   }
+
+  // √s (w_a Σ_a √s + w_b Σ_b √s) of each spring, for the strength s that its terms give.
+  const auto rows = [&](const auto& strength) {
+    std::vector<Real> sums(count, Real(0)), result;
+    for (const End& end : ends) sums[end.body] += std::sqrt(strength(end.terms));
+    auto end = ends.begin();
+    for (const Spring& spring : springs) {
+      Real row = 0;
+      for (const auto last = end + static_cast<std::ptrdiff_t>(spring.end_count); end != last;
+           ++end)
+        row += std::sqrt(strength(end->terms)) * end->inverse_mass * sums[end->body];
+      result.push_back(row);
+    }
+    return result;
+  };
+  const auto stiffness = rows([](const SpringTerms<Real>& terms) { return terms.stiffness; });
+  const auto damping = rows([](const SpringTerms<Real>& terms) { return terms.damping; });
   SpringLimit<Real> limit;
-  std::size_t end = 0;
-  for (const std::size_t stride : ends_of_spring) {
-    const SpringTerms<Real> terms = entries[ends[end].entry].effect->traits().spring_terms;
-    Real stiffness = 0, damping = 0;
-    for (std::size_t k = 0; k < stride; ++k) {
-      const End& here = ends[end + k];
-      stiffness += std::sqrt(terms.stiffness) * here.inverse_mass * root_stiffness[here.body];
-      damping += std::sqrt(terms.damping) * here.inverse_mass * root_damping[here.body];
-    }
-    const Real largest = largest_stable_time_step<Real>(stiffness, damping, 1);
-    if (largest < limit.time_step) limit = {largest, ends[end].entry};
-    end += stride;
+  for (std::size_t i = 0; i < springs.size(); ++i) {
+    const Real largest = largest_stable_time_step<Real>(stiffness[i], damping[i], 1);
+    if (largest < limit.time_step) limit = {largest, springs[i].entry};
   }
+  if (!std::isfinite(limit.time_step)) return limit;
+
+  const Real h = limit.time_step;
+  const auto together = rows([h](const SpringTerms<Real>& terms) {
+    return h * terms.stiffness * h + 2 * h * terms.damping;
+  });
+  const auto most = std::max_element(together.begin(), together.end());
+  if (*most > 4 * (1 + 64 * std::numeric_limits<Real>::epsilon()))  // by more than rounding
+    limit = {h * 4 / *most, springs[static_cast<std::size_t>(most - together.begin())].entry};
   return limit;
 }
 //! [spring_limit]
