@@ -16,12 +16,13 @@ int main(int argument_count, char** arguments) {
   std::vector<Topd> tops(course::rules<double>.size(), start);
   const Vec3d L0 = angular_momentum_world(start);
   const double time_step = 1.0 / 60;
-  std::array<double, 7> E{}, tilt{};
+  std::array<double, 7> E{}, tilt{}, widest{};
   for (int n = 0; n <= 3600; ++n) {
     for (std::size_t rule = 0; rule < tops.size(); ++rule) {
       E[rule] = kinetic_energy(tops[rule]) / kinetic_energy(start);
       const Vec3d L = angular_momentum_world(tops[rule]);
       tilt[rule] = std::atan2(L.cross(L0).norm(), L.dot(L0)) * 180 / std::numbers::pi;
+      widest[rule] = std::max(widest[rule], tilt[rule]);
       if (E[rule] < 1000) course::rules<double>[rule].turn(tops[rule], time_step);
     }
     if (n % 4 != 0) continue;
@@ -32,6 +33,9 @@ int main(int argument_count, char** arguments) {
   for (std::size_t rule = 0; rule < tops.size(); ++rule)
     std::printf("%-28s %-8s %8.2g deg\n", course::rules<double>[rule].name,
                 E[rule] < 1000 ? number("%.4f", E[rule]).c_str() : "over 1000", tilt[rule]);
+  notebook.value("widest_restored", number("%.1f°", widest[2]));
+  notebook.value("widest_implicit", number("%.1f°", widest[3]));
+  notebook.value("widest_steady", number("%.1f°", widest[0]));
   course::expect(!(E[1] < 1000), "the explicit rule blows up");
   course::expect(E[3] < 0.95, "the implicit rule brakes");
   course::expect(std::abs(E[2] - 1) < 1e-3 && tilt[2] > 1,

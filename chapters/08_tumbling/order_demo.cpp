@@ -1,8 +1,10 @@
 // The angle from the exact orientation after 10 s of problem A, against the time step.
+#include <algorithm>
 #include <course/record.hpp>
 #include <course/rules.hpp>
 
 using namespace tumble;
+using course::number;
 
 int main(int argument_count, char** arguments) {
   course::Notebook notebook(argument_count, arguments);
@@ -25,6 +27,15 @@ int main(int argument_count, char** arguments) {
               error[6]);
     errors.push_back(error);
   }
+  // How many times lower the worse of the splittings lies than the best of the others.
+  const auto lower = [&errors](std::size_t row) {
+    const std::array<double, 7>& error = errors[row];
+    return *std::min_element(error.begin(), error.begin() + 5) / std::max(error[5], error[6]);
+  };
+  notebook.value("lower_at_first", number("%.0f", lower(0)));
+  notebook.value("lower_in_the_end", number("%.0f", lower(8)));
+  course::expect(lower(0) > 10 && lower(8) > 100 * lower(0),
+                 "the splittings lie far below the others, the further the shorter the step");
   for (std::size_t rule = 0; rule < 7; ++rule) {
     const double order = std::log2(errors[7][rule] / errors[8][rule]);
     std::printf("%-28s %9.1e %9.1e %9.1e  %5.2f\n", course::rules<double>[rule].name,

@@ -16,6 +16,7 @@ int main(int argument_count, char** arguments) {
   std::int64_t stopped_after = 0, off_by_a_second = 0;
   std::printf("     steps   time               float t += h      double t += h         n h\n");
   std::int64_t next_row = 60, next_line = 1000;
+  double double_most = 0;  // of the rows that the figure draws
   for (std::int64_t n = 1; n <= steps; ++n) {
     const float before = added_float;
     added_float += static_cast<float>(time_step);
@@ -28,6 +29,7 @@ int main(int argument_count, char** arguments) {
     const double counted = static_cast<double>(n) * time_step;
     const auto off = [exact](double time) { return static_cast<double>(time - exact); };
     if (n == next_row) {
+      double_most = std::max(double_most, std::abs(off(added_double)));
       table.row(double(exact), std::abs(off(double(added_float))) + 1e-18,
                 std::abs(off(added_double)) + 1e-18, std::abs(off(counted)) + 1e-18);
       next_row = next_row * 5 / 4;
@@ -47,5 +49,6 @@ int main(int argument_count, char** arguments) {
                  "a double is off by -6.9e-4 s after 1e8 steps");
   notebook.value("minutes", number("%.0f", double(off_by_a_second) / 3600));
   notebook.value("stopped_days", number("%.1f", double(stopped_after) / 60 / 86400));
+  notebook.value("double_most", number("%.1f milliseconds", 1000 * double_most));
   notebook.value("double_drift", number("%.1e s", drift));
 }

@@ -257,6 +257,25 @@ TEST_CASE("When frames slow down the physics slows down too and never explodes")
 }
 //! [graceful]
 
+TEST_CASE("The books of a clock hold its shortest steps in its longest frames, to the end") {
+  // Steps of 1 ns: there can't be more of them than nanoseconds.
+  const std::int64_t hour = 3'600'000'000'000, end = std::numeric_limits<std::int64_t>::max();
+  StepClock clock =
+      make_step_clock({.numerator = 1'000'000, .denominator = 1'000'000}, hour, 1'000'000);
+  for (int n = 0; n < 100; ++n) steps_due(clock, hour);
+  CHECK(clock.steps == 100 * 1'000'000);
+  CHECK(clock.dropped_steps == 100 * (hour - 1'000'000));
+  CHECK(balanced(clock));
+  clock.time_in = end - hour;  // an hour before the end
+  clock.dropped_steps = clock.time_in - clock.steps;
+  CHECK(steps_due(clock, hour) == 1'000'000);
+  CHECK(clock.steps + clock.dropped_steps == end);
+  CHECK(balanced(clock));
+  CHECK(complaint_of([&] { make_step_clock({.numerator = 999'999, .denominator = 1'000'000}); }) ==
+        "numerator of the step is 999999 ns; it must lie between 1000000 and "
+        "3600000000000000000 ns");
+}
+
 //! [alternating]
 TEST_CASE("Two steps that are each stable can explode when they alternate") {
   // In units of 1/w, steps a and b in turn multiply the state by a matrix of determinant 1 and

@@ -167,10 +167,9 @@ TEST_CASE_TEMPLATE("The turn that was too far is told as |ω| h", Real, EVERY_PR
 
 TEST_CASE_TEMPLATE("Springs and dampers at either end of a spring add to what limits the step",
                    Real, EVERY_PRECISION) {
-  // Two points of 1 kg and 4 kg, joined, and each held by a spring of its own. By the theorem the
-  // joint's row sum is √k (w_a Σ_a √k + w_b Σ_b √k) = 3 (1 (3 + 4) + (3 + 1)/4) = 24 for the
-  // stiffnesses 9, 16 and 1, and for the dampers of 4, 1 and 9 it is 2 (1 (2 + 1) + (2 + 3)/4)
-  // = 8.5.
+  // Two points of 1 kg and 4 kg, joined, and each held by a spring of its own. The joint's bound is
+  // √k (w_a Σ_a √k + w_b Σ_b √k) = 3 (1 (3 + 4) + (3 + 1)/4) = 24 for the stiffnesses 9, 16 and 1,
+  // and for the dampers of 4, 1 and 9 it is 2 (1 (2 + 1) + (2 + 3)/4) = 8.5.
   World<Real> world(steps_per_second(1));
   const BodyHandle a = world.add("a", make_particle<Real>(1, {0, 0, 0}));
   const BodyHandle b = world.add("b", make_particle<Real>(4, {0, 0, 1}));
@@ -178,11 +177,27 @@ TEST_CASE_TEMPLATE("Springs and dampers at either end of a spring add to what li
   world.add(SpringToPoint<Real>{.spring = {.stiffness = 16, .damping = 1}}, {a});
   world.add(SpringToPoint<Real>{.spring = {.stiffness = 1, .damping = 9}}, {b});
   const SpringLimit<Real> limit = world.spring_limit();
-  // The other rows are 4 · 1 · 7 = 28 with 1 · 3, and 1 · 4/4 with 3 · 5/4: of the three, the joint
-  // damps the most and limits the step.
-  const Real expected = largest_stable_time_step<Real>(24, Real(8.5), 1);
+  // Those of the others are 4 · 1 · 7 = 28 with 1 · 3, and 1 · 4/4 with 3 · 5/4: of the three, the
+  // joint damps the most and would limit the step to h. But the springs are in other proportions
+  // than the dampers, so their strengths h² k + 2 h c are bounded once more.
+  const Real h = largest_stable_time_step<Real>(24, Real(8.5), 1);
+  const Real joint = std::sqrt(9 * h * h + 8 * h), left = std::sqrt(16 * h * h + 2 * h),
+             right = std::sqrt(h * h + 18 * h);
+  const Real bound = joint * (joint + left + (joint + right) / 4);
+  CHECK(bound > left * (joint + left));
+  CHECK(bound > right * (joint + right) / 4);
+  const Real expected = h * 4 / bound;
   CHECK(limit.entry == 0);
-  CHECK(std::abs(limit.time_step - expected) <= 32 * unit_roundoff<Real> * expected);
+  CHECK(std::abs(limit.time_step - expected) <= 64 * unit_roundoff<Real> * expected);
+  // The truth is the larger eigenvalue of h² K + 2 h C, with two coordinates in units of √m.
+  const auto strongest = [](Real step) {
+    const auto both = [step](Real k, Real c) { return step * step * k + 2 * step * c; };
+    const Real first = both(25, 5), second = both(Real(2.5), Real(3.25)),
+               joins = both(Real(4.5), 2);
+    return (first + second) / 2 + std::hypot((first - second) / 2, joins);
+  };
+  CHECK(strongest(limit.time_step) < 4);
+  CHECK(strongest(limit.time_step) > 3);
 }
 
 TEST_CASE_TEMPLATE("A spring held far from the centre of either body limits the step the more",

@@ -3,6 +3,7 @@
 #include <course/complaint_of_step.hpp>
 #include <course/exhaustive.hpp>
 #include <course/random_world.hpp>
+#include <set>
 
 using namespace tumble;
 using namespace tumble::course;
@@ -174,12 +175,18 @@ int try_own_effect(const Effect& effect) {
 //! [thousand]
 TEST_CASE_TEMPLATE("A thousand random worlds move by plan as when nothing is known of any body",
                    Real, EVERY_PRECISION) {
+  std::set<std::string> kinds;
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     CAPTURE(seed);
     Dice dice(seed);
     World<Real> world = random_world<Real>(dice);
+    CHECK(world.body_count() >= 1);
+    CHECK(world.body_count() <= 5);
+    CHECK(world.effects().size() <= 10);
+    for (const auto& effect : world.effects()) kinds.insert(std::string(effect.effect->name()));
     step_side_by_side(world, dice, 16, true);
   }
+  CHECK(kinds.size() == 12);
 }
 //! [thousand]
 

@@ -210,6 +210,78 @@ TEST_CASE_TEMPLATE("A spring that is too stiff for the step is announced, and it
   CHECK(stiff.body(stiff.find("ball")).centre.position.norm() > 5);
 }
 
+//! [mixed_springs]
+TEST_CASE_TEMPLATE("The limit of springs holds for springs and dampers in any proportion", Real,
+                   EVERY_PRECISION) {
+  // One point between two walls or three, on a line, with springs between neighbours.
+  const auto build = [](World<Real>& world, std::uint64_t seed) {
+    Dice dice(seed);
+    std::vector<BodyHandle> points;
+    for (std::size_t n = 0; n < (seed % 2 == 0 ? 1 : 3); ++n)
+      points.push_back(
+          world.add("point " + std::to_string(n),
+                    make_particle<Real>(std::exp2(3 * dice.real<Real>()), {Real(n), 0, 0})));
+    const auto strength = [&dice] { return dice.one_in(3) ? 0 : std::exp2(6 * dice.real<Real>()); };
+    const auto spring = [&strength]() -> Spring<Real> {
+      const Real stiffness = strength();
+      return {.stiffness = stiffness, .damping = strength(), .rest_length = 1};
+    };
+    const Real end = Real(points.size());
+    world.add(SpringToPoint<Real>{.spring = spring(), .anchor = {-1, 0, 0}}, {points.front()});
+    world.add(SpringToPoint<Real>{.spring = spring(), .anchor = {end, 0, 0}}, {points.back()});
+    for (std::size_t n = 1; n < points.size(); ++n)
+      world.add(SpringBetween<Real>{.spring = spring()}, {points[n - 1], points[n]});
+    return points;
+  };
+  int tried = 0;
+  for (std::uint64_t seed = 1; seed <= 120; ++seed) {
+    CAPTURE(seed);
+    for (const Scheme scheme : {Scheme::semi_implicit_euler, Scheme::verlet, Scheme::suzuki}) {
+      World<Real> asked;
+      asked.step_by(scheme);
+      asked.on_warning([](const std::string&) {});
+      build(asked, seed);
+      const Real limit = asked.spring_limit().time_step;
+      if (!(limit < 60)) continue;  // nothing but weak springs
+      World<Real> world(step_of_nanoseconds(std::int64_t(0.99e9 * double(limit))));
+      world.step_by(scheme);
+      const std::vector<BodyHandle> points = build(world, seed);
+      CHECK(world.plan().warnings.empty());
+      world.set_position(points[0], {Real(0.001), 0, 0});
+      // Just below its limit a free swing reaches 1/√(1 − 0.99²) = 7 times its start, and two of
+      // three points may hand theirs to the third.
+      for (int n = 0; n < 400; ++n) {
+        world.step();
+        for (std::size_t k = 0; k < points.size(); ++k)
+          REQUIRE(std::abs(world.body(points[k]).centre.position.x() - Real(k)) < Real(0.1));
+      }
+      ++tried;
+    }
+  }
+  CHECK(tried > 300);
+
+  // A spring of 1 N/m and a damper of 1 N s/m on 1 kg: h² + 2 h < 4, so h < √5 − 1.
+  const auto pair = [](Real time_step) {
+    World<Real> world(step_of_nanoseconds(std::int64_t(1e9 * double(time_step))));
+    world.on_warning([](const std::string&) {});
+    const BodyHandle ball = world.add("ball", make_particle<Real>(1, {Real(0.001), 0, 0}));
+    for (const Real stiffness : {Real(1), Real(0)})
+      world.add(
+          SpringToPoint<Real>{
+              .spring = {.stiffness = stiffness, .damping = 1 - stiffness, .rest_length = 5},
+              .anchor = {5, 0, 0}},
+          {ball});
+    for (int n = 0; n < 30; ++n) world.step();
+    return std::pair(world.spring_limit().time_step,
+                     std::abs(world.body(ball).centre.position.x()));
+  };
+  CHECK(pair(Real(1.5)).first <= std::sqrt(Real(5)) - 1);
+  CHECK(pair(Real(1.5)).first > Real(0.9));
+  CHECK(pair(Real(1.5)).second > 1);
+  CHECK(pair(Real(0.9)).second < Real(0.001));
+}
+//! [mixed_springs]
+
 TEST_CASE_TEMPLATE("A mass ratio of 10^9 on a stiff spring is announced", Real, EVERY_PRECISION) {
   World<Real> world(steps_per_second(60));
   const BodyHandle heavy = world.add("ship", make_particle<Real>(Real(1e6)));

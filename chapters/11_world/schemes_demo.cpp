@@ -58,8 +58,7 @@ int main(int argument_count, char** arguments) {
   std::printf("\nwith drag: %s\n", text_of(world.plan().accuracy).c_str());
   //! [limited]
   notebook.value("limited", text_of(world.plan().accuracy));
-  const double higher = largest_stable_time_step(Scheme::suzuki, 1.0, 0.0) /
-                        largest_stable_time_step(Scheme::verlet, 1.0, 0.0);
+  const double higher = largest_stable_angle(Scheme::suzuki) / largest_stable_angle(Scheme::verlet);
   notebook.value("limit_of_suzuki", course::number("%.2f", higher));
   course::expect(world.plan().accuracy.order == 1, "drag depends on the velocity");
 }

@@ -65,6 +65,34 @@ bool is_same_lane_by_lane(const Function& function) {
 
 }  // namespace
 
+//! [three]
+TEST_CASE_TEMPLATE("Of three products Eigen adds the last two first, alone and in a pack", Real,
+                   EVERY_PRECISION) {
+  std::mt19937 generator(3);
+  std::uniform_real_distribution<Real> number(-1, 1);
+  int other_order_differs = 0;
+  for (int n = 0; n < 1000; ++n) {
+    Vec3<Real> a, b;
+    for (int i = 0; i < 3; ++i) {
+      a[i] = number(generator);
+      b[i] = number(generator);
+    }
+    const Vec3<Real> products = a.cwiseProduct(b);
+    const Real sum = products.x() + (products.y() + products.z());
+    other_order_differs += sum != (products.x() + products.y()) + products.z();
+    Mat3<Real> rows = Mat3<Real>::Zero();
+    rows.row(n % 3) = a;
+    REQUIRE(a.dot(b) == sum);
+    REQUIRE(products.sum() == sum);
+    REQUIRE(Vec3<Real>(rows * b)[n % 3] == sum);
+    const Vec3<Packed<Real>> wide_a = a.template cast<Packed<Real>>(),
+                             wide_b = b.template cast<Packed<Real>>();
+    REQUIRE(wide_a.dot(wide_b)[0] == sum);
+  }
+  CHECK(other_order_differs > 100);  // so a sum from the front would be seen
+}
+//! [three]
+
 //! [lanes]
 TEST_CASE_TEMPLATE("A pack computes in each lane what a number alone would, to the bit", Real,
                    EVERY_PRECISION) {

@@ -2,6 +2,7 @@
 #include <course/cheapest.hpp>
 #include <course/items.hpp>
 #include <course/record.hpp>
+#include <limits>
 
 #include "contests.hpp"
 
@@ -206,6 +207,29 @@ double floor_of(const std::vector<Measurement>& all, const std::string& problem,
   return floor;
 }
 
+/// The smallest error that a method which steps has on a problem, in double, for no more than the
+/// time of one exact answer.
+double error_for_the_exact_price(const std::vector<Measurement>& all, const std::string& problem) {
+  double price = 0, error = 1e300;
+  for (const Measurement& m : all)
+    if (m.problem == problem && m.precision == "double" && m.kind == "exact") price = m.nanoseconds;
+  for (const Measurement& m : all)
+    if (m.problem == problem && m.precision == "double" && is_rung(m) && m.nanoseconds <= price)
+      error = std::min(error, m.error);
+  return error;
+}
+
+/// How many times as long a method takes as another for an error of a tenth, in double.
+double times_as_long(const std::vector<Measurement>& all, const std::string& problem,
+                     const char* method, const char* other) {
+  const auto list = cheapest(all, problem, 0.1);
+  const auto price = [&](const char* name) {
+    const auto run = first_of(list, [&](const Measurement& m) { return m.method == name; });
+    return run ? run->nanoseconds : std::numeric_limits<double>::quiet_NaN();
+  };
+  return price(method) / price(other);
+}
+
 /// The contest in which one problem is measured, or none.
 Contest contest_on(const std::string& problem) {
   Contest contest{wanted_effort(), problem};
@@ -272,5 +296,9 @@ int main(int argument_count, char** arguments) {
   notebook.value("runs", std::to_string(all.size()));
   notebook.value("problems", std::to_string(problems.size()));
   notebook.value("float_floor", number("%.0e", floor_of(all, problems[0], "float")));
+  notebook.value("error_for_the_exact_price",
+                 number("%.0e", error_for_the_exact_price(all, problems[0])));
+  notebook.value("rod_times",
+                 number("%.0f", times_as_long(all, problems[2], "Runge-Kutta", "splitting")));
   notebook.value("double_floor", number("%.0e", floor_of(all, problems[0], "double")));
 }

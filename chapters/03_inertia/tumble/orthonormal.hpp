@@ -8,16 +8,15 @@
 namespace tumble {
 
 /// The largest element of RᵀR − 1, without its sign: 0 for columns of length 1 that are
-/// perpendicular to each other. NaN where a column holds NaN.
+/// perpendicular to each other, infinite where a square leaves the range of numbers. The columns
+/// must be finite.
 template <class Real>
 Real orthonormality_error(const Mat3<Real>& R) {
   Real largest = 0;
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j <= i; ++j) {
       const Vec3<Real> a = R.col(i), b = R.col(j);
-      const Real error = std::abs(a.dot(b) - (i == j ? 1 : 0));
-      if (std::isnan(error)) return error;
-      largest = std::max(largest, error);
+      largest = std::max(largest, std::abs(a.dot(b) - (i == j ? 1 : 0)));
     }
   return largest;
 }

@@ -31,7 +31,7 @@ void explicit_step(Particle<Real>& particle, Same<Real> time_step) {
 }
 //! [explicit_step]
 
-/// The time step (s) up to which step() keeps a particle on a spring with a damper, F = −k x − c v,
+/// The time step (s) below which step() keeps a particle on a spring with a damper, F = −k x − c v,
 /// from growing without bound: h = 4 / (c/m + √((c/m)² + 4 k/m)), which is 2 √(m/k) without the
 /// damper. Infinite where nothing pulls or nothing can move.
 ///

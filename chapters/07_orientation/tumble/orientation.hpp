@@ -25,8 +25,9 @@ Quaternion<Real> orientation_rate_body(const Quaternion<Real>& orientation,
 
 /// The orientation after `time_step` seconds (h) by the first-order rule: q + h ½ ω q, normalised.
 ///
-/// It turns about the right axis, by 2 atan(|ω|h/2) instead of |ω|h. `angular_velocity_world` in
-/// rad/s, world axes.
+/// It turns about the right axis, by 2 atan(|ω|h/2) instead of |ω|h, as long as the square of |ω|h
+/// is in the range of Real; beyond it the result is 0, which is no orientation: see require_turn().
+/// `angular_velocity_world` in rad/s, world axes.
 //! [first_order]
 template <class Real>
 Quaternion<Real> turn_first_order(const Quaternion<Real>& orientation,

@@ -75,12 +75,13 @@ struct StepClock {
 };
 //! [step_clock]
 
-/// A clock whose settings make sense.
+/// A clock whose settings make sense. A step lasts a nanosecond at least: then there are never more
+/// steps than nanoseconds, and the books hold whatever comes in.
 /// @throws std::invalid_argument if the step is refused, see require_step_length(), if the longest
 /// frame is not between 1 ns and an hour, or the most steps of a frame not between 1 and a million.
 inline StepClock make_step_clock(const StepLength& step, std::int64_t longest_frame = 250'000'000,
                                  std::int64_t most_steps = 8) {
-  require_step_length(step, 1);
+  require_step_length(step, step.denominator);
   require_between<std::int64_t>("longest frame", longest_frame, "ns", 1, 3'600'000'000'000);
   require_between<std::int64_t>("most steps in a frame", most_steps, "", 1, 1'000'000);
   return {.step = step, .longest_frame = longest_frame, .most_steps = most_steps};
@@ -127,7 +128,8 @@ inline std::int64_t nanoseconds_of(double seconds) {
 }
 //! [nanoseconds_of]
 
-/// The time that the steps so far have simulated, in s: n h, with two roundings however large n.
+/// The time that the steps so far have simulated, in s: n h, with one rounding of h and one of the
+/// product, and one of n where it has more digits than Real, however large it is.
 //! [simulated_time]
 template <class Real>
 Real simulated_time(const StepClock& clock) {

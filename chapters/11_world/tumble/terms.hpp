@@ -70,7 +70,8 @@ struct Moment {
   Real time_step = 0;  ///< s
 };
 
-/// When step number `tick` happens: at n h, with two roundings however many steps there were.
+/// When step number `tick` happens: at n h, with one rounding of the product, and one of n where it
+/// has more digits than Real, however many steps there were.
 template <class Real>
 Moment<Real> moment_of(std::int64_t tick, Real time_step) {
   return {static_cast<Real>(tick) * time_step, time_step};

@@ -25,8 +25,9 @@ class World : public Scenery<Real, Keeping> {
  public:
   using Base::work;
 
-  /// @throws std::invalid_argument if the step is negative or longer than an hour. One of no time
-  /// does nothing.
+  /// @throws std::invalid_argument if the step is negative or longer than an hour. In one of no
+  /// time no force, kick or drift moves anything; what effects write by themselves they still
+  /// write.
   template <TurningRule<Real> Rule = Splitting>
   explicit World(const StepLength& step = {}, const Rule& rule = {})
       : Scenery<Real, Keeping>(time_step_of<Real>(step)), step_(step) {
@@ -39,7 +40,7 @@ class World : public Scenery<Real, Keeping> {
   const StepLength& step_length() const { return step_; }
   Real time_step() const { return time_step_; }
   std::int64_t ticks() const { return ticks_; }
-  /// n h, s: with two roundings, beside that of h, however many steps there were.
+  /// n h, s: with two roundings at most, beside that of h, however many steps there were.
   Real time() const { return moment().time; }
   /// When the next step happens.
   Moment<Real> moment() const { return moment_of(ticks_, time_step_); }

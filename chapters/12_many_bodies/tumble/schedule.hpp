@@ -44,7 +44,8 @@ struct Stage {
 template <class Real, int width>
 class Schedule {
  public:
-  /// A block's particles and tops together fit the smallest cache: some 20 kB.
+  /// A block's particles and tops together are about as large as the smallest cache: 24 kB where a
+  /// register has 32 bytes, and twice as much where it has 64.
   static constexpr std::uint32_t packs_in_block = 32;
 
   /// Work of another version than this needs another schedule.

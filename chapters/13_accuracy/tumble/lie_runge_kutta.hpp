@@ -19,7 +19,9 @@ Vec3<Real> rate_of_turn(const Vec3<Real>& turn, const Vec3<Same<Real>>& angular_
 
 /// The rule of Runge, Kutta and Munthe-Kaas. L stands still in the world, so the turn v alone is
 /// unknown: ω = I⁻¹ e^(−v) L. The vector v is stepped by the classical rule, from zero; then one
-/// turn by it is made. The orientation stays a rotation, and L stays in the world, however large h.
+/// turn by it is made. So the orientation stays a rotation and L stays in the world, up to the
+/// limit of quaternion_of_rotation_vector(), which the stages can exceed from tens of radians a
+/// step on: there the result is NaN.
 //! [turn_by_lie_runge_kutta]
 template <class Real>
 void turn_by_lie_runge_kutta(Top<Real>& top, Same<Real> time_step) {
