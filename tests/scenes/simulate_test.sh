@@ -327,6 +327,11 @@ code=$? output="" errors=""
 verify "closed outputs are no failure" ends_with 0
 verify "and what is printed is not in the file" lines closed.csv 26
 rm closed.csv
+"$simulate" t_handle --until 0.1 --csv closed.csv 1</dev/null 2</dev/null
+code=$?
+verify "nor are those that a shell has left open for reading" ends_with 0
+verify "and the file is whole" lines closed.csv 26
+rm closed.csv
 
 # A signal, sent once the simulation has told that it runs.
 set -m

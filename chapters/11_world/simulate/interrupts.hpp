@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <initializer_list>
 
 namespace tumble::simulate {
 
@@ -22,13 +23,25 @@ inline void catch_signals() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
+/// Whether a descriptor can be used for what it is for: to be written to, but for the first.
+inline bool is_usable(int descriptor) {
+  const int how = ::fcntl(descriptor, F_GETFL);
+  return how != -1 && (descriptor == STDIN_FILENO || (how & O_ACCMODE) != O_RDONLY);
+}
+
 /// Whoever starts a program may close its standard output. The first file that it opens would then
-/// get that descriptor, and what is printed would land in the file.
+/// get that descriptor, and what is printed would land in the file. A shell in between may have put
+/// its own script there, open for reading.
 /// @return false if nothing can be put in the place of what is closed
 inline bool occupy_standard_descriptors() {
-  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
-    if (::fcntl(descriptor, F_GETFD) == -1 && ::open("/dev/null", O_RDWR) != descriptor)
-      return false;
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (is_usable(descriptor)) continue;
+    const int null = ::open("/dev/null", O_RDWR);
+    if (null == -1) return false;
+    if (null == descriptor) continue;
+    if (::dup2(null, descriptor) == -1) return false;
+    ::close(null);
+  }
   return true;
 }
 
