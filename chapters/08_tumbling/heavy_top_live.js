@@ -78,7 +78,7 @@
         : 'It is too slow for its axis to go round steadily. ';
       const sinks = `It sinks to ${with_unit(most, 'rad')}, and on paper to ${with_unit(lowest, 'rad')}.`;
       const upright = values.tilt < 0.1
-        ? ` It stands upright from ${with_unit(sleeps, 'rad/s')} on: this one ${values.spin >= sleeps ? 'sleeps' : 'falls'}.` : '';
+        ? ` On paper it stands upright from ${with_unit(sleeps, 'rad/s')} on, so that this one ${values.spin >= sleeps ? 'sleeps' : 'falls'}.` : '';
       return round + sinks + upright;
     },
   };

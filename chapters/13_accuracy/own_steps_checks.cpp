@@ -63,6 +63,26 @@ TEST_CASE_TEMPLATE("A free top loses no more in a second than the tolerance, tim
 }
 //! [tolerances]
 
+TEST_CASE_TEMPLATE(
+    "However small or large, a free top that chooses its steps turns alike, to the bit", Real,
+    EVERY_PRECISION) {
+  const auto problem = free_problems<Real>()[0];
+  for (const int k : {-3 * std::numeric_limits<Real>::max_exponent / 4,
+                      3 * std::numeric_limits<Real>::max_exponent / 4}) {
+    const Real scale = std::ldexp(Real(1), k);
+    Top<Real> mine = problem.start, other = problem.start;
+    other.angular_momentum_body *= scale;
+    other.inverse_moments /= scale;
+    const Journey a = carry_freely<DormandPrince54>(mine, 10, Real(1e-3)),
+                  b = carry_freely<DormandPrince54>(other, 10, Real(1e-3));
+    CHECK(a.steps > 5);
+    CHECK(a.steps == b.steps);
+    CHECK(mine.orientation.real == other.orientation.real);
+    CHECK(same_bits(mine.orientation.imaginary, other.orientation.imaginary));
+    CHECK(same_bits(mine.angular_momentum_body, other.angular_momentum_body / scale));
+  }
+}
+
 TEST_CASE("With a tolerance a hundred times smaller a pair needs as many more steps as it says") {
   // Steps are as long as tolerance^(1/power), for errors per second that fall as h^power.
   const auto problem = free_problems<double>()[0];

@@ -201,7 +201,8 @@ class EmbeddedSteps {
 
 /// Takes a particle or a top from `time` (s) through `seconds`. `gather` as in kicked_steps.hpp.
 /// `tolerance` is what may be lost in a second: m and m/s of a particle; rad and parts of |L| of a
-/// top.
+/// top. The squares of |L| and of the part of it that may be lost must be normal numbers: of a
+/// smaller error the choice of the step sees nothing, and a larger |L| has no such part.
 /// @throws std::invalid_argument unless the time is 0 or more and the tolerance more than 0, both
 /// finite. @throws StepError if no step meets the tolerance.
 //! [carry]

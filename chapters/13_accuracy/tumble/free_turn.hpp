@@ -23,11 +23,15 @@ template <class Real>
 class FreeTurn {
  public:
   explicit FreeTurn(const Top<Real>& top) : top_(top) {
-    const Vec3<Real>& i = top.inverse_moments;
-    size_ = top.angular_momentum_body.norm();
+    const Vec3<Real>&i = top.inverse_moments, &L = top.angular_momentum_body;
+    // In a unit of its own size, so that a small L has a square. It is a power of two: nothing
+    // rounds.
+    const Real unit = std::ldexp(Real(1), std::ilogb(L.cwiseAbs().maxCoeff()));
+    const Real length = (L / unit).norm();
+    size_ = length * unit;
     inverse_ = size_ * i;
     differences_ = size_ * Vec3<Real>(i[2] - i[1], i[0] - i[2], i[1] - i[0]);
-    begin_at(top.angular_momentum_body / size_);
+    begin_at(L / unit / length);
   }
 
   /// l', 1/s.

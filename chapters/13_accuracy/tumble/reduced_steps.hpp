@@ -2,6 +2,7 @@
 /// Tops that are reduced to a few unknowns choose their own steps.
 #pragma once
 
+#include <algorithm>
 #include <tumble/axis_turn.hpp>
 #include <tumble/embedded_steps.hpp>
 #include <tumble/free_turn.hpp>
@@ -120,11 +121,15 @@ Journey carry_reduced(Top<Real>& top, const Motion& motion, Same<Real> time, Sam
 template <class Pair, class Real>
 Journey carry_freely(Top<Real>& top, Same<Real> seconds, Same<Real> tolerance) {
   require_journey<Real>(seconds, tolerance);
-  if (!is_gyroscopic(top) || gyroscopic_torque(top).squaredNorm() == 0) {
-    turn_steadily(top, seconds);
-    return {.steps = 1};
+  const auto is_zero = [](Real number) { return number == 0; };
+  if (is_gyroscopic(top) && !top.angular_momentum_body.isZero(0)) {
+    const FreeTurn<Real> motion(top);
+    const auto rates = motion.rates(motion.numbers());
+    if (!std::all_of(rates.begin(), rates.end(), is_zero))
+      return carry_reduced<Pair, Real>(top, motion, 0, seconds, tolerance);
   }
-  return carry_reduced<Pair, Real>(top, FreeTurn<Real>(top), 0, seconds, tolerance);
+  turn_steadily(top, seconds);
+  return {.steps = 1};
 }
 //! [carry_freely]
 
