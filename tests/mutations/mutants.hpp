@@ -178,7 +178,10 @@ constexpr decltype(auto) first_of(int number, A&& a, B&& b) {
     return Plain<A>(a);
   } else {
     note_no_such(number);
-    return std::forward<A>(a);
+    if constexpr (std::is_lvalue_reference_v<A>)
+      return std::forward<A>(a);
+    else  // whoever calls may outlive it
+      return std::remove_cv_t<A>(std::forward<A>(a));
   }
 }
 
