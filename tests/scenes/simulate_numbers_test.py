@@ -199,6 +199,7 @@ class Numbers(unittest.TestCase):
         with open(SCRATCH / "odd.csv", newline="") as lines:
             cls.rows = list(csv.DictReader(lines))
         cls.recording = recording("odd.html")
+        cls.drawn = {file: table(file) for file in ("energy.tsv", "path1.tsv")}
 
     def near(self, values, expected, relative=0.0, angle=0.0, said=""):
         """`angle` is how far a unit vector may be turned; rounding is counted by steps."""
@@ -285,13 +286,13 @@ class Numbers(unittest.TestCase):
         self.near(central["from"]["point"], CENTRE, relative=FLOAT_ROUNDING)
 
     def test_plot(self):
-        heading, *rows = table("energy.tsv")
+        heading, *rows = self.drawn["energy.tsv"]
         self.assertEqual(heading, ["time (s)", "kinetic", "stored", "sum"])
         for n, row in enumerate(rows):
             position, *_ = state_at(n * EVERY)
             kinetic, stored = holdings(n * EVERY)[0], -MASS * dot(GRAVITY, position)
             self.near([float(cell) for cell in row], [n * EVERY / RATE, kinetic, stored, kinetic + stored], angle=ANGLE_ERROR)
-        heading, *rows = table("path1.tsv")  # it moves farther along x and along y than up and down
+        heading, *rows = self.drawn["path1.tsv"]  # it moves farther along x and along y than up and down
         self.assertEqual(heading, ["across", "odd"])
         for n, row in enumerate(rows):
             self.near([float(cell) for cell in row], state_at(n * EVERY)[0][:2])
