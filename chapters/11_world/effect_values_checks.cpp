@@ -222,3 +222,22 @@ TEST_CASE_TEMPLATE("A spring held far from the centre of either body limits the 
     CHECK(std::abs(limit(first, second) - expected) <= 32 * unit_roundoff<Real> * expected);
   }
 }
+
+TEST_CASE_TEMPLATE(
+    "What is not said of an effect is nothing, but for water, the Earth and air at rest", Real,
+    EVERY_PRECISION) {
+  CHECK(Buoyancy<Real>{}.density == 1000);
+  CHECK(Buoyancy<Real>{}.surface == 0);
+  CHECK(Buoyancy<Real>{}.gravity == Real(9.81));
+  CHECK(same_bits(Gravity<Real>{}.gravity, Vec3<Real>(0, 0, Real(-9.81))));
+  CHECK(PointGravity<Real>{}.strength == 0);
+  CHECK(Spring<Real>{}.rest_length == 0);
+  CHECK(same_bits(Magnus<Real>{}.wind, Vec3<Real>(0, 0, 0)));
+}
+
+TEST_CASE_TEMPLATE("Why an effect is skipped can be asked of the effect itself", Real,
+                   EVERY_PRECISION) {
+  CHECK(why_skipped<Real>(Gravity<Real>{}, Facts{}).empty());
+  CHECK(why_skipped<Real>(Gravity<Real>{}, Facts{.is_static = true}) == "nothing can move them");
+  CHECK(why_skipped<Real>(Gravity<Real>{{0, 0, 0}}, Facts{}) == "gravity is zero");
+}

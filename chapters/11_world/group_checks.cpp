@@ -72,3 +72,16 @@ TEST_CASE("A group of the first so many is a number: who comes and goes at its e
   CHECK(group.is_listed());
   CHECK(group.size() == 97);
 }
+
+TEST_CASE("A long group that becomes a list knows who comes later") {
+  Group group;
+  for (BodyIndex i = 0; i < 40; ++i) group.insert(i);
+  group.erase(5);
+  group.insert(50);
+  group.insert(5);
+  CHECK(group.contains(50));
+  CHECK(group.contains(5));
+  CHECK(group.size() == 41);
+  group.erase(50);
+  CHECK_FALSE(group.contains(50));
+}

@@ -86,3 +86,32 @@ TEST_CASE_TEMPLATE("A damaged file is refused and says why, whichever letter has
     CHECK(complaint_of_reading<Real>(damaged) != "nothing thrown");
   }
 }
+
+TEST_CASE_TEMPLATE("A world of no bodies is saved and read, and half a first line is refused", Real,
+                   EVERY_PRECISION) {
+  World<Real> empty;
+  empty.step();
+  std::stringstream file;
+  write_snapshot(file, empty.save());
+  const Snapshot<Real> read = read_snapshot<Real>(file);
+  CHECK(read.ticks == 1);
+  CHECK(read.has_moved.empty());
+  CHECK(read.has_turned.empty());
+  empty.restore(read);
+  // With a checksum that is right.
+  const auto closed = [](const std::string& text) {
+    std::ostringstream end;
+    end << text << "checksum " << std::hex << checksum_of(text) << '\n';
+    return end.str();
+  };
+  const std::string refused = "not a snapshot that can be used: ";
+  CHECK(complaint_of_reading<Real>(closed("tumble snapshot \n")) ==
+        refused + "it is of version 0, and this is 1");
+  CHECK(complaint_of_reading<Real>(closed("tumble snapshot 1, 64 bits\n")) ==
+        refused + "its first line does not say what it holds");
+}
+
+TEST_CASE("The checksum is that of Fowler, Noll and Vo") {
+  CHECK(checksum_of("") == 0xcbf29ce484222325);
+  CHECK(checksum_of("a") == 0xaf63dc4c8601ec8c);
+}

@@ -66,6 +66,43 @@ TEST_CASE_TEMPLATE("A step in packs that fails turns back tops that tumble in pa
   CHECK(same_motion(before, world.bodies()));
 }
 
+namespace {
+
+/// A spin that is no number.
+template <class Real>
+struct Jerk {
+  static constexpr std::string_view name = "jerk";
+  static constexpr Phase phase = Phase::kick;
+  Vec3<Real> angular_momentum_body(const Top<Real>&, const Moment<Real>&) const {
+    return {0, std::numeric_limits<Real>::quiet_NaN(), 0};
+  }
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("A single top that is lost stops the step, in a pack of its own or among others",
+                   Real, EVERY_PRECISION) {
+  const MassProperties<Real> ball = mass_properties(Sphere<Real>{1}, 6),
+                             brick = mass_properties(Box<Real>{{1, 2, 3}}, 6);
+  for (const bool tumbles : {false, true})
+    for (const int lost : {0, 20}) {
+      CAPTURE(tumbles);
+      CAPTURE(lost);
+      ManyBodies<Real> world(steps_per_second(64));
+      for (int n = 0; n < 21; ++n) {
+        const std::string name = "body " + std::to_string(n);
+        world.add(name, make_rigid_body<Real>(name, tumbles ? brick : ball, {{Real(n), 0, 0}},
+                                              {0, 0, 1}, {1, Real(n + 1) / 4, 2})
+                            .body);
+      }
+      const std::string name = "body " + std::to_string(lost);
+      world.add(Jerk<Real>{}, {world.find(name)});
+      const Bodies<Real> before = world.bodies();
+      CHECK(complaint_of_step(world).find("'" + name + "' at 0 s (step 0): jerk gives") == 0);
+      CHECK(same_motion(before, world.bodies()));
+    }
+}
+
 TEST_CASE_TEMPLATE("The books of a world in packs are those of one body after another", Real,
                    EVERY_PRECISION) {
   Dice dice(77), same_dice(77);

@@ -151,6 +151,36 @@ else
   echo "not tried, for Python's jsonschema is missing: whether the answers in JSON are as the schema says"
 fi
 
+# The numbers of every answer agree with each other.
+cat >agree.py <<'END_OF_SCRIPT'
+import json, math, pathlib
+near = lambda a, b: math.isclose(a, b, rel_tol=1e-12)
+for path in sorted(pathlib.Path(".").glob("*.json")):
+    answer = json.loads(path.read_text())
+    wanted, winner = answer["question"]["wanted_error"], answer["cheapest"]
+    part = lambda found: max(found["expected_error"][key] / wanted[key] for key in wanted if wanted[key] is not None)
+    for found in [winner, answer["ten_times_better"], answer["ten_times_cheaper"], *answer["others"]]:
+        if found is None:
+            continue
+        assert found["time_step"] is None or near(found["time_step"] * found["steps_per_second"], 1), path
+        assert part(found) == 0 or near(found["margin"] * part(found), 1), path
+        bodies = math.floor(1e9 / found["nanoseconds_per_simulated_second"]) * answer["question"].get("bodies", 1)
+        assert found["bodies_per_sixtieth"] == bodies, path
+        for key, error in found["expected_error"].items():  # what the reference may be off by is counted in
+            assert error is None or "scene" not in answer["question"] or error >= answer["reference_uncertainty"][key], path
+    if winner:
+        assert part(winner) <= 1, path
+    if answer["ten_times_better"]:
+        assert part(answer["ten_times_better"]) <= 0.1, path
+    if answer["ten_times_cheaper"]:
+        cheap = answer["ten_times_cheaper"]["nanoseconds_per_simulated_second"]
+        assert cheap <= winner["nanoseconds_per_simulated_second"] / 10, path
+END_OF_SCRIPT
+if [ -n "$python" ]; then
+  output="" errors=$("$python" agree.py 2>&1) code=$?
+  verify "the numbers of each answer agree with each other" ends_with 0
+fi
+
 # Mistakes.
 refuses() { # COMPLAINT ARGUMENT...
   local complaint=$1

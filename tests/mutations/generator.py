@@ -14,6 +14,9 @@ assigning = {"+=": ("add_to", ["-=", "="]), "-=": ("take_from", ["+="]), "*=": (
              "/=": ("divide", ["*="])}
 # Calls whose arguments may change places, and such as are no calls.
 symmetric = {"max", "min", "hypot", "dot", "swap", "same_bits", "cwiseProduct", "cwiseMax", "cwiseMin"}
+# Members that change nothing.
+constant_members = {"size", "empty", "begin", "end", "front", "back", "data", "get", "x", "y", "z", "row", "col", "norm",
+                    "squaredNorm", "dot", "cross", "cast", "diagonal", "at", "name", "what", "traits", "time_step"}
 # Tables that the compiler computes, but that may as well be computed when the program starts.
 late_variables = {"row", "from", "portions", "rule", "weight", "turning_ladder", "motion_ladder", "torque_ladder", "quarter_turn",
                   "sine_series", "cosine_series", "element_slack", "short_list", "smallest_share", "packs_in_block"}
@@ -326,9 +329,22 @@ class Generator:
             if first == second:
                 continue
             flat = [" ".join(text.split()) for text in (first, second)]
+            # An argument stands there twice. What may change something must still be called once.
+            call, before, after = ("first_of", "", "") if not (self.may_change(left) or self.may_change(right)) else (
+                "first_called", "[&]() -> decltype(auto) { return (", "); }")
             self.add("swapped arguments", [(a, d, f"{second}{self.text[b:c]}{first}")], lambda n: [
-                Wrap(a, b, f"::tumble_mutants::first_of({n}, ", f", {flat[1]})"),
-                Wrap(c, d, f"::tumble_mutants::first_of({n}, ", f", {flat[0]})")])
+                Wrap(a, b, f"::tumble_mutants::{call}({n}, {before}", f"{after}, {before}{flat[1]}{after})"),
+                Wrap(c, d, f"::tumble_mutants::{call}({n}, {before}", f"{after}, {before}{flat[0]}{after})")])
+
+    def may_change(self, run):
+        """Whether an argument calls a member that is not known to change nothing."""
+        for j, word in enumerate(run):
+            if word.kind == "(" and j > 1 and run[j - 1].kind == "name" and run[j - 2].text in (".", "->") and (
+                    run[j - 1].text not in constant_members):
+                return True
+            if word.inside and self.may_change(word.inside):
+                return True
+        return False
 
     def is_plain(self, run):
         """Whether an argument may be written twice: no text, no lambda, no braces, nothing that changes something."""

@@ -67,6 +67,11 @@ class Switched(unittest.TestCase):
         self.assertIn("return ::tumble_mutants::minus(1, a , b);", switched(function("return a - b;")))
         self.assertIn("{ if (!::tumble_mutants::chosen(1)) step(); }", switched(function("step();")))
 
+    def test_what_may_change_something_is_called_once(self):
+        text = switched(function("came(i, list.append(a));"))
+        self.assertIn("first_called(2, [&]() -> decltype(auto) { return (i); }, [&]() -> decltype(auto) { return (list.append(a)); })", text)
+        self.assertIn("first_of(2, i, list.size())", switched(function("came(i, list.size());")))
+
     def test_lines_stay_where_they_were(self):
         for path in [*root.glob("common/tumble/*.hpp"), *root.glob("chapters/*/tumble/*.hpp")]:
             text = path.read_text()

@@ -164,11 +164,13 @@ template <class T>
   return chosen(number) ? other : original;
 }
 
-/// The first of two; the second, if they are of one type.
+/// The first of two; the second, if they are of one type. A function that changes the first gets
+/// the second as if it, too, could be changed.
 template <class A, class B>
 constexpr decltype(auto) first_of(int number, A&& a, B&& b) {
-  if constexpr (std::is_same_v<A, B> && std::is_lvalue_reference_v<A>) {
-    if (chosen(number)) return std::forward<B>(b);
+  if constexpr (std::is_lvalue_reference_v<A> &&
+                std::is_same_v<std::decay_t<A>, std::decay_t<B>>) {
+    if (chosen(number)) return const_cast<A>(static_cast<const std::decay_t<B>&>(b));
     return std::forward<A>(a);
   } else if constexpr (std::is_same_v<Plain<A>, Plain<B>> &&
                        std::is_copy_constructible_v<Plain<A>>) {
@@ -176,7 +178,32 @@ constexpr decltype(auto) first_of(int number, A&& a, B&& b) {
     return Plain<A>(a);
   } else {
     note_no_such(number);
-    return std::forward<A>(a);
+    if constexpr (std::is_lvalue_reference_v<A>)
+      return std::forward<A>(a);
+    else  // whoever calls may outlive it
+      return std::remove_cv_t<A>(std::forward<A>(a));
+  }
+}
+
+/// The same where each is a call that must not be made without need.
+template <class A, class B>
+constexpr decltype(auto) first_called(int number, const A& a, const B& b) {
+  using First = decltype(a());
+  using Second = decltype(b());
+  if constexpr (std::is_same_v<First, Second>) {
+    if (chosen(number)) return b();
+    return a();
+  } else if constexpr (std::is_lvalue_reference_v<First> && std::is_lvalue_reference_v<Second> &&
+                       std::is_same_v<std::decay_t<First>, std::decay_t<Second>>) {
+    if (chosen(number)) return const_cast<First>(static_cast<const std::decay_t<Second>&>(b()));
+    return a();
+  } else if constexpr (std::is_same_v<Plain<First>, Plain<Second>> &&
+                       std::is_copy_constructible_v<Plain<First>>) {
+    if (chosen(number)) return Plain<First>(b());
+    return Plain<First>(a());
+  } else {
+    note_no_such(number);
+    return a();
   }
 }
 

@@ -172,7 +172,8 @@ def is_for_the_compiler(mutant):
 def try_all(by_lists, made, late, build, patient, sample):
     engine = Engine(build, jobs, patient, say)
     chapters = [name for name in [*build.chapters(), "exact"] if name in build.commands]
-    tried = {mutant.chapter for mutant in [*by_lists, *made]}
+    # Those of common have no checks of their own: they are tried at home, and on what is tried besides.
+    tried = {mutant.chapter for mutant in [*by_lists, *made]} | {home_of(m, build) for m in made if m.chapter == "common"}
     unseen = []
     for chapter in chapters:
         mine = [m for m in by_lists if m.chapter == chapter]

@@ -162,7 +162,7 @@ def holdings(step):
 
 # A gnuplot that keeps what it should draw.
 FAKE_GNUPLOT = f"""#!/bin/sh
-cp ./*.tsv '{SCRATCH}/drawn' && echo '<svg></svg>' >figure.svg
+cp ./*.tsv '{SCRATCH}/drawn' && printf '%s' "$*" >'{SCRATCH}/drawn/words' && echo '<svg></svg>' >figure.svg
 """
 
 
@@ -199,6 +199,7 @@ class Numbers(unittest.TestCase):
         with open(SCRATCH / "odd.csv", newline="") as lines:
             cls.rows = list(csv.DictReader(lines))
         cls.recording = recording("odd.html")
+        cls.drawn = {file: table(file) for file in ("energy.tsv", "path1.tsv")}
 
     def near(self, values, expected, relative=0.0, angle=0.0, said=""):
         """`angle` is how far a unit vector may be turned; rounding is counted by steps."""
@@ -240,6 +241,12 @@ class Numbers(unittest.TestCase):
             self.near(frame[:3], plus(position, turned(orientation, CENTRE), -1), relative=FLOAT_ROUNDING, angle=ANGLE_ERROR)
             self.near_orientation(frame[3:], orientation, relative=FLOAT_ROUNDING, angle=ANGLE_ERROR)
 
+    def test_a_last_moment_that_comes_early_is_in_the_table_and_not_in_the_view(self):
+        run(SCENE, "--csv", "early.csv", "--view", "early.html", "--every", "7")
+        self.assertEqual(len(recording("early.html")["frames"]), STEPS // 7 + 1)
+        *_, before, last = (SCRATCH / "early.csv").read_text().splitlines()
+        self.near([float(row.split(",")[0]) for row in (before, last)], [STEPS // 7 * 7 / RATE, STEPS / RATE])
+
     def test_parts_of_the_view(self):
         parts = self.recording["bodies"][0]["parts"]
         self.assertEqual([part.get("cone") or part.get("box") or part.get("sphere") for part in parts],
@@ -279,16 +286,30 @@ class Numbers(unittest.TestCase):
         self.near(central["from"]["point"], CENTRE, relative=FLOAT_ROUNDING)
 
     def test_plot(self):
-        heading, *rows = table("energy.tsv")
+        heading, *rows = self.drawn["energy.tsv"]
         self.assertEqual(heading, ["time (s)", "kinetic", "stored", "sum"])
         for n, row in enumerate(rows):
             position, *_ = state_at(n * EVERY)
             kinetic, stored = holdings(n * EVERY)[0], -MASS * dot(GRAVITY, position)
             self.near([float(cell) for cell in row], [n * EVERY / RATE, kinetic, stored, kinetic + stored], angle=ANGLE_ERROR)
-        heading, *rows = table("path1.tsv")  # it moves farther along x and along y than up and down
+        heading, *rows = self.drawn["path1.tsv"]  # it moves farther along x and along y than up and down
         self.assertEqual(heading, ["across", "odd"])
         for n, row in enumerate(rows):
             self.near([float(cell) for cell in row], state_at(n * EVERY)[0][:2])
+
+    def test_a_plot_shows_the_two_axes_along_which_paths_reach_farthest(self):
+        for across, up in ((0, 2), (1, 2), (0, 1)):
+            velocity = [float(axis in (across, up)) * (axis + 1) for axis in range(3)]
+            run({"duration": 1, "bodies": [{"name": "a", "mass": 1, "velocity": velocity}]}, "--plot", "path.svg", path=SCRATCH / "fake")
+            self.near([float(cell) for cell in table("path1.tsv")[-1]], [across + 1, up + 1])
+            self.assertIn(f"across='{'xyz'[across]}'; up='{'xyz'[up]}'", (SCRATCH / "drawn" / "words").read_text())
+
+    def test_a_plot_of_many_bodies_shows_six_at_equal_distances(self):
+        bodies = [{"name": f"body {n}", "mass": 1, "position": [n, 0, 0]} for n in range(13)]
+        run({"duration": 0.1, "bodies": bodies}, "--plot", "many.svg", path=SCRATCH / "fake")
+        for path, body in enumerate((0, 2, 4, 6, 8, 10), 1):
+            heading, first, *_ = table(f"path{path}.tsv")
+            self.assertEqual((heading[1], float(first[0])), (f"body {body}", body))
 
     def test_books(self):
         books = json.loads((SCRATCH / "books.json").read_text())

@@ -50,6 +50,7 @@ verify "--check-plan prints the plan" says "tumbling: splitting"
 verify "--check-plan finds no difference" says "every number of every motion is the same"
 run t_handle --check-plan --precision float --method splitting_without_sine --until 0.2
 verify "nor in float by another method" says "every number of every motion is the same"
+verify "which it takes" says "tumbling: splitting without sine"
 run t_handle --check-plan --csv path.csv
 verify "--check-plan writes no files" complains "--check-plan compares two runs and writes no files; --csv can't go with it"
 verify "and ends as for a wrong command line" ends_with 2
@@ -70,6 +71,12 @@ run t_handle --plan=perhaps
 verify "a switch is nothing else" ends_with 2
 run t_handle --until 0.1 --bill
 verify "--bill measures each effect" says "ns per body and step"
+printf '{"duration": 0.1, "bodies": [{"name": "a", "mass": 1}, {"name": "b", "mass": 1}, {"name": "c", "mass": 1}],
+  "effects": [{"kind": "gravity", "acceleration": [0, 0, -9], "bodies": ["a", "c"]}]}' >billed.json
+run billed.json --bill
+verify "for the bodies that it visits" grep -Eq '^gravity +2 ' <<<"$output"
+verify "and a whole step for all" grep -Eq '^a whole step +3 ' <<<"$output"
+rm billed.json
 run t_handle --until 1 --dt 0.0166666666666
 verify "--dt says how it is rounded" says "0.0166666666666 s is taken as 16666667 ns"
 verify "--dt changes the steps" says "60 steps of 0.0166667 s"
@@ -94,6 +101,8 @@ run t_handle --dt 3 --until 10
 verify "a time that is no whole number of steps is told" says "10 s are no whole number of steps: the last one ends at 9 s"
 run t_handle --until 0.1
 verify "and one that is one is not" says_not "whole number of steps"
+run t_handle --dt 3 --until 11
+verify "the end is the nearest one, which may be a later one" says "the last one ends at 12 s"
 run t_handle --until 0.1 --precision float
 verify "--precision float is said" says "in float"
 run --help
@@ -293,6 +302,10 @@ printf '{"duration": 1, "bodies": [{"name": "far", "mass": 1, "position": [1e40,
 run far.json --view far.html
 verify "and so is a place that it can't hold" complains "a recording holds finite floats only"
 verify "with exit code 3" ends_with 3
+run far.json --check-plan --precision float
+verify "--check-plan in float refuses what float can't hold" ends_with 2
+run far.json --check-plan
+verify "which double can" ends_with 0
 rm far.json
 if command -v gnuplot >/dev/null 2>&1; then
   path=$PATH TMPDIR=/nowhere run t_handle --until 0.1 --plot t.svg
@@ -319,6 +332,9 @@ verify "a step that can't be taken ends with 1" ends_with 1
 verify "and names body and effect" complains "'comet' at 0.5 s (step 2): point gravity gives a force of"
 verify "and keeps what was computed" lines crash.csv 4
 verify "the books are printed" says "unexplained"
+run crash.json --check-plan
+verify "--check-plan tells of such a step once, and where both runs end" [ "$(grep -c "'comet' at 0.5 s" <<<"$output")" = 1 ]
+verify "and that they agree until there" says "2 steps by plan, and as many with nothing known of any body"
 rm crash.json crash.csv
 
 # Without a standard output nothing is printed, least of all into a file that is opened.

@@ -173,7 +173,6 @@ ExitCode run(const Options& options) {
   if (code == interrupted)
     std::printf("interrupted after %lld of %lld steps\n",
                 static_cast<long long>(scene.world.ticks()), static_cast<long long>(steps));
-  for (const std::string& sentence : scene.world.news()) std::printf("%s\n", sentence.c_str());
   if (options.ledger) std::printf("\n%s", table_of(ledger, scene.world).c_str());
   if (options.bill && code == all_simulated)
     std::printf("\n%s", Bill<Real, Keeping>(start, steps).table().c_str());

@@ -75,11 +75,6 @@ class PlanGroups {
     else
       list.insert(found, place);
   }
-  void list_phases() {
-    for (auto& list : work_.in_phase) list.clear();
-    for (const Entry<Real>& entry : work_.effects) list_phase(entry);
-    ++work_.version;
-  }
 
   auto find(std::uint64_t number) {
     return std::lower_bound(

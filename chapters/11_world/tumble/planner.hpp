@@ -13,7 +13,7 @@ namespace tumble {
 template <class Real>
 class Planner : public PlanGroups<Real> {
   using Base = PlanGroups<Real>;
-  using Base::entry_of, Base::for_each_entry_of, Base::join, Base::list_phase, Base::list_phases;
+  using Base::entry_of, Base::for_each_entry_of, Base::join, Base::list_phase;
   using Base::find, Base::disown, Base::meet, Base::refresh, Base::refresh_targets;
   using Base::work_, Base::alone_, Base::facts_, Base::own_, Base::everyone_;
 
@@ -93,10 +93,7 @@ class Planner : public PlanGroups<Real> {
   template <class Roster>
   void replace_effect(std::uint64_t number, std::shared_ptr<const AnyEffect<Real>> effect,
                       const Roster& roster) {
-    Entry<Real>& entry = entry_of(number);
-    entry.effect = std::move(effect);
-    entry.visits = {};
-    list_phases();
+    entry_of(number).effect = std::move(effect);
     meet(number, roster);
   }
 

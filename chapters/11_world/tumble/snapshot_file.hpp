@@ -72,6 +72,7 @@ Snapshot<Real> read_snapshot(std::istream& in) {
   text >> word >> word >> version >> word >> bits >> word >> word >> bodies >> word >> word >>
       tops >> word >> word >> snapshot.ticks;
   if (version != 1) throw refuse("it is of version " + std::to_string(version) + ", and this is 1");
+  if (!text) throw refuse("its first line does not say what it holds");
   if (told != checksum_of(all.substr(0, end))) throw refuse("its checksum is wrong: it is damaged");
   if (bits != 8 * sizeof(Real))
     throw refuse("its numbers have " + std::to_string(bits) + " bits, and the world's " +

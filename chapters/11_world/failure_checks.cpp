@@ -1,0 +1,213 @@
+// Which effect a step is blamed on that could not be taken, and what is said of it.
+#include <course/checks.hpp>
+#include <tumble/air_and_water.hpp>
+#include <tumble/gravity.hpp>
+#include <tumble/solids.hpp>
+#include <tumble/spheres.hpp>
+#include <tumble/springs.hpp>
+#include <tumble/world.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+template <class Real>
+constexpr Real most = std::numeric_limits<Real>::max();
+
+template <class Real>
+RigidBody<Real> box_body(const Vec3<Real>& place) {
+  return make_rigid_body<Real>("box", mass_properties(Box<Real>{{1, 2, 3}}, 2), {place}).body;
+}
+
+/// The error of a step that must fail.
+template <class AnyWorld>
+SimulationError failure_of(AnyWorld& world) {
+  try {
+    world.step();
+  } catch (const SimulationError& error) {
+    return error;
+  }
+  return {"nothing thrown", "", "", -1};
+}
+
+/// The same force on everybody.
+template <class Real>
+struct Pull {
+  std::string name;
+  Vec3<Real> pull;
+  Vec3<Real> force(const Particle<Real>&, Real) const { return pull; }
+};
+
+/// Writes a velocity that is no number.
+template <class Real, Phase when>
+struct Spoiler {
+  static constexpr Phase phase = when;
+  std::string name;
+  Vec3<Real> velocity(const Particle<Real>&, const Moment<Real>&) const {
+    return {std::numeric_limits<Real>::quiet_NaN(), 0, 0};
+  }
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("Forces that are finite each and infinite together are blamed on no effect",
+                   Real, EVERY_PRECISION) {
+  for (const bool with_acceleration : {false, true}) {
+    World<Real> world(steps_per_second(1));
+    world.add("ball", make_particle<Real>(1));
+    world.add(Pull<Real>{"one", {most<Real>, 0, 0}});
+    world.add(Pull<Real>{"other", {most<Real>, 0, 0}});
+    // It acts on the velocity, after the sum has overflowed.
+    if (with_acceleration) world.add(GravityAsAcceleration<Real>{{0, 0, -2}});
+    world.add(LinearDamping<Real>{.rate = 1});  // and this on what is infinite by then
+    const SimulationError error = failure_of(world);
+    CHECK(error.body == "ball");
+    CHECK(error.effect == "");
+    CHECK(std::string(error.what()) ==
+          std::string("'ball' at 0 s (step 0): with a velocity of (inf, 0, ") +
+              (with_acceleration ? "-2" : "0") +
+              ") m/s the step would lead to no finite position; the world is as it was before "
+              "this step");
+  }
+}
+
+TEST_CASE_TEMPLATE("A push of one step that is too strong is told by the speed that it gives", Real,
+                   EVERY_PRECISION) {
+  World<Real> world(steps_per_second(1));
+  world.step();
+  const BodyHandle ball = world.add("ball", make_particle<Real>(Real(0.25)));
+  world.push_at(ball, {0, most<Real>, 0}, {0, 0, 0});
+  const SimulationError error = failure_of(world);
+  CHECK(error.effect == "");
+  CHECK(error.time == 1);
+  CHECK(std::string(error.what())
+            .find("'ball' at 1 s (step 1): with a velocity of (0, inf, 0) "
+                  "m/s the step would lead to no finite position") == 0);
+}
+
+TEST_CASE_TEMPLATE("Of two effects that give no number the one is blamed that acts first", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  world.add("bystander", make_static_particle<Real>({0, 0, 0}));
+  world.add("ball", make_particle<Real>(1));
+  world.add(Spoiler<Real, Phase::drift>{"drift"});
+  const auto blamed = [&] { return failure_of(world).effect; };
+  CHECK(blamed() == "drift");
+  world.add(Spoiler<Real, Phase::damping>{"damping"});
+  CHECK(blamed() == "damping");
+  world.add(Spoiler<Real, Phase::impulse>{"impulse"});
+  CHECK(blamed() == "impulse");
+  world.add(Spoiler<Real, Phase::kick>{"kick"});
+  CHECK(blamed() == "kick");
+  world.add(Pull<Real>{"force", {0, most<Real> * 2, 0}});
+  CHECK(blamed() == "force");
+}
+
+namespace {
+
+/// Gives no number once the body has moved, or turned.
+template <class Real>
+struct Tripwire {
+  static constexpr Phase phase = Phase::drift;
+  static constexpr std::string_view name = "tripwire";
+  Vec3<Real> start = Vec3<Real>::Zero();
+  Vec3<Real> velocity(const BodyState<Real>& body, const Moment<Real>&) const {
+    const bool is_there =
+        body.centre.position == start && body.top.orientation.imaginary == Vec3<Real>::Zero();
+    return is_there ? body.centre.velocity : Vec3<Real>(0, 0, std::nan(""));
+  }
+};
+
+/// Writes something that is no number into one quantity.
+template <class Real>
+struct BadPlace {
+  static constexpr Phase phase = Phase::drift;
+  static constexpr std::string_view name = "bad place";
+  Vec3<Real> position(const Particle<Real>&, const Moment<Real>&) const {
+    return {0, std::numeric_limits<Real>::infinity(), 0};
+  }
+};
+template <class Real>
+struct BadSpin {
+  static constexpr Phase phase = Phase::kick;
+  static constexpr std::string_view name = "bad spin";
+  Vec3<Real> angular_momentum_body(const Top<Real>&, const Moment<Real>&) const {
+    return {0, 0, std::numeric_limits<Real>::infinity()};
+  }
+};
+template <class Real>
+struct BadFacing {
+  static constexpr Phase phase = Phase::drift;
+  static constexpr std::string_view name = "bad facing";
+  Quaternion<Real> given;
+  Quaternion<Real> orientation(const Top<Real>&, const Moment<Real>&) const { return given; }
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("Whatever an effect writes that is no number is named with its unit", Real,
+                   EVERY_PRECISION) {
+  const auto said = [](const auto& effect) {
+    World<Real> world;
+    world.add("box", box_body<Real>({1, 2, 3}));
+    world.add(effect, {world.find("box")});
+    const std::string sentence = failure_of(world).what();
+    const std::string begin = "'box' at 0 s (step 0): ",
+                      end =
+                          "; every component must be finite; the world is as it was before this "
+                          "step";
+    return sentence.find(begin) == 0 && sentence.size() > begin.size() + end.size() &&
+                   sentence.substr(sentence.size() - end.size()) == end
+               ? sentence.substr(begin.size(), sentence.size() - begin.size() - end.size())
+               : sentence;
+  };
+  const Real nan = std::numeric_limits<Real>::quiet_NaN();
+  CHECK(said(BadPlace<Real>{}) == "bad place gives a position of (0, inf, 0) m");
+  CHECK(said(BadSpin<Real>{}) ==
+        "bad spin gives an angular momentum of (0, 0, inf) kg m^2/s, body axes,");
+  CHECK(said(BadFacing<Real>{{.real = nan, .imaginary = {1, 0, 0}}}) ==
+        "bad facing gives an orientation that is no number");
+  CHECK(said(BadFacing<Real>{{.real = 1, .imaginary = {0, nan, 0}}}) ==
+        "bad facing gives an orientation that is no number");
+}
+
+TEST_CASE_TEMPLATE("What acts at the end of a step is blamed for what it does there", Real,
+                   EVERY_PRECISION) {
+  // A point that drifts, a ball that turns steadily and a box that tumbles; each alone trips it.
+  World<Real> point(steps_per_second(1)), ball(steps_per_second(1)), box(steps_per_second(1));
+  point.add("body", make_particle<Real>(1, {0, 0, 0}, {1, 0, 0}));
+  const auto spinning = [](const Vec3<Real>& inverse_moments) {
+    RigidBody<Real> body;
+    body.centre = make_particle<Real>(1);
+    body.top.inverse_moments = inverse_moments;
+    body.top.angular_momentum_body = {1, Real(0.5), 0};
+    return body;
+  };
+  ball.add("body", spinning({1, 1, 1}));
+  box.add("body", spinning({1, 2, 3}));
+  for (World<Real>* world : {&point, &ball, &box}) {
+    world->add(Tripwire<Real>{}, {world->find("body")});
+    CHECK(failure_of(*world).effect == "tripwire");
+  }
+}
+
+TEST_CASE_TEMPLATE("A speed and a spin that lead too far are told as the kick has left them", Real,
+                   EVERY_PRECISION) {
+  World<Real> world(steps_per_second(1));
+  world.add("ball", make_particle<Real>(1, {most<Real>, 0, 0}));
+  world.add(Pull<Real>{"pull", {most<Real> / 4, 0, 0}});
+  world.add(GravityAsAcceleration<Real>{{0, 0, -2}});
+  CHECK(std::string(failure_of(world).what())
+            .find("with a velocity of (" + text_of(most<Real> / 4) + ", 0, -2) m/s the step") !=
+        std::string::npos);
+  World<Real> turning(steps_per_second(1));
+  RigidBody<Real> body;
+  body.top.inverse_moments = {1, 1, 1};
+  const BodyHandle wheel = turning.add("wheel", body);
+  const Real torque = 1 << 22;
+  turning.push_at(wheel, {0, 0, torque}, {0, 1, 0});
+  CHECK(std::string(failure_of(turning).what())
+            .find("it would turn by " + text_of(torque) + " rad in this step") !=
+        std::string::npos);
+}

@@ -1,0 +1,172 @@
+// What an effect of the user's own gives is what its bodies get, whatever it sees and gives.
+#include <course/checks.hpp>
+#include <tumble/gravity.hpp>
+#include <tumble/ledger.hpp>
+#include <tumble/solids.hpp>
+#include <tumble/world.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+/// A body at `place` whose moments are 1 kg m² about each axis, but for those that are locked.
+template <class Real>
+RigidBody<Real> body_at(const Vec3<Real>& place, const Vec3<Real>& inverse_moments = {1, 1, 1}) {
+  RigidBody<Real> body;
+  body.centre = make_particle<Real>(1, place);
+  body.top.inverse_moments = inverse_moments;
+  return body;
+}
+
+struct Named {
+  std::string name = "own";
+};
+
+template <class Real>
+struct Elsewhere : Named {
+  static constexpr Phase phase = Phase::drift;
+  Vec3<Real> place;
+  Vec3<Real> position(const Particle<Real>&, const Moment<Real>&) const { return place; }
+};
+template <class Real>
+struct Facing : Named {
+  static constexpr Phase phase = Phase::drift;
+  Quaternion<Real> facing;
+  Quaternion<Real> orientation(const Top<Real>&, const Moment<Real>&) const { return facing; }
+};
+/// The same, by a function that sees the body.
+template <class Real>
+struct FacingOfBody : Named {
+  static constexpr Phase phase = Phase::drift;
+  Quaternion<Real> facing;
+  Quaternion<Real> orientation(const BodyState<Real>&, const Moment<Real>&) const { return facing; }
+};
+template <class Real>
+struct TorqueOnBody : Named {
+  Vec3<Real> given;
+  Vec3<Real> torque(const BodyState<Real>&, Real) const { return given; }
+};
+template <class Real>
+struct SpinOfBody : Named {
+  static constexpr Phase phase = Phase::kick;
+  Vec3<Real> given;
+  Vec3<Real> angular_momentum_body(const BodyState<Real>&, const Moment<Real>&) const {
+    return given;
+  }
+};
+
+/// A blow on those that are less than 2 m apart.
+template <class Real>
+struct Touch : Named {
+  PairBlow<Real> blow(const BodyState<Real>&, const BodyState<Real>&, const Moment<Real>&) const {
+    return {.impulse_on_first = {1, 2, 3}, .turn_on_first = {4, 5, 6}, .turn_on_second = {7, 8, 9}};
+  }
+  void find_pairs(const Bodies<Real>& bodies, std::vector<BodyPair>& pairs) const {
+    for (BodyIndex b = 1; b < bodies.centres.size(); ++b)
+      for (BodyIndex a = 0; a < b; ++a)
+        if ((bodies.centres[a].position - bodies.centres[b].position).squaredNorm() < 4)
+          pairs.push_back({a, b});
+  }
+};
+
+/// A joint in which the place of the first body alone stores energy.
+template <class Real>
+struct OneSided : Named {
+  PairPush<Real> push(const BodyState<Real>&, const BodyState<Real>&, Real) const { return {}; }
+  Real potential_energy(const BodyState<Real>& first, const BodyState<Real>&) const {
+    return first.centre.position.x();
+  }
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("A place or an orientation that an effect gives is where the body is then", Real,
+                   EVERY_PRECISION) {
+  const Quaternion<Real> facing{.real = 0, .imaginary = {0, 1, 0}};
+  World<Real> world(steps_per_second(1));
+  const BodyHandle resting = world.add("resting", body_at<Real>({0, 0, 0}));
+  const BodyHandle other = world.add("other", body_at<Real>({0, 0, 0}));
+  world.add(Elsewhere<Real>{{}, {1, 2, 3}}, {resting});
+  world.add(Facing<Real>{{}, facing}, {resting});
+  world.add(FacingOfBody<Real>{{}, facing}, {other});
+  world.step();
+  CHECK(same_bits(world.body(resting).centre.position, Vec3<Real>(1, 2, 3)));
+  CHECK(same_bits(world.body(resting).top.orientation.imaginary, facing.imaginary));
+  CHECK(same_bits(world.body(other).top.orientation.imaginary, facing.imaginary));
+}
+
+TEST_CASE_TEMPLATE("A step that fails takes back an orientation that an effect has given", Real,
+                   EVERY_PRECISION) {
+  for (const Vec3<Real>& inverse : {Vec3<Real>(1, 1, 1), Vec3<Real>(0, 0, 0)}) {
+    World<Real> world(steps_per_second(1));
+    const BodyHandle resting = world.add("resting", body_at<Real>({9, 0, 0}, inverse));
+    world.add(Facing<Real>{{}, {.real = 0, .imaginary = {0, 1, 0}}}, {resting});
+    world.add(PointGravity<Real>{.strength = 1}, {world.add("lost", make_particle<Real>(1))});
+    CHECK_THROWS_AS(world.step(), SimulationError);
+    CHECK(same_bits(world.body(resting).top.orientation.imaginary, Vec3<Real>(0, 0, 0)));
+  }
+}
+
+TEST_CASE_TEMPLATE("A torque or a spin from an effect that sees the body is the body's", Real,
+                   EVERY_PRECISION) {
+  World<Real> world(steps_per_second(1));
+  const BodyHandle torqued = world.add("torqued", body_at<Real>({0, 0, 0}));
+  const BodyHandle spun = world.add("spun", body_at<Real>({0, 0, 0}, {1, 1, 0}));
+  world.add(TorqueOnBody<Real>{{}, {0, 0, Real(0.5)}}, {torqued});
+  world.add(SpinOfBody<Real>{{}, {1, 2, 3}}, {spun});
+  world.step();
+  CHECK(same_bits(world.body(torqued).top.angular_momentum_body, Vec3<Real>(0, 0, Real(0.5))));
+  CHECK(same_bits(world.body(spun).top.angular_momentum_body, Vec3<Real>(1, 2, 0)));
+}
+
+TEST_CASE_TEMPLATE(
+    "A body that is free about one axis alone is turned about that, by whatever axis", Real,
+    EVERY_PRECISION) {
+  for (int axis = 0; axis < 3; ++axis) {
+    CAPTURE(axis);
+    World<Real> world(steps_per_second(1));
+    const BodyHandle wheel = world.add("wheel", body_at<Real>({0, 0, 0}, Vec3<Real>::Unit(axis)));
+    world.push_at(wheel, Vec3<Real>::Unit((axis + 2) % 3), Vec3<Real>::Unit((axis + 1) % 3));
+    world.step();
+    // The arm times the force: e₂ × e₃ is e₁, and so on around.
+    CHECK(
+        same_bits(world.body(wheel).top.angular_momentum_body, Vec3<Real>(Vec3<Real>::Unit(axis))));
+  }
+}
+
+TEST_CASE_TEMPLATE(
+    "A blow turns both bodies, and pairs that an effect finds are those that it finds", Real,
+    EVERY_PRECISION) {
+  World<Real> world(steps_per_second(1));
+  const BodyHandle first = world.add("first", body_at<Real>({0, 0, 0}));
+  const BodyHandle second = world.add("second", body_at<Real>({1, 0, 0}));
+  const BodyHandle far = world.add("far", body_at<Real>({9, 0, 0}));
+  world.add(Touch<Real>{});
+  world.step();
+  CHECK(same_bits(world.body(first).centre.velocity, Vec3<Real>(1, 2, 3)));
+  CHECK(same_bits(world.body(second).centre.velocity, Vec3<Real>(-1, -2, -3)));
+  CHECK(same_bits(world.body(first).top.angular_momentum_body, Vec3<Real>(4, 5, 6)));
+  CHECK(same_bits(world.body(second).top.angular_momentum_body, Vec3<Real>(7, 8, 9)));
+  CHECK(same_bits(world.body(far).centre.velocity, Vec3<Real>(0, 0, 0)));
+  CHECK(world.plan().rows[2].reason != "");
+  for (const PlanRow& row : world.plan().rows)
+    if (row.effect == "own") {
+      CHECK(row.of == 3);
+      CHECK(row.reason == "every body calls for it");
+    }
+}
+
+TEST_CASE_TEMPLATE("The energy of a joint is asked with the first body first; others have none",
+                   Real, EVERY_PRECISION) {
+  World<Real> world;
+  const BodyHandle first = world.add("first", make_particle<Real>(1, {3, 0, 0}));
+  const BodyHandle second = world.add("second", make_particle<Real>(1, {5, 0, 0}));
+  world.add(OneSided<Real>{}, {first, second});
+  world.add(TorqueOnBody<Real>{});
+  CHECK(Ledger<Real>::stored(world) == 3);
+  const Particle<Real> centre = make_particle<Real>(1, {3, 0, 0});
+  const Top<Real> top;
+  const EffectOf<Real, TorqueOnBody<Real>> torque(TorqueOnBody<Real>{});
+  CHECK(torque.potential_energy({centre, top}, {centre, top}) == 0);
+}

@@ -1,0 +1,179 @@
+// In which order a step in packs does its work, and what each part of it is called.
+#include <course/beside_one_by_one.hpp>
+#include <map>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+/// Turns a velocity a little about an axis: to do so about one axis and then about another is not
+/// to do so in the other order.
+template <class Real, Phase when, int axis>
+struct Swirl {
+  static constexpr std::string_view name = "swirl";
+  static constexpr Phase phase = when;
+  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>&) const {
+    return centre.velocity + Vec3<Real>::Unit(axis).cross(centre.velocity) / 8;
+  }
+};
+
+template <class Real, Phase when, int axis>
+struct SwirlOfSpin {
+  static constexpr std::string_view name = "swirl of the spin";
+  static constexpr Phase phase = when;
+  Vec3<Real> angular_momentum_body(const Top<Real>& top, const Moment<Real>&) const {
+    return top.angular_momentum_body + Vec3<Real>::Unit(axis).cross(top.angular_momentum_body) / 8;
+  }
+};
+
+/// Bodies that are near each other now take a part of what they have against each other.
+template <class Real>
+struct Rubbing {
+  static constexpr std::string_view name = "rubbing";
+  PairBlow<Real> blow(const BodyState<Real>& first, const BodyState<Real>& second,
+                      const Moment<Real>&) const {
+    return {.impulse_on_first = (second.centre.velocity - first.centre.velocity) / 8,
+            .turn_on_first = {0, Real(0.125), 0},
+            .turn_on_second = {0, 0, Real(0.125)}};
+  }
+  void find_pairs(const Bodies<Real>& bodies, std::vector<BodyPair>& pairs) const {
+    for (BodyIndex a = 0; a < bodies.centres.size(); ++a)
+      for (BodyIndex b = a + 1; b < bodies.centres.size(); ++b)
+        if ((bodies.centres[a].position - bodies.centres[b].position).squaredNorm() < 4)
+          pairs.push_back({a, b});
+  }
+};
+
+/// Seventy bodies of all kinds under gravity, and what `add_more` adds.
+template <class AnyWorld, class AddMore>
+AnyWorld crowd(AnyWorld world, const AddMore& add_more) {
+  using Real = decltype(world.time_step());
+  Dice dice(41);
+  for (int n = 0; n < 70; ++n) add_random_body(world, dice, "body " + std::to_string(n));
+  world.add(Gravity<Real>{});
+  add_more(world);
+  return world;
+}
+
+/// Steps both kinds of world, and lets `meddle` change each before every step.
+template <class Real, class AddMore, class Meddle>
+void compare(const AddMore& add_more, const Meddle& meddle) {
+  auto plain = crowd(World<Real>(steps_per_second(60)), add_more);
+  auto packed = crowd(ManyBodies<Real>(steps_per_second(60)), add_more);
+  for (int step = 0; step < 12; ++step) {
+    meddle(plain, step);
+    meddle(packed, step);
+    plain.step();
+    packed.step();
+    REQUIRE(same_motion(plain.bodies(), packed.bodies()));
+  }
+}
+
+constexpr auto nothing = [](auto&, int) {};
+
+}  // namespace
+
+//! [phases]
+TEST_CASE_TEMPLATE("Effects of all phases act on packs in the order in which they act one by one",
+                   Real, EVERY_PRECISION) {
+  compare<Real>(
+      [](auto& world) {
+        world.add(Swirl<Real, Phase::drift, 0>{});
+        world.add(Swirl<Real, Phase::damping, 1>{});
+        world.add(Swirl<Real, Phase::impulse, 2>{});
+        world.add(Swirl<Real, Phase::kick, 0>{});
+        world.add(Swirl<Real, Phase::force, 1>{});
+        std::vector<BodyHandle> tops;
+        for (BodyIndex i = 0; i < world.body_count(); ++i)
+          if (!world.is_point(world.handle_at(i))) tops.push_back(world.handle_at(i));
+        world.add(SwirlOfSpin<Real, Phase::drift, 0>{}, tops);
+        world.add(SwirlOfSpin<Real, Phase::damping, 1>{}, tops);
+        world.add(SwirlOfSpin<Real, Phase::impulse, 2>{}, tops);
+        world.add(SwirlOfSpin<Real, Phase::kick, 0>{}, tops);
+        world.add(SwirlOfSpin<Real, Phase::force, 1>{}, tops);
+      },
+      nothing);
+}
+//! [phases]
+
+TEST_CASE_TEMPLATE("An effect that finds its pairs finds them in packs too", Real,
+                   EVERY_PRECISION) {
+  compare<Real>([](auto& world) { world.add(Rubbing<Real>{}); }, nothing);
+}
+
+TEST_CASE_TEMPLATE("Pushes of one step alone move packs as one by one, and no step longer", Real,
+                   EVERY_PRECISION) {
+  compare<Real>(
+      [](auto& world) {
+        world.add(
+            SpringBetween<Real>{.spring = {.stiffness = 3, .rest_length = 1}},
+            {world.handle_at(1), world.handle_at(2), world.handle_at(50), world.handle_at(7)});
+      },
+      [](auto& world, int step) {
+        if (step % 3 != 1) return;
+        for (BodyIndex i = static_cast<BodyIndex>(step); i < world.body_count(); i += 5) {
+          const Real some = Real(i) / 16;
+          world.push_at(world.handle_at(i), {some, 2, -some}, {1, some, some});
+          world.push_at(world.handle_at(i), {0, some, 1}, {some, 0, 1});
+        }
+      });
+}
+
+TEST_CASE_TEMPLATE("A push in packs that is given before a step that fails is given in the next",
+                   Real, EVERY_PRECISION) {
+  ManyBodies<Real> world(steps_per_second(1));
+  const BodyHandle ball = world.add("ball", make_particle<Real>(1));
+  const MassProperties<Real> sphere = mass_properties(Sphere<Real>{1}, 1);
+  const BodyHandle top = world.add("top", make_rigid_body<Real>("top", sphere, {{4, 0, 0}}).body);
+  const EffectHandle rope = world.add(PointGravity<Real>{.strength = 1});  // where the ball is
+  world.push_at(ball, {3, 0, 0}, {0, 0, 0});
+  world.push_at(top, {0, 0, 2}, {4, 1, 0});
+  CHECK_THROWS_AS(world.step(), SimulationError);
+  CHECK(same_bits(world.body(ball).centre.force, Vec3<Real>(0, 0, 0)));
+  CHECK(same_bits(world.body(top).top.torque, Vec3<Real>(0, 0, 0)));
+  world.remove(rope);
+  world.step();
+  world.step();
+  CHECK(same_bits(world.body(ball).centre.velocity, Vec3<Real>(3, 0, 0)));
+  CHECK(same_bits(world.body(top).centre.velocity, Vec3<Real>(0, 0, 2)));
+  CHECK(same_bits(world.body(top).top.angular_momentum_body, Vec3<Real>(2, 0, 0)));
+}
+
+//! [parts]
+TEST_CASE_TEMPLATE(
+    "The parts of a step in packs are named, counted and, one after another, the step", Real,
+    EVERY_PRECISION) {
+  auto world = crowd(ManyBodies<Real>(steps_per_second(60)), [](auto& made) {
+    made.add(LinearDamping<Real>{.rate = 1}, {made.handle_at(0)});
+    made.add(Magnus<Real>{.strength = 1});
+  });
+  world.push_at(world.handle_at(0), {1, 2, 3}, {0, 1, 0});
+  auto in_parts = world;
+  const Work<Real>& work = in_parts.work();
+  const auto parts = in_parts.keeping().parts(work);
+  const Moment<Real> moment = in_parts.moment();
+  std::map<std::string, std::size_t> bodies;
+  for (std::size_t part = 0; part < parts.size(); ++part) {
+    bodies[parts[part].name] += parts[part].bodies;
+    in_parts.keeping().run_part(work, part, moment);
+  }
+  world.step();
+  CHECK(same_motion(world.bodies(), in_parts.bodies()));
+  const std::size_t turning = work.steady.size() + work.tumbling.size();
+  CHECK(bodies ==
+        std::map<std::string, std::size_t>{{"memory of centres", work.movers.size()},
+                                           {"memory of tops", turning},
+                                           {"gravity", work.effects[0].visits.size()},
+                                           {"Magnus force", work.effects[2].visits.size()},
+                                           {"input", 1},
+                                           {"kick", work.pushed.size()},
+                                           {"kick of the spin", work.torqued.size()},
+                                           {"linear damping", 1},
+                                           {"drift", work.movers.size()},
+                                           {"steady turning", work.steady.size()},
+                                           {"tumbling: splitting", work.tumbling.size()},
+                                           {"guard of centres", work.movers.size()},
+                                           {"guard of tops", turning}});
+}
+//! [parts]
