@@ -108,6 +108,7 @@ function(tumble_add_checks chapter)
     string(REGEX REPLACE "^.*/|_checks\\.cpp$" "" name ${file})
     add_library(checks_${chapter}_${name} OBJECT ${file})
     target_link_libraries(checks_${chapter}_${name} PUBLIC tumble_${chapter} tumble_check_flags)
+    tumble_link_compiled(checks_${chapter}_${name} PUBLIC)
     target_precompile_headers(checks_${chapter}_${name} REUSE_FROM tumble_check_headers)
     target_link_libraries(${program} PRIVATE checks_${chapter}_${name})
     add_executable(${chapter}.${name} EXCLUDE_FROM_ALL)
@@ -130,16 +131,30 @@ function(tumble_add_checks chapter)
   set_property(GLOBAL APPEND PROPERTY TUMBLE_RUNS ${result})
 endfunction()
 
-# tumble_compile_once(NAME LIBRARY... FILES FILE...): two libraries, NAME_for_checks and NAME_for_programs, of what many
-# files would otherwise compile each for itself, on top of the given libraries.
+# tumble_compile_once(NAME LIBRARY... FILES FILE... [DEFINES MACRO] [CHECKS] [EVERYWHERE]): a library of what many files
+# would otherwise compile each for itself, on top of the given libraries. Whatever links it sees the MACRO. It is compiled as
+# programs are, for checks and programs alike, or as CHECKS are. EVERYWHERE: all checks and programs from here on link it,
+# but for those that measure time, which are compiled from the headers alone, as a user's program is.
 function(tumble_compile_once name)
-  cmake_parse_arguments(PARSE_ARGV 1 once "" "" "FILES")
-  foreach(use IN ITEMS check program)
-    add_library(${name}_for_${use}s STATIC EXCLUDE_FROM_ALL ${once_FILES})
-    list(TRANSFORM once_UNPARSED_ARGUMENTS REPLACE "_for_$" "_for_${use}s" OUTPUT_VARIABLE libraries)
-    target_link_libraries(${name}_for_${use}s PUBLIC ${libraries} PRIVATE tumble_${use}_flags)
-    target_precompile_headers(${name}_for_${use}s REUSE_FROM tumble_${use}_headers)
-  endforeach()
+  cmake_parse_arguments(PARSE_ARGV 1 once "CHECKS;EVERYWHERE" "DEFINES" "FILES")
+  set(use program)
+  if(once_CHECKS)
+    set(use check)
+  endif()
+  add_library(${name} STATIC EXCLUDE_FROM_ALL ${once_FILES})
+  target_link_libraries(${name} PUBLIC ${once_UNPARSED_ARGUMENTS} PRIVATE tumble_${use}_flags)
+  tumble_link_compiled(${name} PRIVATE)
+  target_compile_definitions(${name} PUBLIC ${once_DEFINES})
+  target_precompile_headers(${name} REUSE_FROM tumble_${use}_headers)
+  if(once_EVERYWHERE)
+    set_property(GLOBAL APPEND PROPERTY TUMBLE_COMPILED_ONCE ${name})
+  endif()
+endfunction()
+
+# tumble_link_compiled(TARGET PUBLIC|PRIVATE): links what is compiled once for all.
+function(tumble_link_compiled target how)
+  get_property(libraries GLOBAL PROPERTY TUMBLE_COMPILED_ONCE)
+  target_link_libraries(${target} ${how} ${libraries})
 endfunction()
 
 # tumble_add_program(CHAPTER NAME [LONG] [IN_ITEMS] [MEASURES]): compiles NAME.cpp; it is run with the results folder as
@@ -160,6 +175,9 @@ function(tumble_add_program chapter name)
   endif()
   add_executable(${name} ${name}.cpp)
   target_link_libraries(${name} PRIVATE tumble_${chapter} tumble_program_flags)
+  if(NOT "MEASURES" IN_LIST ARGN)
+    tumble_link_compiled(${name} PRIVATE)
+  endif()
   target_precompile_headers(${name} REUSE_FROM tumble_program_headers)
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/programs/${chapter})
   tumble_chapter_target(programs ${chapter})

@@ -19,18 +19,18 @@ class Scenery : public SceneBodies<Real, Keeping> {
 
   /// Adds an effect for every body, including those that are added later.
   template <class Effect>
-  EffectHandle add(const Effect& effect) {
+  EffectHandle add(Effect effect) {
     static_assert(EffectOnOne<Effect, Real> || FindsPairs<Effect, Real>,
                   "an effect for everyone has one of the functions in effect.hpp");
-    return append_effect(effect, true, {});
+    return append_effect(prepared(effect), true, {});
   }
 
   /// Adds an effect for some bodies; for one that joins two, each first followed by its second.
   template <class Effect>
-  EffectHandle add(const Effect& effect, const std::vector<BodyHandle>& bodies) {
+  EffectHandle add(Effect effect, const std::vector<BodyHandle>& bodies) {
     static_assert(EffectOnOne<Effect, Real> || EffectOnTwo<Effect, Real>,
                   "an effect has one of the functions in effect.hpp");
-    return append_effect(effect, false, bodies);
+    return append_effect(prepared(effect), false, bodies);
   }
 
   void remove(EffectHandle effect) {
@@ -96,7 +96,7 @@ class Scenery : public SceneBodies<Real, Keeping> {
   }
 
   template <class Effect>
-  auto prepared(Effect& effect) const {
+  std::shared_ptr<const AnyEffect<Real>> prepared(Effect& effect) const {
     if constexpr (requires { effect.check(); }) effect.check();
     if constexpr (requires { effect.prepare(time_step_); }) effect.prepare(time_step_);
     return Keeping::erased(effect);
@@ -110,9 +110,8 @@ class Scenery : public SceneBodies<Real, Keeping> {
                                   name_of(body) + "' is a point");
   }
 
-  template <class Effect>
-  EffectHandle append_effect(Effect effect, bool everyone, const std::vector<BodyHandle>& bodies) {
-    auto erased = prepared(effect);
+  EffectHandle append_effect(std::shared_ptr<const AnyEffect<Real>> erased, bool everyone,
+                             const std::vector<BodyHandle>& bodies) {
     const std::string name = erased->name();
     const std::size_t stride = erased->traits().joins_two() ? 2 : 1;
     std::unordered_set<BodyIndex> meant_for;

@@ -153,3 +153,7 @@ using Worldf = World<float>;
 using Worldd = World<double>;
 
 }  // namespace tumble
+
+#ifdef TUMBLE_COMPILED_WORLDS  // inside the course alone
+#include <course/compiled_worlds.hpp>
+#endif

@@ -178,3 +178,7 @@ template <class Real>
 using ManyBodies = World<Real, InPacks<Real>>;
 
 }  // namespace tumble
+
+#ifdef TUMBLE_COMPILED_MANY_BODIES  // inside the course alone
+#include <course/compiled_many_bodies.hpp>
+#endif

@@ -1,0 +1,5 @@
+#include <tumble/world.hpp>
+
+namespace tumble {
+TUMBLE_WORLD(, float)
+}  // namespace tumble

@@ -1,0 +1,23 @@
+/// @file
+/// ManyBodies, compiled once for all checks and programs of the course: see course/many_bodies and
+/// tumble_compile_once in cmake/TumbleCourse.cmake. Users have the headers alone.
+#pragma once
+
+#define TUMBLE_MANY_BODIES(how, Real)                                                   \
+  how template class Schedule<Real, natural_width<Real>>;                               \
+  how template class PackedActs<Real, natural_width<Real>>;                             \
+  how template class PackedRuleOf<Real, natural_width<Real>, Splitting>;                \
+  how template class InPacks<Real>;                                                     \
+  how template class NamedBodies<Real, InPacks<Real>>;                                  \
+  how template class SceneBodies<Real, InPacks<Real>>;                                  \
+  how template class Scenery<Real, InPacks<Real>>;                                      \
+  how template class World<Real, InPacks<Real>>;                                        \
+  how template SpringLimit<Real> spring_limit(const std::vector<Entry<Real>>&,          \
+                                              const NamedBodies<Real, InPacks<Real>>&); \
+  how template std::vector<PlanRow> rows_of(const Planner<Real>&,                       \
+                                            const NamedBodies<Real, InPacks<Real>>&);
+
+namespace tumble {
+TUMBLE_MANY_BODIES(extern, float)
+TUMBLE_MANY_BODIES(extern, double)
+}  // namespace tumble
