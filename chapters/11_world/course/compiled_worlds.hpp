@@ -17,7 +17,7 @@
   how template void check_body(const std::string&, const Particle<Real>&);                 \
   how template void check_body(const std::string&, const Top<Real>&);                      \
   how template void News::tell(const Work<Real>&, std::size_t, std::int64_t);              \
-  how template SpringLimit<Real> spring_limit(const std::vector<Entry<Real>>&,             \
+  how template SpringLimit<Real> spring_limit(const Work<Real>&,                           \
                                               const NamedBodies<Real, OneByOne<Real>>&);   \
   how template std::vector<PlanRow> rows_of(const Planner<Real>&,                          \
                                             const NamedBodies<Real, OneByOne<Real>>&);     \

@@ -12,7 +12,7 @@
   how template class SceneBodies<Real, InPacks<Real>>;                                  \
   how template class Scenery<Real, InPacks<Real>>;                                      \
   how template class World<Real, InPacks<Real>>;                                        \
-  how template SpringLimit<Real> spring_limit(const std::vector<Entry<Real>>&,          \
+  how template SpringLimit<Real> spring_limit(const Work<Real>&,                        \
                                               const NamedBodies<Real, InPacks<Real>>&); \
   how template std::vector<PlanRow> rows_of(const Planner<Real>&,                       \
                                             const NamedBodies<Real, InPacks<Real>>&);
