@@ -243,6 +243,43 @@ TEST_CASE("Whoever chooses a scheme that a spring is too stiff for is warned at 
         std::string::npos);
 }
 
+/// A force that is no number from a certain time on.
+struct Late {
+  static constexpr std::string_view name = "late";
+  static constexpr Quantities reads = quantity::time;
+  double from;  ///< s
+  Vec3d force(const Particle<double>&, double time) const {
+    return {time < from ? 0 : std::numeric_limits<double>::quiet_NaN(), 0, 0};
+  }
+};
+
+TEST_CASE("An effect that fails in the middle of a step is named, and the step is taken back") {
+  // Suzuki's kicks come at 0.021, 0.062, 0.05, 0.038 and 0.079 s; Verlet's at 0.05 s.
+  for (const auto& [scheme, from, fails] :
+       {std::tuple(Scheme::semi_implicit_euler, 0.001, false),
+        std::tuple(Scheme::verlet, 0.049, true), std::tuple(Scheme::verlet, 0.051, false),
+        std::tuple(Scheme::suzuki, 0.079, true), std::tuple(Scheme::suzuki, 0.08, false)}) {
+    CAPTURE(name_of(scheme));
+    CAPTURE(from);
+    World<double> world(steps_per_second(10));
+    world.step_by(scheme);
+    world.add("thing", make_particle<double>(1, {0, 0, 0}, {1, 0, 0}));
+    world.add(Late{from});
+    const Bodies<double> before = world.bodies();
+    std::string complaint;
+    try {
+      world.step();
+    } catch (const SimulationError& error) {
+      complaint = error.what();
+      CHECK(error.effect == "late");
+    }
+    CHECK(complaint.find("late gives a force of (nan, 0, 0) N") ==
+          (fails ? complaint.find("late") : std::string::npos));
+    CHECK(complaint.empty() != fails);
+    CHECK((world.bodies().centres[0].position == before.centres[0].position) == fails);
+  }
+}
+
 /// A rule of the user's own.
 struct Unsaid {
   static constexpr std::string_view name = "my own";

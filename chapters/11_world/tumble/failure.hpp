@@ -59,7 +59,36 @@ class Replay {
       : bodies_(std::move(bodies)), work_(work), lost_(lost) {}
 
   /// What went wrong, as a sentence; `culprit` becomes the effect to blame, if it is one.
-  std::string find(const Moment<Real>& moment, const AnyEffect<Real>*& culprit) {
+  std::string find(const Moment<Real>& step, const AnyEffect<Real>*& culprit) {
+    Bodies<Real> before_drift = bodies_;
+    for (const Portion<Real>& portion : work_.portions) {
+      const Moment<Real> part = moment_of(portion, step);
+      if (portion.stroke == Stroke::kick) {
+        if (const std::string why = fault_of_kick(part, culprit); !why.empty()) return why;
+      } else if (portion.stroke == Stroke::fade) {
+        for (const Phase phase : {Phase::impulse, Phase::damping})
+          if (ask_each(phase, step, culprit, false)) return sentence_;
+      } else {
+        before_drift = bodies_;
+        const Real h = part.time_step;
+        for_each_of(work_.movers, bodies_.centres, [&](auto& one) { drift(one, h); });
+        for_each_of(work_.steady, bodies_.tops, [&](auto& one) { turn_steadily(one, h); });
+        work_.rule->turn(bodies_.tops, work_.tumbling, h);
+        if (is_lost()) return reason(before_drift, h);
+      }
+    }
+    if (ask_each(Phase::drift, step, culprit, false)) return sentence_;
+    return reason(before_drift, step.time_step);
+  }
+
+ private:
+  bool is_lost() const {
+    const BodyState<Real> body = state_of(bodies_, lost_);
+    return !not_finite_in(body.centre, body.top).empty();
+  }
+
+  /// What went wrong in a kick, or nothing.
+  std::string fault_of_kick(const Moment<Real>& moment, const AnyEffect<Real>*& culprit) {
     const Real h = moment.time_step;
     if (ask_each(Phase::force, moment, culprit, true)) return sentence_;
     run(work_, Phase::force, bodies_, moment);
@@ -70,21 +99,7 @@ class Replay {
       return sentence_;
     for_each_of(work_.pushed, bodies_.centres, [&](auto& one) { kick(one, h), clear_force(one); });
     for_each_of(work_.torqued, bodies_.tops, [&](auto& one) { kick(one, h), clear_torque(one); });
-    if (is_lost()) return reason(bodies_, h);
-    for (const Phase phase : {Phase::impulse, Phase::damping})
-      if (ask_each(phase, moment, culprit, false)) return sentence_;
-    const Bodies<Real> kicked = bodies_;
-    for_each_of(work_.movers, bodies_.centres, [&](auto& one) { drift(one, h); });
-    for_each_of(work_.steady, bodies_.tops, [&](auto& one) { turn_steadily(one, h); });
-    work_.rule->turn(bodies_.tops, work_.tumbling, h);
-    if (!is_lost() && ask_each(Phase::drift, moment, culprit, false)) return sentence_;
-    return reason(kicked, h);
-  }
-
- private:
-  bool is_lost() const {
-    const BodyState<Real> body = state_of(bodies_, lost_);
-    return !not_finite_in(body.centre, body.top).empty();
+    return is_lost() ? reason(bodies_, h) : std::string();
   }
 
   /// Runs the effects of a phase until one gives the lost body a number that is not finite.
