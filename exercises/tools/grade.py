@@ -15,7 +15,6 @@ import argparse
 import hashlib
 import os
 import resource
-import shutil
 import sys
 import tempfile
 from pathlib import Path
@@ -57,10 +56,17 @@ def export_for_similarity(folder, submissions, exercises):
         for name, submission in submissions.items():
             header = read_header(submission, exercise)
             if header.text:
-                (place / f"{file_name_of(name)}.hpp").write_text(header.text, encoding="utf-8", newline="")
+                write_anew(place / f"{file_name_of(name)}.hpp", header.text.encode())
         starter = exercise.folder / exercise.header
         if starter.exists():
-            shutil.copyfile(starter, place / "STARTER.hpp")
+            write_anew(place / "STARTER.hpp", starter.read_bytes())
+
+
+def write_anew(file, data):
+    """What was there is replaced: a link itself, and not what it leads to."""
+    file.unlink(missing_ok=True)
+    with open(file, "xb") as out:
+        out.write(data)
 
 
 def file_name_of(submission):
@@ -170,6 +176,10 @@ def part_of(arguments):
 def export(folder, submissions, exercises):
     if "STARTER" in submissions:
         raise Complaint("a submission is called STARTER, as the starters are among the files for similarity")
+    for exercise in exercises:
+        place = (folder / exercise.name).resolve()
+        if any(place.is_relative_to(read) for read in (exercise.folder.resolve(), *submissions.values())):
+            raise Complaint(f"--similarity is {folder}; what is graded lies there, and could be overwritten")
     try:
         export_for_similarity(folder, submissions, exercises)
     except OSError as error:

@@ -8,7 +8,7 @@ import pathlib
 import re
 
 FOLDERS = ("book", "chapters", "cmake", "common", "exercises", "solutions", "tests", "tools", ".")
-SKIPPED = ("build/", "work/", ".git/", "tests/scenes/corpus/", "tests/words/", "node_modules/", "package-lock.json",
+SKIPPED = ("build/", "work/", "third_party/", ".git/", "tests/scenes/corpus/", "tests/words/", "node_modules/", "package-lock.json",
            "search_words.json", "tests/book/search.test.mjs")  # the last two hold what readers may type
 SLASHES = {".hpp", ".cpp", ".h", ".mjs", ".js", ".css"}
 HASHES = {".py", ".sh", ".cmake", ".gp", ".txt", ".in"}

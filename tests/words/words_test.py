@@ -57,6 +57,14 @@ class Words(unittest.TestCase):
         self.assertEqual(self.misspelt("code.hpp", CODE), [(4, "momentun"), (6, "wrng")])
         self.assertEqual(self.misspelt("script.py", SCRIPT), [(2, "docstrng"), (3, "sentense"), (3, "coment")])
 
+    def test_what_others_have_written_is_not_read(self):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for name in ("README.md", "chapters/a.hpp", "build/a.md", "work/01_force/moon/moon.hpp", "third_party/include/b.hpp"):
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).touch()
+            self.assertEqual([path.name for path in prose.files(root)], ["README.md", "a.hpp"])
+
     @unittest.skipUnless(shutil.which("hunspell"), "hunspell is not installed")
     def test_american_spelling_is_misspelt(self):
         self.assertEqual(self.misspelt("page.md", "The color of its center is gray.\n"), [(1, "color"), (1, "center")])

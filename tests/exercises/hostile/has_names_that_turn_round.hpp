@@ -1,7 +1,7 @@
 // earns: 0
 // because: it doesn't compile
 #pragma once
-// ‮{ toor si siht } ⁦
+// ‮{ one } ⁦
 int é́ = 1;
 int a‍b = 2;
 

@@ -224,6 +224,21 @@ class NothingLost(AClassOfStandIns):
         self.assertEqual(len(found), len(names) + 1)
         self.assertIn("n" * 251 + ".hpp", found)
 
+    def test_what_is_exported_goes_over_no_header_and_through_no_link(self):
+        self.hand_in_all(doubled=1, ada=2)
+        starter = self.exercise_folder / "doubled.hpp"
+        before = starter.read_bytes()
+        for folder in (self.exercise_folder.parent, self.submissions / "ada", self.submissions / "doubled"):
+            _, said = self.run_to_the_end("--similarity", folder, code=2)
+            self.assertIn(f"--similarity is {folder}; what is graded lies there", said)
+        copies = self.place / "copies" / "doubled"
+        copies.mkdir(parents=True)
+        (copies / "ada.hpp").symlink_to(starter)
+        os.link(starter, copies / "STARTER.hpp")
+        self.run_to_the_end("--similarity", "copies")
+        self.assertEqual((starter.read_bytes(), (copies / "ada.hpp").read_text(encoding="utf-8")), (before, "// 2\n"))
+        self.assertEqual(starter.stat().st_nlink, 1)
+
     def test_a_name_of_two_lines_is_told_on_one(self):
         self.hand_in("ada\ncourse: bob", "// breaks\n")
         _, said = self.run_to_the_end(code=3)
