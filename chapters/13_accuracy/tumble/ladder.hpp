@@ -24,7 +24,7 @@ struct Claims {
   bool momentum = false;  ///< a free top's angular momentum is kept in the world
   bool reverses = false;  ///< with L turned around, it retraces its steps
   bool bounded = false;   ///< however long the step, a free top stays finite, as long as no turn
-                          ///< goes beyond SineCosineConstants::limit
+                          ///< goes beyond SineCosineConstants::limit and |L|² is in Real's range
 };
 //! [claims]
 
