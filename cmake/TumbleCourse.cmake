@@ -58,9 +58,10 @@ endif()
 # Checks are compiled for a quick verdict (-Og: a seventh less to compile than -O1), with every assertion of Eigen's on;
 # programs for speed.
 add_library(tumble_check_flags INTERFACE)
-target_compile_options(tumble_check_flags INTERFACE -Og -UNDEBUG)
-if(NOT TUMBLE_SANITIZE)
-  target_compile_options(tumble_check_flags INTERFACE -g0)
+if(TUMBLE_SANITIZE)
+  target_compile_options(tumble_check_flags INTERFACE -UNDEBUG)
+else()
+  target_compile_options(tumble_check_flags INTERFACE -Og -UNDEBUG -g0)
 endif()
 target_link_libraries(tumble_check_flags INTERFACE tumble_flags tumble_common doctest::doctest)
 add_library(tumble_program_flags INTERFACE)
@@ -69,14 +70,37 @@ target_link_libraries(tumble_program_flags INTERFACE tumble_flags tumble_common)
 # One precompiled header for each of the two flag sets. The file with doctest's main stays out of it: a header that was
 # compiled without doctest's implementation cannot supply it.
 file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/empty.cpp CONTENT "")
-add_library(tumble_check_headers OBJECT ${PROJECT_BINARY_DIR}/empty.cpp)
-target_link_libraries(tumble_check_headers PUBLIC tumble_check_flags)
-target_precompile_headers(tumble_check_headers PRIVATE
-  <doctest/doctest.h> <Eigen/Core> <Eigen/Geometry> <Eigen/Eigenvalues> <string> <vector> <array> <random>)
-add_library(tumble_program_headers OBJECT ${PROJECT_BINARY_DIR}/empty.cpp)
-target_link_libraries(tumble_program_headers PUBLIC tumble_program_flags)
-target_precompile_headers(tumble_program_headers PRIVATE
-  <Eigen/Core> <Eigen/Geometry> <cstdio> <fstream> <string> <vector> <array> <random>)
+set(headers_for_check <doctest/doctest.h> <Eigen/Core> <Eigen/Geometry> <Eigen/Eigenvalues> <string> <vector> <array> <random>)
+set(headers_for_program <Eigen/Core> <Eigen/Geometry> <cstdio> <fstream> <string> <vector> <array> <random>)
+function(tumble_precompile name use)
+  add_library(${name} OBJECT ${PROJECT_BINARY_DIR}/empty.cpp)
+  target_compile_options(${name} PRIVATE ${ARGN})
+  target_link_libraries(${name} PUBLIC tumble_${use}_flags)
+  target_precompile_headers(${name} PRIVATE ${headers_for_${use}})
+endfunction()
+tumble_precompile(tumble_check_headers check)
+tumble_precompile(tumble_program_headers program)
+
+# With the sanitizers clang takes half as long for -O0 as for -O1, and what it makes runs a fifteenth as fast. So -O1 is for
+# the chapters' checks and the programs that compute for more than a tenth of a second, and for libraries.
+set(TUMBLE_BUSY exact 03_inertia 07_orientation 08_tumbling 11_world 12_many_bodies 13_accuracy
+  particle_cloud tiny_turns_demo rules_demo clock_demo plan_demo packs_demo hard_cases_demo accuracy_demo random_tops_demo
+  slow_bodies_demo long_run_demo)
+if(TUMBLE_SANITIZE)
+  tumble_precompile(tumble_idle_check_headers check -O0)
+  tumble_precompile(tumble_idle_program_headers program -O0)
+endif()
+
+# tumble_use_precompiled(TARGET check|program NAME): the precompiled header for a file of that chapter's checks, or for that
+# program.
+function(tumble_use_precompiled target use name)
+  if(TUMBLE_SANITIZE AND NOT name IN_LIST TUMBLE_BUSY)
+    target_compile_options(${target} PRIVATE -O0)
+    target_precompile_headers(${target} REUSE_FROM tumble_idle_${use}_headers)
+  else()
+    target_precompile_headers(${target} REUSE_FROM tumble_${use}_headers)
+  endif()
+endfunction()
 add_library(tumble_check_main OBJECT ${PROJECT_SOURCE_DIR}/common/course/check_main.cpp)
 target_link_libraries(tumble_check_main PUBLIC tumble_check_flags)
 
@@ -109,7 +133,7 @@ function(tumble_add_checks chapter)
     add_library(checks_${chapter}_${name} OBJECT ${file})
     target_link_libraries(checks_${chapter}_${name} PUBLIC tumble_${chapter} tumble_check_flags)
     tumble_link_compiled(checks_${chapter}_${name} PUBLIC)
-    target_precompile_headers(checks_${chapter}_${name} REUSE_FROM tumble_check_headers)
+    tumble_use_precompiled(checks_${chapter}_${name} check ${chapter})
     target_link_libraries(${program} PRIVATE checks_${chapter}_${name})
     add_executable(${chapter}.${name} EXCLUDE_FROM_ALL)
     target_link_libraries(${chapter}.${name} PRIVATE tumble_check_main checks_${chapter}_${name})
@@ -178,7 +202,7 @@ function(tumble_add_program chapter name)
   if(NOT "MEASURES" IN_LIST ARGN)
     tumble_link_compiled(${name} PRIVATE)
   endif()
-  target_precompile_headers(${name} REUSE_FROM tumble_program_headers)
+  tumble_use_precompiled(${name} program ${name})
   set_target_properties(${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/programs/${chapter})
   tumble_chapter_target(programs ${chapter})
   add_dependencies(programs_${chapter} ${name})

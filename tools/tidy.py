@@ -4,8 +4,8 @@
     tidy.py BUILD_FOLDER [JOBS]    the build folder holds compile_commands.json, made for clang
 
 Most of what clang-tidy does for a file it does for the headers that the file includes: Eigen's, doctest's. So the files of a
-folder are read as one. Each is put into a namespace of its own, that their names may meet; what they include is included
-before, outside of it. Only where that does not compile does each file go alone. Prints what is found; the exit code is 0 if
+folder that share a standard of C++ are read as one. Each is put into a namespace of its own, that their names may meet; what
+they include is included before, outside of it. Only where that does not compile does each file go alone. Prints what is found; the exit code is 0 if
 that is nothing."""
 import json
 import re
@@ -18,7 +18,9 @@ from pathlib import Path
 
 root = Path(__file__).resolve().parent.parent
 include = re.compile(r'^#include (?:<(.+)>|"(.+)")', re.MULTILINE)
-has_a_place = re.compile(r"^namespace \w|^\S.*\btumble::[\w:<>]+\(.*\{$", re.MULTILINE)  # outside of any other namespace
+# What must stand outside of any other namespace, and what of that must come last: no declaration may follow what it declares.
+has_a_place = re.compile(r"^namespace \w|^template [^<]|^\S.*\btumble::[\w:<>]+\(.*\{$", re.MULTILINE)
+instantiates = re.compile(r"^template [^<]", re.MULTILINE)
 
 
 def flags_of(entry):
@@ -46,7 +48,9 @@ def folders_of(entries):
     folders = {}
     for file in sorted([*root.glob("common/**/*.cpp"), *root.glob("chapters/**/*.cpp")]):
         nearest = next((together[folder] for folder in file.parents if folder in together), {})
-        folders.setdefault(file.parent, {})[file] = own.get(file, list(nearest))
+        flags = own.get(file, list(nearest))
+        standard = [flag for flag in flags if flag.startswith("-std=")][-1:]
+        folders.setdefault((file.parent, *standard), {})[file] = flags
     return sorted(folders.values(), key=len, reverse=True)
 
 
@@ -58,7 +62,7 @@ def read_as_one(files):
             beside = file.parent / own
             lines.append(f"#include <{system}>" if system else f'#include "{beside if beside.exists() else own}"')
     lines = sorted(set(lines), key=lines.index)
-    for number, file in enumerate(files):
+    for number, file in enumerate(sorted(files, key=lambda file: bool(instantiates.search(file.read_text())))):
         text = f'#include "{file}"'
         lines.append(text if has_a_place.search(file.read_text()) else f"namespace file_{number} {{\n{text}\n}}")
     return "\n".join(lines) + "\n"
