@@ -112,7 +112,7 @@ def require_out_of_reach(places):
 def a_workshop(toolchain, exercise, user, seconds):
     """Folders of its own for what becomes of one header; they are gone at the end."""
     with tempfile.TemporaryDirectory(prefix="graded-") as folder:
-        place = Path(folder)
+        place = Path(os.path.abspath(folder))  # a relative TMPDIR makes relative folders
         for name, mode in (("text", 0o755), ("made", 0o700), ("empty", 0o755)):
             (place / name).mkdir()
             (place / name).chmod(mode)
@@ -155,7 +155,7 @@ class Workshop:
         self._write(self.exercise.header, text)
         for real in PRECISIONS:
             self._write(f"answers_{real}.cpp", answers_source(self.exercise, real))
-        return {real: self._worker(real, patience) for real in PRECISIONS}
+        return {real: self._made(f"answers_{real}", patience) for real in PRECISIONS}
 
     def _try_out_on_the_starter(self):
         """Raises GraderFailed if the compiler is ended there too. The starter asks for as much memory as an answer, an empty program
@@ -187,20 +187,16 @@ class Workshop:
     def empty(self):
         return self.place / "empty"
 
-    def _worker(self, real, patience):
-        worker = self._made(f"answers_{real}", patience)
-        foreign = [file for file in _listed(self.place / "made" / f"answers_{real}.o.d") if not self._allows(file)]
-        if foreign:
-            raise Uncompiled(f"it includes {Path(foreign[0]).name}, which is no part of the chapters up to {self.exercise.chapter}")
-        return worker
-
     def _made(self, name, patience):
-        """The program that is made of one file."""
+        """The program that is made of one file, which may include what is allowed, and nothing else."""
         compiled, program = self.place / "made" / f"{name}.o", self.place / "made" / name
-        command, _ = self.toolchain.compile(self.place / "text" / f"{name}.cpp", compiled, self.exercise.chapter,
+        command, dependencies = self.toolchain.compile(self.place / "text" / f"{name}.cpp", compiled, self.exercise.chapter,
                                             first_folders=[self.place / "text"])
         self._run(command, patience)
         self._run(self.toolchain.link([compiled, *self._loop(name)], program), patience)
+        foreign = [file for file in _listed(dependencies) if not self._allows(file)]
+        if foreign:
+            raise Uncompiled(f"it includes {Path(foreign[0]).name}, which is no part of the chapters up to {self.exercise.chapter}")
         return program
 
     def _loop(self, name):
