@@ -97,7 +97,7 @@ def dependencies_in(file):
         if letter in " \n" and not word.endswith("\\"):
             words.append(word)
             word = ""
-        elif letter in " #" and word.endswith("\\"):
+        elif letter in " \t#" and word.endswith("\\"):
             word = word[:-1] + letter
         else:
             word += letter

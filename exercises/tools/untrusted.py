@@ -1,5 +1,6 @@
 """What confines a submission here, and how its header becomes a program: what each stage may reach, as whom, for how long."""
 
+import errno
 import functools
 import glob
 import os
@@ -37,14 +38,22 @@ ROOM = 256 * MEBIBYTE    # which a compiler must find on the disk
 # The last that the compiler says then; a text can make it say so too, with a static_assert.
 ENDED_FROM_OUTSIDE = re.compile(r"fatal error: (Killed signal terminated program \w+|ld terminated with signal 9 \[Killed\])\n"
                                 r"compilation terminated\.\s*\Z")
+# What a system can lack for a while, in its own words.
+LACKS = re.compile("|".join(re.escape(os.strerror(each)) for each in (errno.ENOSPC, errno.EDQUOT, errno.EAGAIN, errno.ENOMEM, errno.EMFILE,
+                                                                      errno.ENFILE, errno.EIO)))
 
 
 class Uncompiled(Exception):
     """The text is no program; the compiler's words, or why it was cut short."""
 
 
-class Ended(Uncompiled):
-    """The compiler says that one of its programs was killed, which a text can make it say too."""
+class Doubtful(Uncompiled):
+    """The compiler says that one of its programs was killed or that the system lacks something, which a text can make it say too.
+    `otherwise` is what is wrong where it's not the text."""
+
+    def __init__(self, said, otherwise):
+        super().__init__(said)
+        self.otherwise = otherwise
 
 
 def seals():
@@ -112,7 +121,7 @@ def require_out_of_reach(places):
 def a_workshop(toolchain, exercise, user, seconds):
     """Folders of its own for what becomes of one header; they are gone at the end."""
     with tempfile.TemporaryDirectory(prefix="graded-") as folder:
-        place = Path(folder)
+        place = Path(os.path.abspath(folder))  # a relative TMPDIR makes relative folders
         for name, mode in (("text", 0o755), ("made", 0o700), ("empty", 0o755)):
             (place / name).mkdir()
             (place / name).chmod(mode)
@@ -138,12 +147,9 @@ class Workshop:
         try:
             try:
                 return self._workers(text, patience)
-            except Ended:
+            except Doubtful:
                 self._try_out_on_the_starter()
-            try:
-                return self._workers(text, patience)
-            except Ended as ended:
-                raise Uncompiled(f"{ended}, twice, but not on the starter") from None
+            return self._workers(text, patience)
         except Uncompiled:
             self.try_out()
             raise
@@ -155,16 +161,16 @@ class Workshop:
         self._write(self.exercise.header, text)
         for real in PRECISIONS:
             self._write(f"answers_{real}.cpp", answers_source(self.exercise, real))
-        return {real: self._worker(real, patience) for real in PRECISIONS}
+        return {real: self._made(f"answers_{real}", patience) for real in PRECISIONS}
 
     def _try_out_on_the_starter(self):
-        """Raises GraderFailed if the compiler is ended there too. The starter asks for as much memory as an answer, an empty program
+        """Raises GraderFailed if the same happens there. The starter asks for as much memory as an answer, an empty program
         for far less."""
         starter = self.exercise.folder / self.exercise.header
         try:
             self._workers(starter.read_text(encoding="utf-8") if starter.exists() else "", self._patience())
-        except Ended as ended:
-            raise GraderFailed(f"{ended}; is there too little memory?") from None
+        except Doubtful as doubtful:
+            raise GraderFailed(doubtful.otherwise) from None
         except Uncompiled:
             pass  # a private exercise without a starter; what counts is that nobody ended the compiler
 
@@ -176,6 +182,8 @@ class Workshop:
         self._write("nothing.cpp", "int main() {}\n")
         try:
             self._made("nothing", self._patience())
+        except Doubtful as doubtful:
+            raise GraderFailed(doubtful.otherwise) from None
         except Uncompiled as failure:
             why = "; run by root it has a user of its own, who must be able to read the course and its build" if self.user else ""
             raise GraderFailed(f"the compiler does not work where it is confined{why}: {failure}") from None
@@ -187,20 +195,16 @@ class Workshop:
     def empty(self):
         return self.place / "empty"
 
-    def _worker(self, real, patience):
-        worker = self._made(f"answers_{real}", patience)
-        foreign = [file for file in _listed(self.place / "made" / f"answers_{real}.o.d") if not self._allows(file)]
-        if foreign:
-            raise Uncompiled(f"it includes {Path(foreign[0]).name}, which is no part of the chapters up to {self.exercise.chapter}")
-        return worker
-
     def _made(self, name, patience):
-        """The program that is made of one file."""
+        """The program that is made of one file, which may include what is allowed, and nothing else."""
         compiled, program = self.place / "made" / f"{name}.o", self.place / "made" / name
-        command, _ = self.toolchain.compile(self.place / "text" / f"{name}.cpp", compiled, self.exercise.chapter,
+        command, dependencies = self.toolchain.compile(self.place / "text" / f"{name}.cpp", compiled, self.exercise.chapter,
                                             first_folders=[self.place / "text"])
         self._run(command, patience)
         self._run(self.toolchain.link([compiled, *self._loop(name)], program), patience)
+        foreign = [file for file in _listed(dependencies) if not self._allows(file)]
+        if foreign:
+            raise Uncompiled(f"it includes {Path(foreign[0]).name}, which is no part of the chapters up to {self.exercise.chapter}")
         return program
 
     def _loop(self, name):
@@ -225,7 +229,10 @@ class Workshop:
         if ran.cut == "output":
             raise Uncompiled(f"it printed more than {limits.output // 1024} KB")
         if ran.code != 0 and ENDED_FROM_OUTSIDE.search(said):
-            raise Ended("the compiler was ended from outside")
+            raise Doubtful("the compiler was ended from outside, twice, but not on the starter",
+                           "the compiler was ended from outside; is there too little memory?")
+        if ran.code != 0 and LACKS.search(said):
+            raise Doubtful(said, f"the compiler does not work where it is confined: {said}")
         if ran.code != 0:
             raise Uncompiled(said)
 

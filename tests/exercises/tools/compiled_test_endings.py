@@ -1,5 +1,6 @@
 """Processes end with the grader, however that ends; where the grader fails nobody gets 0 points."""
 
+import errno
 import json
 import os
 import re
@@ -188,18 +189,20 @@ class Endings(Grading):
         self.hand_in("ada", f'{RIGHT}#line 1 "/nonexistent"\nstatic_assert(false, "{said}");\n')
         self.hand_in("bob", f"""{RIGHT}asm(".warning \\"{linker.replace(chr(92), chr(92) * 2)}\\"");\n""")
         self.hand_in("eve", f"""{RIGHT}asm(".pushsection .gnu.warning\\n .string \\"{linker.replace(chr(92), chr(92) * 2)}\\"\\n .popsection");\n""")
+        self.hand_in("fay", f'{RIGHT}static_assert(false, "{os.strerror(errno.ENOSPC)}");\n')
         results = self.graded()
-        self.assertEqual({name: result["points"] for name, result in results.items()}, {"ada": 0, "bob": 3, "eve": 3})
+        self.assertEqual({name: result["points"] for name, result in results.items()}, {"ada": 0, "bob": 3, "eve": 3, "fay": 0})
+        self.assertIn("static assertion failed: No space left on device", results["fay"]["exercises"][0]["reason"])
         self.assertEqual(results["ada"]["exercises"][0]["reason"],
                          "it doesn't compile: the compiler was ended from outside, twice, but not on the starter")
 
-    def compiled_where(self, is_killed):
-        """RIGHT, where the compiler is killed on each text that `is_killed`."""
+    def compiled_where(self, is_killed, said=KILLED):
+        """RIGHT, where the compiler is killed on each text that `is_killed`, or says something else."""
         place = []
 
         def run(command, limits, folder, patience):
             if is_killed((place[0] / "text" / "doubled.hpp").read_text(encoding="utf-8")):
-                return Ran(1, f"g++: {KILLED}\n".encode())
+                return Ran(1, f"g++: {said}\n".encode())
             return run_confined(command, limits, folder, patience)
         with a_workshop(self.toolchain, self.exercise, own_user(), 60) as workshop:
             place.append(workshop.place)
@@ -211,6 +214,15 @@ class Endings(Grading):
             self.compiled_where(lambda text: True)
         times = iter((True,))
         self.assertEqual(sorted(self.compiled_where(lambda text: next(times, False))), ["double", "float"])
+
+    def test_what_the_system_lacks_for_a_while_is_no_fault_of_a_student(self):
+        for code in (errno.ENOSPC, errno.EAGAIN, errno.ENOMEM):
+            with self.subTest(code):
+                said = f"fatal error: error writing to doubled.s: {os.strerror(code)}"
+                times = iter((True,))
+                self.assertEqual(sorted(self.compiled_where(lambda text: next(times, False), said)), ["double", "float"])
+                with self.assertRaisesRegex(GraderFailed, said):
+                    self.compiled_where(lambda text: True, said)
 
     def test_what_the_system_does_not_start_earns_nothing(self):
         worker = self.root / "worker"

@@ -7,6 +7,7 @@ import resource
 import shutil
 import subprocess
 import sys
+import tempfile
 from unittest import mock
 from xml.etree import ElementTree
 
@@ -67,6 +68,19 @@ class AClass(Grading):
         self.assertEqual(once, again)
         self.assertNotIn("graded-", once)
         self.assertNotIn(str((self.build / "shared").resolve()), once)
+
+    def test_whatever_the_folder_of_temporary_files_is_called_nobody_loses_a_point(self):
+        self.hand_in("ada", RIGHT)
+        for name in ("a \t b", "a$b#c: d\u00e9"):
+            with self.subTest(name), tempfile.TemporaryDirectory(prefix=name) as folder, mock.patch.dict(os.environ, TMPDIR=folder):
+                os.chmod(folder, 0o1777)
+                self.assertIn("ada: 3 of 3 points", self.grade())
+        with tempfile.TemporaryDirectory(prefix="a \n b") as folder, mock.patch.dict(os.environ, TMPDIR=folder):  # no compiler can list it
+            os.chmod(folder, 0o1777)
+            self.assertIn("the compiler does not work where it is confined", self.grade(code=2))
+        with tempfile.TemporaryDirectory(dir=".") as folder, mock.patch.dict(os.environ, TMPDIR=os.path.basename(folder)):
+            os.chmod(folder, 0o1777)
+            self.assertIn("ada: 3 of 3 points", self.grade())
 
     def test_what_the_caller_has_preloaded_breaks_no_check(self):
         self.hand_in("ada", RIGHT)
