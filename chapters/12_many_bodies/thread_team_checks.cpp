@@ -1,3 +1,4 @@
+#include <chrono>
 #include <course/checks.hpp>
 #include <tumble/thread_team.hpp>
 
@@ -13,6 +14,24 @@ TEST_CASE("A team does every share once, and run() waits for all of them") {
       for (const int count : done) REQUIRE(count == call);
     }
   }
+}
+
+TEST_CASE("What a member of a team throws, run() throws when all are done, and the team works on") {
+  for (const int size : {1, 2, 4})
+    for (int thrower = 0; thrower < size; ++thrower) {
+      ThreadTeam team(size);
+      std::atomic<int> done = 0;
+      CHECK(complaint_of([&] {
+              team.run([&](int member) {
+                if (member == thrower) throw std::invalid_argument("this share can't be done");
+                std::this_thread::sleep_for(std::chrono::milliseconds(2));
+                ++done;
+              });
+            }) == "this share can't be done");
+      CHECK(done == size - 1);
+      team.run([&](int) { ++done; });
+      CHECK(done == 2 * size - 1);
+    }
 }
 
 TEST_CASE("A copy of a team is another team of the same size") {

@@ -360,6 +360,23 @@ TEST_CASE("In transformed time each row has its order in time, against the exact
 }
 //! [path]
 
+TEST_CASE_TEMPLATE(
+    "A journey of no time leaves a planet where it is, to the bit, and a top but for rounding",
+    Real, EVERY_PRECISION) {
+  const auto orbit = eccentric_orbit<Real>();
+  Particle<Real> planet = orbit.start;
+  CHECK(carry<DormandPrince54>(planet, orbit.gather, Real(0), 0, Real(1e-3)).steps == 0);
+  CHECK(same_bits(planet.position, orbit.start.position));
+  carry_in_transformed_time<Verlet>(planet, orbit.gather, 0, 100);
+  CHECK(same_bits(planet.position, orbit.start.position));
+  CHECK(same_bits(planet.velocity, orbit.start.velocity));
+  const Top<Real> start = free_problems<Real>()[0].start;
+  Top<Real> top = start;
+  carry_freely<DormandPrince54>(top, 0, Real(1e-3));
+  CHECK(distance(top.orientation.imaginary, start.orientation.imaginary) <=
+        16 * unit_roundoff<Real>);  // l is made a unit vector, and the turn to it undone
+}
+
 TEST_CASE("What a journey can't be asked for is refused") {
   Topd top = top_of<double>(tumbling_problems[0]);
   CHECK(complaint_of([&] { carry_freely<DormandPrince54>(top, -1, 1e-3); }) ==
@@ -375,6 +392,8 @@ TEST_CASE("What a journey can't be asked for is refused") {
   CHECK(complaint_of([&] {
           carry_in_transformed_time<Verlet>(orbit.start, orbit.gather, 1, 10);
         }).find("the orbit is open") != std::string::npos);
+  CHECK(complaint_of([&] { carry_in_transformed_time<Verlet>(orbit.start, orbit.gather, 1, 0); }) ==
+        "number of steps is 0; it must be 1 or more");
 }
 
 TEST_CASE("The rough logarithm and power are within 0.045, over the whole range of float") {

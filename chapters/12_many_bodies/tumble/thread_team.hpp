@@ -3,11 +3,13 @@
 #pragma once
 
 #include <atomic>
+#include <exception>
 #include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace tumble {
@@ -39,10 +41,12 @@ class ThreadTeam {
   int size() const { return size_; }
 
   /// Calls `work` with 0, 1, … size − 1, each on a thread of its own, and waits for all of them.
+  /// What one of them throws, this throws once all are done.
   void run(const Work& work) {
-    if (others_) others_->begin(work);
-    work(0);
-    if (others_) others_->wait_until_done();
+    if (!others_) return work(0);
+    others_->begin(work);
+    others_->do_share(0);
+    others_->wait_until_done();
   }
   //! [team]
 
@@ -61,9 +65,20 @@ class ThreadTeam {
     }
     ~Others() { call(nullptr); }
 
-    void begin(const Work& work) { call(&work); }
+    void begin(const Work& work) {
+      has_failed_ = false;
+      call(&work);
+    }
+    void do_share(int member) noexcept {
+      try {
+        (*work_)(member);
+      } catch (...) {
+        if (!has_failed_.exchange(true)) failure_ = std::current_exception();
+      }
+    }
     void wait_until_done() {
       for (unsigned busy = busy_.load(); busy > 0; busy = busy_.load()) wait_while(busy_, busy);
+      if (has_failed_) std::rethrow_exception(std::exchange(failure_, nullptr));
     }
 
    private:
@@ -78,7 +93,7 @@ class ThreadTeam {
       for (unsigned seen = 0;; ++seen) {
         while (calls_.load() == seen) wait_while(calls_, seen);
         if (!work_) return;
-        (*work_)(member);
+        do_share(member);
         busy_.fetch_sub(1);
         busy_.notify_all();
       }
@@ -94,6 +109,8 @@ class ThreadTeam {
 
     const Work* work_ = nullptr;
     std::atomic<unsigned> calls_ = 0, busy_ = 0;
+    std::atomic<bool> has_failed_ = false;
+    std::exception_ptr failure_;         ///< the first one's
     std::vector<std::jthread> threads_;  // the first to go: they use the others
   };
 

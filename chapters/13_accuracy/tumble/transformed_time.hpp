@@ -74,16 +74,18 @@ class TransformedTime {
 
 /// Takes a bound particle through `seconds` in about so many steps of equal length in the time s.
 /// How long the last one must be is found by shortening it, which needs a few trials.
-/// @throws std::invalid_argument unless the time is 0 or more and finite, and the particle is
-/// bound: B greater than 0.
+/// @throws std::invalid_argument unless the time is 0 or more and finite, there is at least one
+/// step, and the particle is bound: B greater than 0.
 //! [carry_in_transformed_time]
 template <class Row, class Gather, class Real>
 void carry_in_transformed_time(Particle<Real>& particle, const Gather& gather, Same<Real> seconds,
                                long steps) {
   require_not_negative("time", seconds, "s");
+  if (steps < 1) reject("number of steps", steps, "", "it must be 1 or more");
   TransformedTime<Gather, Real> motion(particle, gather), before = motion;
   if (!(motion.bound() > 0))
     reject("binding energy", motion.bound(), "J", "it must be greater than 0: the orbit is open");
+  if (seconds == 0) return;
   const Real mean_rate = 2 * motion.bound();  // on an ellipse, by the theorem of the virial
   const Real ds = mean_rate * seconds / static_cast<Real>(steps);
   while (motion.time() < seconds) {
