@@ -27,6 +27,12 @@ struct Still {
   }
 };
 
+template <class Real>
+struct Turn {
+  static constexpr std::string_view name = "turn";
+  Vec3<Real> torque(const Top<Real>&, Real) const { return {0, 0, 1}; }
+};
+
 /// How many bodies the pass of that name visits.
 template <class AnyWorld>
 std::size_t visited(const AnyWorld& world, const std::string& name) {
@@ -204,9 +210,10 @@ TEST_CASE_TEMPLATE("A torque calls for no drift, a force for no turn, and a plan
                    Real, EVERY_PRECISION) {
   World<Real> world;
   world.add("box", box_body<Real>({0, 0, 0}));
-  const EffectHandle damping = world.add(AngularDamping<Real>{.rate = 1});
-  CHECK(world.facts()[0] == Facts{.can_turn = true, .is_gyroscopic = true, .turns = true});
-  world.remove(damping);
+  const EffectHandle turn = world.add(Turn<Real>{});
+  CHECK(world.facts()[0] ==
+        Facts{.can_turn = true, .is_gyroscopic = true, .is_torqued = true, .turns = true});
+  world.remove(turn);
   world.add(Gravity<Real>{});
   CHECK(world.facts()[0] ==
         Facts{.can_turn = true, .is_gyroscopic = true, .is_pushed = true, .moves = true});

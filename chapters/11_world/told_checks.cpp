@@ -90,9 +90,7 @@ TEST_CASE_TEMPLATE("News name the pass, whom it visits of those it is meant for,
   world.step();
   const auto ball = mass_properties(Sphere<Real>{1}, 1);
   world.add("f", make_rigid_body<Real>("f", ball, {}, {0, 0, 0}, {0, 0, 1}).body);
-  CHECK(told(world,
-             "step 7: steady turning visits 1 of 6, before 0 ('f' came, 'f' got its first "
-             "spin)"));
+  CHECK(told(world, "step 7: steady turning visits 1 of 6, before 0 ('f' came)"));
   world.step();
   const std::size_t so_far = world.news().size();
   world.step();
@@ -123,13 +121,13 @@ TEST_CASE_TEMPLATE("Whatever changes a spring is warned of anew, and nothing els
   tells(0);
   world.replace(box, box_body<Real>({0, 0, 0}));
   tells(1);
-  world.change(held, SpringToPoint<Real>{.spring = stiff<Real>, .attachment = {1, 0, 0}});
+  world.change(held, SpringToPoint<Real>{.spring = {.stiffness = 600}});
   tells(1);
-  world.add(SpringBetween<Real>{.spring = stiff<Real>}, {end, box});
+  world.add(SpringBetween<Real>{.spring = {.stiffness = 500, .rest_length = 9}}, {end, box});
   tells(1);
   const BodyHandle third = world.add("third", box_body<Real>({0, 5, 0}));
   tells(0);
-  world.add(SpringBetween<Real>{.spring = stiff<Real>}, {third, box});
+  world.add(SpringBetween<Real>{.spring = {.stiffness = 500, .rest_length = 5}}, {third, box});
   tells(1);
   world.remove(third);
   tells(1);
