@@ -25,6 +25,15 @@ BodyState<Real> state_of(const RigidBody<Real>& body) {
   return {body.centre, body.top};
 }
 
+/// A body of 1 kg at rest.
+template <class Real>
+RigidBody<Real> still_body(const Vec3<Real>& inverse_moments) {
+  RigidBody<Real> body;
+  body.centre = make_particle<Real>(1);
+  body.top.inverse_moments = inverse_moments;
+  return body;
+}
+
 }  // namespace
 
 TEST_CASE_TEMPLATE("Each value of each effect is refused where it is no number", Real,
@@ -131,6 +140,9 @@ TEST_CASE_TEMPLATE("A tether pulls as soon as it is taut, however weakly, and st
   CHECK(same_bits(spring_force<Real>(tether, along_x(Real(0.5)), still), still));
   CHECK(spring_energy<Real>(tether, along_x(Real(1.5))) == Real(0.125));
   CHECK(spring_energy<Real>(tether, along_x(Real(0.5))) == 0);
+  // Half a metre short of taut, and parting at 4 m/s: the damper has nothing to hold on to.
+  const Spring<Real> slack{.stiffness = 1, .damping = 1, .rest_length = 1, .only_pulls = true};
+  CHECK(same_bits(spring_force<Real>(slack, {Real(0.5), 0, 0}, {4, 0, 0}), Vec3<Real>(0, 0, 0)));
 }
 
 TEST_CASE_TEMPLATE("A body is whole only if each of its numbers is", Real, EVERY_PRECISION) {
@@ -238,6 +250,21 @@ TEST_CASE_TEMPLATE(
 TEST_CASE_TEMPLATE("Why an effect is skipped can be asked of the effect itself", Real,
                    EVERY_PRECISION) {
   CHECK(why_skipped<Real>(Gravity<Real>{}, Facts{}).empty());
-  CHECK(why_skipped<Real>(Gravity<Real>{}, Facts{.is_static = true}) == "nothing can move them");
+  CHECK(why_skipped<Real>(Gravity<Real>{}, Facts{.is_static = true, .can_turn = true}) ==
+        "nothing can move them");
   CHECK(why_skipped<Real>(Gravity<Real>{{0, 0, 0}}, Facts{}) == "gravity is zero");
+}
+
+TEST_CASE_TEMPLATE("The arm at either end counts for the body at that end", Real, EVERY_PRECISION) {
+  RigidBody<Real> light = still_body<Real>({4, 4, 4}), heavy = still_body<Real>({0, 0, 0});
+  for (const bool at_first : {true, false}) {
+    World<Real> world;
+    const BodyHandle one = world.add("one", light), other = world.add("other", heavy);
+    SpringBetween<Real> spring{.spring = {.stiffness = 1}};
+    (at_first ? spring.attachment_first : spring.attachment_second) = {1, 0, 0};
+    world.add(spring, at_first ? std::vector{one, other} : std::vector{other, one});
+    // 1/m + arm²/I is 1 + 4 at the one end and 1 at the other.
+    CHECK(std::abs(world.spring_limit().time_step - 2 / std::sqrt(Real(6))) <=
+          8 * unit_roundoff<Real>);
+  }
 }

@@ -21,15 +21,33 @@ RigidBody<Real> box_body(const Vec3<Real>& place) {
 }
 
 /// The error of a step that must fail.
-template <class AnyWorld>
-SimulationError failure_of(AnyWorld& world) {
+template <class Step>
+SimulationError failure_in(const Step& step) {
   try {
-    world.step();
+    step();
   } catch (const SimulationError& error) {
     return error;
   }
   return {"nothing thrown", "", "", -1};
 }
+
+template <class AnyWorld>
+SimulationError failure_of(AnyWorld& world) {
+  return failure_in([&] { world.step(); });
+}
+
+/// An effect that joins two bodies and gives a force or a torque that is none.
+template <class Real>
+struct BrokenJoint {
+  static constexpr std::string_view name = "broken joint";
+  bool breaks_force;
+  PairPush<Real> push(const BodyState<Real>&, const BodyState<Real>&, Real) const {
+    const Vec3<Real> bad(0, std::numeric_limits<Real>::quiet_NaN(), 0);
+    PairPush<Real> push;
+    (breaks_force ? push.force_on_first : push.torque_on_second) = bad;
+    return push;
+  }
+};
 
 /// The same force on everybody.
 template <class Real>
@@ -49,62 +67,12 @@ struct Spoiler {
   }
 };
 
-}  // namespace
-
-TEST_CASE_TEMPLATE("Forces that are finite each and infinite together are blamed on no effect",
-                   Real, EVERY_PRECISION) {
-  for (const bool with_acceleration : {false, true}) {
-    World<Real> world(steps_per_second(1));
-    world.add("ball", make_particle<Real>(1));
-    world.add(Pull<Real>{"one", {most<Real>, 0, 0}});
-    world.add(Pull<Real>{"other", {most<Real>, 0, 0}});
-    // It acts on the velocity, after the sum has overflowed.
-    if (with_acceleration) world.add(GravityAsAcceleration<Real>{{0, 0, -2}});
-    world.add(LinearDamping<Real>{.rate = 1});  // and this on what is infinite by then
-    const SimulationError error = failure_of(world);
-    CHECK(error.body == "ball");
-    CHECK(error.effect == "");
-    CHECK(std::string(error.what()) ==
-          std::string("'ball' at 0 s (step 0): with a velocity of (inf, 0, ") +
-              (with_acceleration ? "-2" : "0") +
-              ") m/s the step would lead to no finite position; the world is as it was before "
-              "this step");
-  }
-}
-
-TEST_CASE_TEMPLATE("A push of one step that is too strong is told by the speed that it gives", Real,
-                   EVERY_PRECISION) {
-  World<Real> world(steps_per_second(1));
-  world.step();
-  const BodyHandle ball = world.add("ball", make_particle<Real>(Real(0.25)));
-  world.push_at(ball, {0, most<Real>, 0}, {0, 0, 0});
-  const SimulationError error = failure_of(world);
-  CHECK(error.effect == "");
-  CHECK(error.time == 1);
-  CHECK(std::string(error.what())
-            .find("'ball' at 1 s (step 1): with a velocity of (0, inf, 0) "
-                  "m/s the step would lead to no finite position") == 0);
-}
-
-TEST_CASE_TEMPLATE("Of two effects that give no number the one is blamed that acts first", Real,
-                   EVERY_PRECISION) {
-  World<Real> world;
-  world.add("bystander", make_static_particle<Real>({0, 0, 0}));
-  world.add("ball", make_particle<Real>(1));
-  world.add(Spoiler<Real, Phase::drift>{"drift"});
-  const auto blamed = [&] { return failure_of(world).effect; };
-  CHECK(blamed() == "drift");
-  world.add(Spoiler<Real, Phase::damping>{"damping"});
-  CHECK(blamed() == "damping");
-  world.add(Spoiler<Real, Phase::impulse>{"impulse"});
-  CHECK(blamed() == "impulse");
-  world.add(Spoiler<Real, Phase::kick>{"kick"});
-  CHECK(blamed() == "kick");
-  world.add(Pull<Real>{"force", {0, most<Real> * 2, 0}});
-  CHECK(blamed() == "force");
-}
-
-namespace {
+/// A torque as large as a number can be.
+template <class Real>
+struct Twist {
+  std::string name;
+  Vec3<Real> torque(const Top<Real>&, Real) const { return {0, 0, most<Real>}; }
+};
 
 /// Gives no number once the body has moved, or turned.
 template <class Real>
@@ -145,6 +113,80 @@ struct BadFacing {
 };
 
 }  // namespace
+
+TEST_CASE_TEMPLATE("Forces that are finite each and infinite together are blamed on no effect",
+                   Real, EVERY_PRECISION) {
+  for (const bool with_acceleration : {false, true}) {
+    World<Real> world(steps_per_second(1));
+    world.add("ball", make_particle<Real>(1));
+    world.add(Pull<Real>{"one", {most<Real>, 0, 0}});
+    world.add(Pull<Real>{"other", {most<Real>, 0, 0}});
+    // It acts on the velocity, after the sum has overflowed.
+    if (with_acceleration) world.add(GravityAsAcceleration<Real>{{0, 0, -2}});
+    world.add(LinearDamping<Real>{.rate = 1});  // and this on what is infinite by then
+    const SimulationError error = failure_of(world);
+    CHECK(error.body == "ball");
+    CHECK(error.effect == "");
+    CHECK(std::string(error.what()) ==
+          std::string("'ball' at 0 s (step 0): with a velocity of (inf, 0, ") +
+              (with_acceleration ? "-2" : "0") +
+              ") m/s the step would lead to no finite position; the world is as it was before "
+              "this step");
+  }
+}
+
+TEST_CASE_TEMPLATE("Torques that are finite each and infinite together are blamed on no effect",
+                   Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(1));
+  world.add("box", box_body<Real>({0, 0, 0}));
+  world.add(Twist<Real>{"one"}, {world.find("box")});
+  world.add(Twist<Real>{"other"}, {world.find("box")});
+  const SimulationError error = failure_of(world);
+  CHECK(error.effect == "");
+  CHECK(std::string(error.what()).find("it would turn by ") != std::string::npos);
+}
+
+TEST_CASE_TEMPLATE("Who is lost from its place is named before who is lost from its orientation",
+                   Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(1));
+  world.add("first", box_body<Real>({0, 0, 0}));
+  world.add("second", box_body<Real>({9, 0, 0}));
+  world.add(BadSpin<Real>{}, {world.find("first")});
+  world.add(Spoiler<Real, Phase::kick>{"spoiler"}, {world.find("second")});
+  CHECK(failure_of(world).body == "second");
+}
+
+TEST_CASE_TEMPLATE("A push of one step that is too strong is told by the speed that it gives", Real,
+                   EVERY_PRECISION) {
+  World<Real> world(steps_per_second(1));
+  world.step();
+  const BodyHandle ball = world.add("ball", make_particle<Real>(Real(0.25)));
+  world.push_at(ball, {0, most<Real>, 0}, {0, 0, 0});
+  const SimulationError error = failure_of(world);
+  CHECK(error.effect == "");
+  CHECK(error.time == 1);
+  CHECK(std::string(error.what())
+            .find("'ball' at 1 s (step 1): with a velocity of (0, inf, 0) "
+                  "m/s the step would lead to no finite position") == 0);
+}
+
+TEST_CASE_TEMPLATE("Of two effects that give no number the one is blamed that acts first", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  world.add("bystander", make_static_particle<Real>({0, 0, 0}));
+  world.add("ball", make_particle<Real>(1));
+  world.add(Spoiler<Real, Phase::drift>{"drift"});
+  const auto blamed = [&] { return failure_of(world).effect; };
+  CHECK(blamed() == "drift");
+  world.add(Spoiler<Real, Phase::damping>{"damping"});
+  CHECK(blamed() == "damping");
+  world.add(Spoiler<Real, Phase::impulse>{"impulse"});
+  CHECK(blamed() == "impulse");
+  world.add(Spoiler<Real, Phase::kick>{"kick"});
+  CHECK(blamed() == "kick");
+  world.add(Pull<Real>{"force", {0, most<Real> * 2, 0}});
+  CHECK(blamed() == "force");
+}
 
 TEST_CASE_TEMPLATE("Whatever an effect writes that is no number is named with its unit", Real,
                    EVERY_PRECISION) {
@@ -210,4 +252,35 @@ TEST_CASE_TEMPLATE("A speed and a spin that lead too far are told as the kick ha
   CHECK(std::string(failure_of(turning).what())
             .find("it would turn by " + text_of(torque) + " rad in this step") !=
         std::string::npos);
+}
+
+TEST_CASE_TEMPLATE("A joint that gives no number is named, with what it gave to the lost body",
+                   Real, EVERY_PRECISION) {
+  for (const bool force : {true, false}) {
+    World<Real> world;
+    world.add("bystander", box_body<Real>({9, 0, 0}));
+    const BodyHandle a = world.add("a", box_body<Real>({0, 0, 0}));
+    const BodyHandle b = world.add("b", box_body<Real>({3, 0, 0}));
+    const BodyHandle c = world.add("c", box_body<Real>({6, 0, 0}));
+    world.add(SpringBetween<Real>{.spring = {.stiffness = 1}}, {a, c});
+    world.add(BrokenJoint<Real>{force}, {a, b});
+    const std::string lost = force ? "'a' at 0 s (step 0): " : "'b' at 0 s (step 0): ";
+    const std::string gave = force ? "a force of (0, nan, 0) N" : "a torque of (0, nan, 0) N m";
+    CHECK(std::string(failure_of(world).what()).find(lost + "broken joint gives " + gave) == 0);
+  }
+}
+
+TEST_CASE_TEMPLATE("The reference run stops where the run by plan does, and says the same", Real,
+                   EVERY_PRECISION) {
+  const auto complaint = [](bool by_plan) {
+    World<Real> world;
+    const BodyHandle a = world.add("a", box_body<Real>({0, 0, 0}));
+    const BodyHandle b = world.add("b", box_body<Real>({3, 0, 0}));
+    world.add(Gravity<Real>{.gravity = {0, 0, -1}});
+    world.add(BrokenJoint<Real>{true}, {a, b});
+    return std::string(
+        failure_in([&] { by_plan ? world.step() : world.step_by_reference(); }).what());
+  };
+  CHECK(complaint(true).find("'a' at 0 s (step 0): broken joint gives ") == 0);
+  CHECK(complaint(false) == complaint(true));
 }

@@ -84,4 +84,8 @@ TEST_CASE("A long group that becomes a list knows who comes later") {
   CHECK(group.size() == 41);
   group.erase(50);
   CHECK_FALSE(group.contains(50));
+  for (BodyIndex i = 0; i < 30; ++i) group.erase(i);  // so few that they are searched
+  group.insert(60);
+  CHECK(group.contains(60));
+  CHECK(group.size() == 11);
 }

@@ -2,7 +2,7 @@
 #include <course/checks.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/ledger.hpp>
-#include <tumble/solids.hpp>
+#include <tumble/thruster.hpp>
 #include <tumble/world.hpp>
 
 using namespace tumble;
@@ -169,4 +169,17 @@ TEST_CASE_TEMPLATE("The energy of a joint is asked with the first body first; ot
   const Top<Real> top;
   const EffectOf<Real, TorqueOnBody<Real>> torque(TorqueOnBody<Real>{});
   CHECK(torque.potential_energy({centre, top}, {centre, top}) == 0);
+}
+
+TEST_CASE_TEMPLATE("A thruster for everyone pushes no point and leaves no torque on what is locked",
+                   Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(1));
+  const BodyHandle point = world.add("point", make_particle<Real>(1));
+  const BodyHandle locked = world.add("locked", body_at<Real>({0, 0, 0}, {0, 0, 0}));
+  world.add(Thruster<Real>{.force_body = {2, 0, 0}, .point = {0, 1, 0}});
+  world.step();
+  CHECK(same_bits(world.body(point).centre.velocity, Vec3<Real>(0, 0, 0)));
+  CHECK(same_bits(world.body(locked).centre.velocity, Vec3<Real>(2, 0, 0)));
+  CHECK(same_bits(world.body(locked).top.torque, Vec3<Real>(0, 0, 0)));
+  CHECK(world.plan().rows[0].reason == "not 1: points have no orientation");
 }

@@ -17,6 +17,22 @@ RigidBody<Real> box_body(const Vec3<Real>& place) {
   return make_rigid_body<Real>("box", mass_properties(Box<Real>{{1, 2, 3}}, 2), {place}).body;
 }
 
+/// Leaves the velocity as it is.
+template <class Real, Phase when>
+struct Still {
+  static constexpr Phase phase = when;
+  std::string name;
+  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>&) const {
+    return centre.velocity;
+  }
+};
+
+template <class Real>
+struct Turn {
+  static constexpr std::string_view name = "turn";
+  Vec3<Real> torque(const Top<Real>&, Real) const { return {0, 0, 1}; }
+};
+
 /// How many bodies the pass of that name visits.
 template <class AnyWorld>
 std::size_t visited(const AnyWorld& world, const std::string& name) {
@@ -86,6 +102,7 @@ TEST_CASE_TEMPLATE("A pair is joined while one of the two can be moved, and not 
   const BodyHandle box = world.add("box", box_body<Real>({4, 0, 0}));
   const BodyHandle other = world.add("other", box_body<Real>({8, 0, 0}));
   world.add(SpringBetween<Real>{.spring = {.stiffness = 1}}, {wall, box, other, box});
+  world.add(SpringBetween<Real>{.spring = {.stiffness = 1}, .name = "second"}, {wall, box});
   const std::string spring = "spring between bodies";
   CHECK(visited(world, spring) == 2);
   world.replace(box, make_static_body<Real>("box", {{4, 0, 0}}));
@@ -94,6 +111,7 @@ TEST_CASE_TEMPLATE("A pair is joined while one of the two can be moved, and not 
   CHECK(plan.rows[0].effect == spring);
   CHECK(plan.rows[0].of == 2);
   CHECK(plan.rows[0].reason == "not 1: nothing can move either of the two");
+  CHECK(plan.rows[1].reason == "not 1: nothing can move either of the two");
   world.replace(box, box_body<Real>({4, 0, 0}));
   CHECK(visited(world, spring) == 2);
   CHECK(world.plan().rows[0].reason == "every pair calls for it");
@@ -120,6 +138,12 @@ TEST_CASE_TEMPLATE("An effect that nobody needs any more is in no phase", Real, 
   CHECK(runs(world, Phase::force) == 0);
   world.remove(box);
   CHECK(runs(world, Phase::damping) == 0);
+  World<Real> alone;
+  alone.add(Gravity<Real>{});
+  const BodyHandle only = alone.add("only", make_particle<Real>(1));
+  CHECK(runs(alone, Phase::force) == 1);
+  alone.remove(only);
+  CHECK(runs(alone, Phase::force) == 0);
 }
 
 TEST_CASE_TEMPLATE("Who is taken back to rest is visited no more, and who moved then is again",
@@ -161,6 +185,11 @@ TEST_CASE_TEMPLATE("A push of one step calls for one kick, and for none if the w
   };
   world.push_at(box, {2, 0, 0}, {0, 1, 0});
   CHECK(kicks() == std::pair<std::size_t, std::size_t>(1, 1));
+  World<Real> reference = world, exhaustive = world;
+  reference.step_by_reference();
+  exhaustive.step_exhaustively();
+  CHECK(reference.body(box).centre.velocity.x() == 1);
+  CHECK(exhaustive.body(box).centre.velocity.x() == 1);
   world.step();
   CHECK(world.body(box).centre.velocity.x() == 1);
   CHECK(kicks() == std::pair<std::size_t, std::size_t>(0, 0));
@@ -175,4 +204,59 @@ TEST_CASE_TEMPLATE("A push of one step calls for one kick, and for none if the w
   CHECK(complaint_of([&] {
           world.push_at(box, {0, 0, 0}, {0, 0, std::numeric_limits<Real>::infinity()});
         }) == "box: point of the force is (0, 0, inf) m; every component must be finite");
+}
+
+TEST_CASE_TEMPLATE("A torque calls for no drift, a force for no turn, and a plan lists every phase",
+                   Real, EVERY_PRECISION) {
+  World<Real> world;
+  world.add("box", box_body<Real>({0, 0, 0}));
+  const EffectHandle turn = world.add(Turn<Real>{});
+  CHECK(world.facts()[0] ==
+        Facts{.can_turn = true, .is_gyroscopic = true, .is_torqued = true, .turns = true});
+  world.remove(turn);
+  world.add(Gravity<Real>{});
+  CHECK(world.facts()[0] ==
+        Facts{.can_turn = true, .is_gyroscopic = true, .is_pushed = true, .moves = true});
+  world.add(Still<Real, Phase::drift>{"e"});
+  world.add(Still<Real, Phase::damping>{"d"});
+  world.add(Still<Real, Phase::impulse>{"c"});
+  world.add(Still<Real, Phase::kick>{"b"});
+  world.add(Still<Real, Phase::force>{"a"});
+  std::vector<std::string> names;
+  for (const PlanRow& row : world.plan().rows) names.push_back(row.effect);
+  CHECK(names == std::vector<std::string>{"gravity", "a", "b", "kick", "kick of the spin", "c", "d",
+                                          "drift", "steady turning", "tumbling: splitting", "e"});
+}
+
+TEST_CASE_TEMPLATE("Whatever may change the work of a step gives it a new number", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  std::uint64_t before = world.work().version;
+  const auto is_new = [&] { return std::exchange(before, world.work().version) != before; };
+  const BodyHandle box = world.add("box", box_body<Real>({0, 0, 0}));
+  CHECK(is_new());
+  world.add("stone", make_particle<Real>(1));
+  CHECK(is_new());
+  const EffectHandle gravity = world.add(Gravity<Real>{}, {box});
+  CHECK(is_new());
+  world.change(gravity, Gravity<Real>{{0, 0, 1}});
+  CHECK(is_new());
+  world.turn_by(Steady{});
+  CHECK(is_new());
+  world.set_velocity(box, {1, 0, 0});
+  CHECK(is_new());
+  world.remove(gravity);
+  CHECK(is_new());
+  world.remove(world.find("stone"));
+  CHECK(is_new());
+}
+
+TEST_CASE_TEMPLATE("A body of a copy that has more of them is nobody in the original", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  world.add("a", make_particle<Real>(1));
+  World<Real> copy = world;
+  const BodyHandle more = copy.add("b", make_particle<Real>(1));
+  CHECK(copy.contains(more));
+  CHECK_FALSE(world.contains(more));
 }

@@ -7,7 +7,9 @@
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/solids.hpp>
+#include <tumble/spheres.hpp>
 #include <tumble/springs.hpp>
+#include <tumble/thruster.hpp>
 #include <tumble/world.hpp>
 
 using namespace tumble;
@@ -23,6 +25,13 @@ RigidBody<Real> box_body(const Vec3<Real>& place) {
 /// A spring on which no step of a second is safe.
 template <class Real>
 constexpr Spring<Real> stiff = {.stiffness = 500};
+
+/// Whether the sentence is among the news.
+template <class AnyWorld>
+bool told(const AnyWorld& world, const std::string& sentence) {
+  const std::vector<std::string> news = world.news();
+  return std::find(news.begin(), news.end(), sentence) != news.end();
+}
 
 /// What is written to standard error meanwhile.
 template <class Action>
@@ -69,10 +78,20 @@ TEST_CASE_TEMPLATE("News name the pass, whom it visits of those it is meant for,
   world.step();
   world.change(gravity, Gravity<Real>{});
   world.step();
-  world.add("e", box_body<Real>({0, 0, 0}));
-  world.set_angular_velocity(world.find("e"), {1, 2, 3});
+  world.turn_by(Steady{});
+  const BodyHandle box = world.add("e", box_body<Real>({0, 0, 0}));
+  world.set_angular_velocity(box, {1, 2, 3});
   CHECK(world.news().back() ==
-        "step 5: tumbling: splitting visits 1 of 5, before 0 ('e' came, 'e' got its first spin)");
+        "step 5: tumbling: steady visits 1 of 5, before 0 (another method of turning was chosen, "
+        "'e' came, 'e' got its first spin)");
+  world.step();
+  world.add(Thruster<Real>{.force_body = {1, 0, 0}, .point = {0, 1, 0}}, {box});
+  CHECK(told(world, "step 6: kick of the spin visits 1 of 5, before 0 ('thruster' came)"));
+  world.step();
+  const auto ball = mass_properties(Sphere<Real>{1}, 1);
+  world.add("f", make_rigid_body<Real>("f", ball, {}, {0, 0, 0}, {0, 0, 1}).body);
+  CHECK(told(world, "step 7: steady turning visits 1 of 6, before 0 ('f' came)"));
+  world.step();
   const std::size_t so_far = world.news().size();
   world.step();
   world.remove(gravity);
@@ -102,32 +121,44 @@ TEST_CASE_TEMPLATE("Whatever changes a spring is warned of anew, and nothing els
   tells(0);
   world.replace(box, box_body<Real>({0, 0, 0}));
   tells(1);
-  world.change(held, SpringToPoint<Real>{.spring = stiff<Real>, .attachment = {1, 0, 0}});
+  world.change(held, SpringToPoint<Real>{.spring = {.stiffness = 600}});
   tells(1);
-  world.add(SpringBetween<Real>{.spring = stiff<Real>}, {end, box});
+  world.add(SpringBetween<Real>{.spring = {.stiffness = 500, .rest_length = 9}}, {end, box});
+  tells(1);
+  const BodyHandle third = world.add("third", box_body<Real>({0, 5, 0}));
+  tells(0);
+  world.add(SpringBetween<Real>{.spring = {.stiffness = 500, .rest_length = 5}}, {third, box});
+  tells(1);
+  world.remove(third);
   tells(1);
   world.remove(held);
   tells(1);
   CHECK(told[0].find("'spring between bodies' on 'end' may gain energy") == 0);
   world.remove(end);
   tells(0);
+  world.add(SpringToPoint<Real>{.spring = stiff<Real>});
+  tells(1);
+  world.add("new", make_particle<Real>(1));  // held by it too
+  tells(1);
 }
 
 TEST_CASE_TEMPLATE("A spring for everyone is limited by the lightest, and named by the first", Real,
                    EVERY_PRECISION) {
-  for (const bool light_comes_first : {true, false}) {
+  for (int lightest = 0; lightest < 3; ++lightest) {
     World<Real> world(steps_per_second(1));
-    world.add("first", make_particle<Real>(light_comes_first ? 1 : 4));
-    world.add("second", make_particle<Real>(light_comes_first ? 4 : 1));
-    world.add(SpringToPoint<Real>{.spring = {.stiffness = 16}});
+    for (int n = 0; n < 3; ++n)
+      world.add("body " + std::to_string(n), make_particle<Real>(n == lightest ? 1 : 4));
+    const EffectHandle springs = world.add(SpringToPoint<Real>{.spring = {.stiffness = 16}});
     CHECK(world.spring_limit().time_step == Real(0.5));  // 2/sqrt(16/1), of squares: no rounding
     REQUIRE(world.warnings().size() == 1);
     const std::string warning =
-        "'spring' on 'first' may gain energy without bound: the time step is 1 s, and only up to "
+        "'spring' on 'body 0' may gain energy without bound: the time step is 1 s, and only up to "
         "0.5 s can this be excluded";
     CHECK(world.warnings()[0] == warning);
     const std::string table = table_of(world.plan());
     CHECK(table.substr(table.rfind("\nwarning: ")) == "\nwarning: " + warning + "\n");
+    world.change(springs, SpringToPoint<Real>{.spring = {.stiffness = 4}});
+    CHECK(world.warnings().empty());  // the step is the limit itself
   }
 }
 
@@ -139,15 +170,30 @@ TEST_CASE("A warning that nobody asked for goes to standard error") {
   CHECK(said_to_standard_error([&] { world.step(); }) == "");
 }
 
-TEST_CASE("Each reason in a row of a plan is counted, and all are named") {
+TEST_CASE("A row of a plan counts those that the effect is meant for, and each reason") {
   World<double> world;
-  world.add("wall", make_static_particle<double>({0, 0, 0}));
+  const BodyHandle wall = world.add("wall", make_static_particle<double>({0, 0, 0}));
   world.add("nail", make_static_body<double>("nail", {}));
-  world.add("point", make_particle<double>(1));
+  const BodyHandle point = world.add("point", make_particle<double>(1));
+  const BodyHandle box = world.add("box", box_body<double>({0, 0, 0}));
   world.add(AngularDamping<double>{.rate = 1});
-  for (const PlanRow& row : world.plan().rows)
-    if (row.effect == "angular damping")
-      CHECK(row.reason == "not 2: points do not turn; not 1: locked about every axis");
+  world.add(Gravity<double>{}, {wall, point});
+  world.add(SpringToPoint<double>{.spring = {.stiffness = 1}, .name = "held"}, {box});
+  world.add(
+      SpringToPoint<double>{.spring = {.stiffness = 1}, .attachment = {1, 0, 0}, .name = "bent"},
+      {box});
+  world.add(Thruster<double>{.force_body = {1, 0, 0}}, {box});
+  const auto row = [plan = world.plan()](const std::string& effect) {
+    return *std::find_if(plan.rows.begin(), plan.rows.end(),
+                         [&](const PlanRow& one) { return one.effect == effect; });
+  };
+  CHECK(row("angular damping").reason ==
+        "not 2: points do not turn; not 1: locked about every axis");
+  CHECK(row("gravity").reason == "not 1: nothing can move them");
+  CHECK(row("gravity").of == 2);
+  CHECK(row("held").writes == "force");
+  CHECK(row("bent").writes == "force, torque");
+  CHECK(row("thruster").reads == "time, orientation");
 }
 
 TEST_CASE_TEMPLATE("An effect that needs a top is refused a point, at first and when it changes",
@@ -167,4 +213,48 @@ TEST_CASE_TEMPLATE("An effect that needs a top is refused a point, at first and 
   CHECK(complaint_of([&] { world.change(joint, Joint{.attachment_first = off}); }) == sentence);
   world.change(joint, Joint{});
   CHECK(world.effects()[0].targets.size() == 2);
+}
+
+TEST_CASE_TEMPLATE("The news name three causes and count the others", Real, EVERY_PRECISION) {
+  const auto news_after = [](int changes) {
+    World<Real> world;
+    const BodyHandle box = world.add("box", box_body<Real>({0, 0, 0}));
+    world.step();  // what was there at the first step is no news
+    for (int n = 0; n < changes; ++n) world.replace(box, box_body<Real>({Real(n), 0, 0}));
+    world.set_velocity(box, {1, 0, 0});
+    std::string all;
+    for (const std::string& sentence : world.news()) all += sentence;
+    return all;
+  };
+  const std::string replaced = "'box' was replaced", moved = "'box' got its first velocity";
+  CHECK(news_after(2).find(replaced + ", " + replaced + ", " + moved) != std::string::npos);
+  CHECK(news_after(2).find(" more") == std::string::npos);
+  CHECK(news_after(5).find(replaced + ", " + replaced + ", " + replaced + " and 3 more") !=
+        std::string::npos);
+}
+
+TEST_CASE_TEMPLATE("The last hundred sentences of news are kept", Real, EVERY_PRECISION) {
+  World<Real> world;
+  world.step();
+  for (int n = 0; n < 150; ++n) {
+    world.add(std::to_string(n), make_particle<Real>(1, {0, 0, 0}, {1, 0, 0}));
+    world.step();
+  }
+  CHECK(world.news().size() == 100);
+  CHECK(world.news().back() == "step 150: drift visits 150 of 150, before 149 ('149' came)");
+}
+
+TEST_CASE_TEMPLATE("A warning reaches the function that one gives, once for each change", Real,
+                   EVERY_PRECISION) {
+  World<Real> world(steps_per_second(10));
+  std::vector<std::string> told;
+  world.on_warning([&](const std::string& warning) { told.push_back(warning); });
+  const BodyHandle ball = world.add("ball", make_particle<Real>(1));
+  world.add(SpringToPoint<Real>{.spring = {.stiffness = 500}}, {ball});
+  for (int n = 0; n < 3; ++n) world.step();
+  REQUIRE(told.size() == 1);
+  CHECK(told[0] == world.warnings()[0]);
+  world.add("other", make_particle<Real>(1));  // no spring holds it
+  world.step();
+  CHECK(told.size() == 1);
 }

@@ -13,19 +13,6 @@ RigidBody<Real> box_body(const Vec3<Real>& place) {
   return make_rigid_body<Real>("box", mass_properties(Box<Real>{{1, 2, 3}}, 2), {place}).body;
 }
 
-/// An effect that joins two bodies and from a given time on gives a force or a torque that is none.
-template <class Real>
-struct BrokenJoint {
-  static constexpr std::string_view name = "broken joint";
-  bool breaks_force;
-  PairPush<Real> push(const BodyState<Real>&, const BodyState<Real>&, Real) const {
-    const Vec3<Real> bad(0, std::numeric_limits<Real>::quiet_NaN(), 0);
-    PairPush<Real> push;
-    (breaks_force ? push.force_on_first : push.torque_on_second) = bad;
-    return push;
-  }
-};
-
 template <class Action>
 std::string sentence_of(const Action& action) {
   try {
@@ -85,6 +72,10 @@ TEST_CASE_TEMPLATE("A blow that makes a speed or a spin infinite is refused", Re
   CHECK(sentence_of([&] {
           world.apply_impulse_at(box, {0, most / 8, 0}, {0, 0, 64});
         }).find("box: angular momentum after the blow is ") == 0);
+  const std::string spun = sentence_of([&] {
+    world.apply_impulse_at(box, {0, most / 8, 0}, {0, 0, 64});
+  });
+  CHECK(spun.substr(spun.rfind(')')) == ") kg m^2/s; every component must be finite");
   CHECK(world.body(box).centre.velocity == Vec3<Real>::Zero());
 }
 
@@ -119,52 +110,6 @@ TEST_CASE_TEMPLATE(
   CHECK(world.body(world.find("first")).centre.position.x() == 3);
 }
 
-TEST_CASE_TEMPLATE("A joint that gives no number is named, with what it gave to the lost body",
-                   Real, EVERY_PRECISION) {
-  for (const bool force : {true, false}) {
-    World<Real> world;
-    world.add("bystander", box_body<Real>({9, 0, 0}));
-    const BodyHandle a = world.add("a", box_body<Real>({0, 0, 0}));
-    const BodyHandle b = world.add("b", box_body<Real>({3, 0, 0}));
-    const BodyHandle c = world.add("c", box_body<Real>({6, 0, 0}));
-    world.add(SpringBetween<Real>{.spring = {.stiffness = 1}}, {a, c});
-    world.add(BrokenJoint<Real>{force}, {a, b});
-    const std::string lost = force ? "'a' at 0 s (step 0): " : "'b' at 0 s (step 0): ";
-    const std::string gave = force ? "a force of (0, nan, 0) N" : "a torque of (0, nan, 0) N m";
-    CHECK(sentence_of([&] { world.step(); }).find(lost + "broken joint gives " + gave) == 0);
-  }
-}
-
-TEST_CASE_TEMPLATE("The news name three causes and count the others", Real, EVERY_PRECISION) {
-  const auto news_after = [](int changes) {
-    World<Real> world;
-    const BodyHandle box = world.add("box", box_body<Real>({0, 0, 0}));
-    world.step();  // what was there at the first step is no news
-    for (int n = 0; n < changes; ++n) world.replace(box, box_body<Real>({Real(n), 0, 0}));
-    world.set_velocity(box, {1, 0, 0});
-    std::string all;
-    for (const std::string& sentence : world.news()) all += sentence;
-    return all;
-  };
-  const std::string replaced = "'box' was replaced", moved = "'box' got its first velocity";
-  CHECK(news_after(2).find(replaced + ", " + replaced + ", " + moved) != std::string::npos);
-  CHECK(news_after(2).find(" more") == std::string::npos);
-  CHECK(news_after(5).find(replaced + ", " + replaced + ", " + replaced + " and 3 more") !=
-        std::string::npos);
-}
-
-TEST_CASE_TEMPLATE("Two springs and two weights store the sum of their energies", Real,
-                   EVERY_PRECISION) {
-  World<Real> world;
-  const BodyHandle a = world.add("a", make_particle<Real>(1, {0, 0, 1}));
-  const BodyHandle b = world.add("b", make_particle<Real>(2, {0, 0, 4}));
-  const BodyHandle c = world.add("c", make_particle<Real>(4, {0, 0, 8}));
-  world.add(Gravity<Real>{.gravity = {0, 0, -2}}, {a, b});
-  world.add(SpringBetween<Real>{.spring = {.stiffness = 2, .rest_length = 1}}, {a, b, b, c});
-  // m g z of two: 2 + 16; k s²/2 of stretches 2 and 3: 4 + 9. Small whole numbers round nothing.
-  CHECK(Ledger<Real>::stored(world) == 31);
-}
-
 TEST_CASE_TEMPLATE("A world of no time stands still, and one that runs backwards is refused", Real,
                    EVERY_PRECISION) {
   World<Real> still(StepLength{0, 1});
@@ -172,48 +117,6 @@ TEST_CASE_TEMPLATE("A world of no time stands still, and one that runs backwards
   still.step();
   CHECK(still.body(ball).centre.position.x() == 1);
   CHECK(sentence_of([] { World<Real>(StepLength{-1, 1}); }) != "nothing thrown");
-}
-
-TEST_CASE("Plans and books are tables whose columns are in line") {
-  World<double> world(steps_per_second(2));
-  world.add("stone", make_particle<double>(2, {1, 0, 8}));
-  world.add("wall", make_static_particle<double>({0, 0, 0}));
-  world.add(Gravity<double>{.gravity = {0, 0, -4}});
-  CHECK(table_of(world.plan()) ==
-        R"(effect               phase    bodies  reads                writes             why
-gravity              force    1 of 2  mass                 force              not 1: nothing can move them
-kick                 kick     1 of 2  force                velocity           not 1: nothing can move them
-drift                drift    1 of 2  velocity             position           not 1: nothing can move them
-kick of the spin     no pass  0 of 2  orientation, torque  spin               not 2: points do not turn
-steady turning       no pass  0 of 2  spin                 orientation        not 2: points do not turn
-tumbling: splitting  no pass  0 of 2  spin                 orientation, spin  not 2: points do not turn
-order 1: semi-implicit Euler
-)");
-  Ledger<double> ledger(world);
-  ledger.step(world);
-  // Half a second of 8 N: -4 N s at a mean speed of -1 m/s, and 1 m beside the origin.
-  CHECK(table_of(ledger, world) ==
-        R"(              energy, J  momentum x, y, z, kg m/s      angular momentum x, y, z, kg m^2/s
-at the start          0          0         0         0          0         0         0
-+ gravity             4          0         0        -4          0         4         0
-+ drift               0          0         0         0          0         0         0
-now                   4          0         0        -4          0         4         0
-unexplained           0          0         0         0          0         0         0
-)");
-}
-
-TEST_CASE_TEMPLATE("The reference run stops where the run by plan does, and says the same", Real,
-                   EVERY_PRECISION) {
-  const auto complaint = [](bool by_plan) {
-    World<Real> world;
-    const BodyHandle a = world.add("a", box_body<Real>({0, 0, 0}));
-    const BodyHandle b = world.add("b", box_body<Real>({3, 0, 0}));
-    world.add(Gravity<Real>{.gravity = {0, 0, -1}});
-    world.add(BrokenJoint<Real>{true}, {a, b});
-    return sentence_of([&] { by_plan ? world.step() : world.step_by_reference(); });
-  };
-  CHECK(complaint(true).find("'a' at 0 s (step 0): broken joint gives ") == 0);
-  CHECK(complaint(false) == complaint(true));
 }
 
 TEST_CASE_TEMPLATE(
@@ -224,6 +127,9 @@ TEST_CASE_TEMPLATE(
   loaded.centre.force = {1, 2, 3};
   loaded.top.torque = {4, 5, 6};
   const BodyHandle box = world.add("box", loaded);
+  CHECK(same_bits(world.body(box).centre.force, Vec3<Real>(0, 0, 0)));
+  CHECK(same_bits(world.body(box).top.torque, Vec3<Real>(0, 0, 0)));
+  world.replace(box, loaded);
   CHECK(same_bits(world.body(box).centre.force, Vec3<Real>(0, 0, 0)));
   CHECK(same_bits(world.body(box).top.torque, Vec3<Real>(0, 0, 0)));
   const EffectHandle pull =
@@ -375,30 +281,4 @@ TEST_CASE_TEMPLATE("A chain holds together while bodies before it are removed", 
   world.step();
   CHECK(world.body(a).centre.velocity.x() == Real(0.25));
   CHECK(world.body(b).centre.velocity.x() == Real(-0.25));
-}
-
-TEST_CASE_TEMPLATE("The last hundred sentences of news are kept", Real, EVERY_PRECISION) {
-  World<Real> world;
-  world.step();
-  for (int n = 0; n < 150; ++n) {
-    world.add(std::to_string(n), make_particle<Real>(1, {0, 0, 0}, {1, 0, 0}));
-    world.step();
-  }
-  CHECK(world.news().size() == 100);
-  CHECK(world.news().back() == "step 150: drift visits 150 of 150, before 149 ('149' came)");
-}
-
-TEST_CASE_TEMPLATE("A warning reaches the function that one gives, once for each change", Real,
-                   EVERY_PRECISION) {
-  World<Real> world(steps_per_second(10));
-  std::vector<std::string> told;
-  world.on_warning([&](const std::string& warning) { told.push_back(warning); });
-  const BodyHandle ball = world.add("ball", make_particle<Real>(1));
-  world.add(SpringToPoint<Real>{.spring = {.stiffness = 500}}, {ball});
-  for (int n = 0; n < 3; ++n) world.step();
-  REQUIRE(told.size() == 1);
-  CHECK(told[0] == world.warnings()[0]);
-  world.add("other", make_particle<Real>(1));  // no spring holds it
-  world.step();
-  CHECK(told.size() == 1);
 }

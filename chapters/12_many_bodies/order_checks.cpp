@@ -158,6 +158,8 @@ TEST_CASE_TEMPLATE(
     bodies[parts[part].name] += parts[part].bodies;
     in_parts.keeping().run_part(work, part, moment);
   }
+  CHECK(parts.front().name == "memory of centres");
+  CHECK(parts.back().name == "guard of tops");
   world.step();
   CHECK(same_motion(world.bodies(), in_parts.bodies()));
   const std::size_t turning = work.steady.size() + work.tumbling.size();
@@ -177,3 +179,60 @@ TEST_CASE_TEMPLATE(
                                            {"guard of tops", turning}});
 }
 //! [parts]
+
+namespace {
+
+/// A rule that takes one top at a time: no packs.
+template <class Real>
+struct Single {
+  static constexpr std::string_view name = "single";
+  void operator()(Top<Real>& top, Real time_step) const { turn_by_splitting(top, time_step); }
+};
+
+/// As many bricks as fill some packs and a part of one, all of which tumble and move.
+template <class AnyWorld>
+AnyWorld bricks(AnyWorld world) {
+  using Real = decltype(world.time_step());
+  const MassProperties<Real> brick = mass_properties(Box<Real>{{1, 2, 3}}, 6);
+  for (int n = 0; n < 37; ++n)
+    world.add("brick " + std::to_string(n),
+              make_rigid_body<Real>("brick", brick, {}, {0, 0, 1}, {1, Real(n + 1) / 4, 2}).body);
+  world.turn_by(Single<Real>{});
+  return world;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("A rule that takes no packs turns their tops one by one", Real,
+                   EVERY_PRECISION) {
+  auto plain = bricks(World<Real>(steps_per_second(60)));
+  auto packed = bricks(ManyBodies<Real>(steps_per_second(60)));
+  const Bodies<Real> start = plain.bodies();
+  for (int step = 0; step < 8; ++step) {
+    plain.step();
+    packed.step();
+    REQUIRE(same_motion(plain.bodies(), packed.bodies()));
+  }
+  CHECK_FALSE(same_motion(start, plain.bodies()));
+}
+
+TEST_CASE_TEMPLATE("A world in packs can be stepped by reference, and a part of its step alone",
+                   Real, EVERY_PRECISION) {
+  auto plain = bricks(World<Real>(steps_per_second(60)));
+  auto by_reference = bricks(ManyBodies<Real>(steps_per_second(60)));
+  auto in_part = by_reference;
+  plain.step();
+  by_reference.step_by_reference();
+  CHECK(same_motion(plain.bodies(), by_reference.bodies()));
+  const auto parts = in_part.keeping().parts(in_part.work());
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    if (parts[part].name == "drift") {
+      CHECK(parts[part].bodies == 37);
+      in_part.keeping().run_part(in_part.work(), part, in_part.moment());
+    }
+  for (BodyIndex i = 0; i < 37; ++i) {
+    const RigidBody<Real> drifted = in_part.body(in_part.handle_at(i));
+    CHECK(drifted.centre.position.z() == in_part.time_step());
+    CHECK(same_bits(drifted.top.orientation.imaginary, Vec3<Real>(0, 0, 0)));
+  }
+}

@@ -101,6 +101,10 @@ TEST_CASE_TEMPLATE("A pack computes in each lane what a number alone would, to t
   CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return a - b; }));
   CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return a * b; }));
   CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return a / b; }));
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return a += b; }));
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return a -= b; }));
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return a *= b; }));
+  CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return a /= b; }));
   CHECK(is_same_lane_by_lane<Real>([](auto a, auto) { return -a; }));
   CHECK(is_same_lane_by_lane<Real>([](auto a, auto) { return abs(a); }));
   CHECK(is_same_lane_by_lane<Real>([](auto a, auto) { return sqrt(a); }));

@@ -55,3 +55,36 @@ TEST_CASE("Of equal arguments Carlson's integrals are powers of them") {
     CHECK(std::abs(carlson_rj<double>(x, x, x, x) * (x * std::sqrt(x)) - 1) <= claimed<double>);
   }
 }
+
+TEST_CASE("Carlson's series leave out nothing below the sixth power of the differences") {
+  if (std::numeric_limits<long double>::digits < 64)
+    return;                               // then roundings hide what is left out
+  const auto first = [](long double h) {  // the differences from a mean of 1 add up to 0
+    const long double X = h, Y = 2 * h, Z = -3 * h;
+    const exact::CarlsonSeries<long double> series{.two = X * Y - Z * Z, .three = X * Y * Z};
+    return series.of_first_kind() - carlson_rf<long double>(1 - X, 1 - Y, 1 - Z);
+  };
+  const auto third = [](long double h) {
+    const long double X = h, Y = 2 * h, Z = -7 * h, P = 2 * h;  // P counts twice
+    const long double product = X * Y * Z, two = X * Y + X * Z + Y * Z - 3 * P * P;
+    const exact::CarlsonSeries<long double> series{
+        .two = two,
+        .three = product + 2 * two * P + 4 * P * P * P,
+        .four = (2 * product + two * P + 3 * P * P * P) * P,
+        .five = product * P * P};
+    return series.of_third_kind() - carlson_rj<long double>(1 - X, 1 - Y, 1 - Z, 1 - P);
+  };
+  // With the other sign of all differences odd powers change theirs, so both kinds can be seen by
+  // themselves. Of the even ones the sixth is the first to be left out, of the odd ones the
+  // seventh: halved differences leave a 64th and a 128th, where a wrong coefficient of the fourth
+  // or the fifth power would leave a 16th or a 32nd. The bounds lie half way, by factors.
+  const auto left_out = [](const auto& error, long double h, int sign) {
+    return std::abs(error(h) + static_cast<long double>(sign) * error(-h));
+  };
+  const auto falls = [&](const auto& error, long double h) {
+    CHECK(left_out(error, h, 1) > 32 * left_out(error, h / 2, 1));
+    CHECK(left_out(error, h, -1) > 64 * left_out(error, h / 2, -1));
+  };
+  falls(first, 1.0L / 64);
+  falls(third, 1.0L / 512);
+}

@@ -261,6 +261,9 @@ TEST_CASE("What has no exact solution here is refused with the reason") {
           Oscillator<double>({1, 0}, -1, 0);
         }) == "rate is -1 rad/s; it must be 0 or more");
   CHECK(complaint_of([&] {
+          Oscillator<double>({1, 0}, 1, -0.5);
+        }) == "damping is -0.5 1/s; it must be 0 or more");
+  CHECK(complaint_of([&] {
           Oscillator<double>({1, 0}, 1, NAN);
         }) == "damping is nan 1/s; it must be finite");
 }

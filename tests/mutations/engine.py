@@ -1,7 +1,8 @@
 """Compiles a chapter's checks once with all mutants in them, and runs each.
 
 Everything is kept in BUILD/mutants/CHAPTER, so that what has not changed is not compiled again: the switched headers, the
-objects, the program `checks`, and what its run said, ran.tsv. TUMBLE_MUTANT=17 checks runs one mutant as doctest would."""
+objects, the program `checks`, and what its runs said: ran.tsv, and slow.tsv of the mutations of a list that needed the slow
+checks too. TUMBLE_MUTANT=17 checks runs one mutant as doctest would."""
 import hashlib
 import json
 import subprocess
@@ -115,7 +116,7 @@ class Engine:
         ends = self.run_mutants(chapter, folder, active, self.longest)
         # What somebody thought out is not given up for the sake of time: the slow checks are for such as these.
         left = [mutant for mutant in active if mutant.listed and ends.get(mutant.number, ("",))[0] == "survived"]
-        return {**ends, **self.run_mutants(chapter, folder, left, float("inf"))} if left else ends
+        return {**ends, **self.run_mutants(chapter, folder, left, float("inf"), "slow")} if left else ends
 
     def site(self, mutant):
         """What a place is called in the list of those that can't be switched: that outlives a change somewhere else."""
@@ -191,16 +192,16 @@ class Engine:
                         break
         return found
 
-    def run_mutants(self, chapter, folder, active, longest):
+    def run_mutants(self, chapter, folder, active, longest, name="ran"):
         (folder / "wanted.txt").write_text("\n".join(str(mutant.number) for mutant in active))
         begun = time.time()
         command = [str(word) for word in (folder / "checks", folder / "wanted.txt", self.jobs, longest)]
-        with (folder / "ran.tsv").open("w") as output:
+        with (folder / f"{name}.tsv").open("w") as output:
             ran = subprocess.run(command, cwd=folder, stdout=output, stderr=subprocess.PIPE, text=True, errors="replace")
         if ran.returncode:
             raise EngineError(f"{chapter}: the program of all mutants ended with {ran.returncode}: {ran.stderr[:1000]}")
         ends, red = {}, []
-        for row in (folder / "ran.tsv").read_text(errors="replace").splitlines():
+        for row in (folder / f"{name}.tsv").read_text(errors="replace").splitlines():
             number, end, check = row.split("\t")
             if number != "0":
                 ends[int(number)] = end, check.replace("_checks.cpp: ", ": ", 1)

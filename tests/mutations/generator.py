@@ -14,6 +14,8 @@ assigning = {"+=": ("add_to", ["-=", "="]), "-=": ("take_from", ["+="]), "*=": (
              "/=": ("divide", ["*="])}
 # Calls whose arguments may change places, and such as are no calls.
 symmetric = {"max", "min", "hypot", "dot", "swap", "same_bits", "cwiseProduct", "cwiseMax", "cwiseMin"}
+# Functions that change what they are given.
+changing = {"unique", "exchange", "remove", "remove_if", "partition"}
 # Members that change nothing.
 constant_members = {"size", "empty", "begin", "end", "front", "back", "data", "get", "x", "y", "z", "row", "col", "norm",
                     "squaredNorm", "dot", "cross", "cast", "diagonal", "at", "name", "what", "traits", "time_step"}
@@ -337,11 +339,12 @@ class Generator:
                 Wrap(c, d, f"::tumble_mutants::{call}({n}, {before}", f"{after}, {before}{flat[0]}{after})")])
 
     def may_change(self, run):
-        """Whether an argument calls a member that is not known to change nothing."""
+        """Whether an argument calls what may change something: a member that is not known to change nothing, or such a function."""
         for j, word in enumerate(run):
-            if word.kind == "(" and j > 1 and run[j - 1].kind == "name" and run[j - 2].text in (".", "->") and (
-                    run[j - 1].text not in constant_members):
-                return True
+            if word.kind == "(" and j > 0 and run[j - 1].kind == "name":
+                is_member = j > 1 and run[j - 2].text in (".", "->")
+                if run[j - 1].text in changing or (is_member and run[j - 1].text not in constant_members):
+                    return True
             if word.inside and self.may_change(word.inside):
                 return True
         return False

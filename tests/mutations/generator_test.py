@@ -70,6 +70,7 @@ class Switched(unittest.TestCase):
     def test_what_may_change_something_is_called_once(self):
         text = switched(function("came(i, list.append(a));"))
         self.assertIn("first_called(2, [&]() -> decltype(auto) { return (i); }, [&]() -> decltype(auto) { return (list.append(a)); })", text)
+        self.assertIn("first_called(2, ", switched(function("cut(std::unique(i), a);")))
         self.assertIn("first_of(2, i, list.size())", switched(function("came(i, list.size());")))
 
     def test_lines_stay_where_they_were(self):

@@ -42,7 +42,7 @@ Real small_enough() {
 /// most is 0.
 template <class Real>
 Real carlson_rf(Real x, Same<Real> y, Same<Real> z) {
-  while (true) {
+  for (;;) {
     const Real mean = (x + y + z) / 3;
     const Real X = 1 - x / mean, Y = 1 - y / mean, Z = 1 - z / mean;
     if (std::max({std::abs(X), std::abs(Y), std::abs(Z)}) < small_enough<Real>())
@@ -70,7 +70,7 @@ Real carlson_rc_of_one(Real y) {
 template <class Real>
 Real carlson_rj(Real x, Same<Real> y, Same<Real> z, Same<Real> p) {
   Real sum = 0, quarters = 1;  // 4^-n after n rounds
-  while (true) {
+  for (;;) {
     const Real mean = (x + y + z + 2 * p) / 5;
     const Real X = 1 - x / mean, Y = 1 - y / mean, Z = 1 - z / mean, P = -(X + Y + Z) / 2;
     if (std::max({std::abs(X), std::abs(Y), std::abs(Z), std::abs(P)}) < small_enough<Real>()) {

@@ -1,0 +1,162 @@
+// The lines of the books, with small whole numbers that round nothing, and their table.
+#include <course/checks.hpp>
+#include <tumble/gravity.hpp>
+#include <tumble/ledger.hpp>
+#include <tumble/springs.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+double size_of(const LedgerLine& line) {
+  return std::abs(line.energy) + line.momentum.norm() + line.angular_momentum.norm();
+}
+
+/// Multiplies a velocity and adds to it, m/s along x.
+template <class Real, Phase when>
+struct Change {
+  static constexpr Phase phase = when;
+  std::string name;
+  Real factor, more;
+  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>&) const {
+    return factor * centre.velocity + Vec3<Real>(more, 0, 0);
+  }
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("A push of one step and what acts in each phase have lines of their own", Real,
+                   EVERY_PRECISION) {
+  World<Real> world(steps_per_second(1));
+  const BodyHandle stone = world.add("stone", make_particle<Real>(1, {0, 1, 0}, {8, 0, 0}));
+  world.add(Change<Real, Phase::drift>{"afterwards", 1, 2});
+  world.add(Change<Real, Phase::damping>{"damping", 1, -1});
+  world.add(Change<Real, Phase::impulse>{"blow", Real(0.5), 0});
+  world.add(Gravity<Real>{{1, 0, 0}});
+  world.push_at(stone, {4, 0, 0}, {0, 1, 0});
+  Ledger<Real> ledger(world);
+  ledger.step(world);
+  const auto has = [&](const std::string& name, double energy, double momentum) {
+    const auto& lines = ledger.lines();
+    const auto line = std::find_if(lines.begin(), lines.end(),
+                                   [&](const LedgerLine& one) { return one.name == name; });
+    REQUIRE(line != lines.end());
+    CHECK(line->energy == energy);
+    CHECK(line->momentum == Vec3d(momentum, 0, 0));
+    CHECK(line->angular_momentum == Vec3d(0, 0, -momentum));  // 1 m beside the origin
+  };
+  // The speed of 1 kg: 8 m/s, 13 after the kick, 6.5 after the blow, 5.5 and at the end 7.5.
+  has("gravity", (8 + 13) / 2.0, 1);
+  has("input", 4 * (8 + 13) / 2.0, 4);
+  has("blow", (6.5 * 6.5 - 13 * 13) / 2, -6.5);
+  has("damping", (5.5 * 5.5 - 6.5 * 6.5) / 2, -1);
+  has("drift", 0, 0);
+  has("afterwards", (7.5 * 7.5 - 5.5 * 5.5) / 2, 2);
+  CHECK(size_of(ledger.rest(world)) == 0);
+  ledger.step(world);  // the push is over: 7.5, 8.5, 4.25, 3.25 and 5.25
+  has("input", 4 * (8 + 13) / 2.0, 4);
+  has("blow", (6.5 * 6.5 - 13 * 13 + 4.25 * 4.25 - 8.5 * 8.5) / 2, -6.5 - 4.25);
+}
+
+namespace {
+
+/// A torque about the y axis, as long as the body is not below 1 m.
+template <class Real>
+struct Lift {
+  static constexpr std::string_view name = "lift";
+  Vec3<Real> torque(const Top<Real>&, Real) const { return {0, 2, 8}; }
+};
+
+/// What a body that has fallen to another height gets from an effect that acts at the end.
+template <class Real>
+struct Floor {
+  static constexpr std::string_view name = "floor";
+  static constexpr Phase phase = Phase::drift;
+  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>&) const {
+    return centre.position.z() < 0 ? Vec3<Real>(0, 0, 0) : centre.velocity;
+  }
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE(
+    "What turns steadily about a locked axle carries its L along, and the books say so", Real,
+    EVERY_PRECISION) {
+  // Free about x and y, with moments 1 and 2, and locked about z: ω is not along L.
+  RigidBody<Real> body;
+  body.top.inverse_moments = {1, Real(0.5), 0};
+  body.top.angular_momentum_body = {1, 2, 0};
+  World<Real> world(steps_per_second(1));
+  world.add("plate", body);
+  world.add(Floor<Real>{});
+  world.add(Lift<Real>{}, {world.find("plate")});
+  Ledger<Real> ledger(world);
+  ledger.step(world);
+  std::vector<std::string> names;
+  for (const LedgerLine& line : ledger.lines()) names.push_back(line.name);
+  CHECK(names == std::vector<std::string>{"lift", "steady turning"});
+  // Half a second's mean of ω_y = 1 and 2 times 2 N m; about z the axle bears it.
+  CHECK(ledger.lines()[0].energy == 3);
+  CHECK(same_bits(ledger.lines()[0].angular_momentum, Vec3d(0, 2, 0)));
+  CHECK(ledger.lines()[1].angular_momentum.norm() > 1);
+  CHECK(ledger.lines()[1].energy == 0);
+  CHECK(size_of(ledger.rest(world)) <= 32 * 8 * static_cast<double>(unit_roundoff<Real>));
+}
+
+TEST_CASE_TEMPLATE("The books see what an effect at the end of a step sees: where the step has led",
+                   Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(1));
+  world.add("stone", make_particle<Real>(1, {0, 0, 4}));
+  world.add(Floor<Real>{});
+  world.add(Change<Real, Phase::kick>{"before", 1, 0});
+  world.add(Gravity<Real>{{0, 0, -8}});
+  Ledger<Real> ledger(world);
+  ledger.step(world);  // it falls with 8 m/s to 4 m below the floor, and is stopped
+  CHECK(ledger.lines()[0].name == "gravity");
+  CHECK(ledger.lines()[0].energy == 32);
+  CHECK(ledger.lines()[1].name == "before");
+  CHECK(ledger.lines().back().name == "floor");
+  CHECK(ledger.lines().back().energy == -32);
+  CHECK(size_of(ledger.rest(world)) == 0);
+}
+
+TEST_CASE_TEMPLATE("Two springs and two weights store the sum of their energies", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  const BodyHandle a = world.add("a", make_particle<Real>(1, {0, 0, 1}));
+  const BodyHandle b = world.add("b", make_particle<Real>(2, {0, 0, 4}));
+  const BodyHandle c = world.add("c", make_particle<Real>(4, {0, 0, 8}));
+  world.add(Gravity<Real>{.gravity = {0, 0, -2}}, {a, b});
+  world.add(SpringBetween<Real>{.spring = {.stiffness = 2, .rest_length = 1}}, {a, b, b, c});
+  // m g z of two: 2 + 16; k s²/2 of stretches 2 and 3: 4 + 9. Small whole numbers round nothing.
+  CHECK(Ledger<Real>::stored(world) == 31);
+}
+
+TEST_CASE("Plans and books are tables whose columns are in line") {
+  World<double> world(steps_per_second(2));
+  world.add("stone", make_particle<double>(2, {1, 0, 8}));
+  world.add("wall", make_static_particle<double>({0, 0, 0}));
+  world.add(Gravity<double>{.gravity = {0, 0, -4}});
+  CHECK(table_of(world.plan()) ==
+        R"(effect               phase    bodies  reads                writes             why
+gravity              force    1 of 2  mass                 force              not 1: nothing can move them
+kick                 kick     1 of 2  force                velocity           not 1: nothing can move them
+drift                drift    1 of 2  velocity             position           not 1: nothing can move them
+kick of the spin     no pass  0 of 2  orientation, torque  spin               not 2: points do not turn
+steady turning       no pass  0 of 2  spin                 orientation        not 2: points do not turn
+tumbling: splitting  no pass  0 of 2  spin                 orientation, spin  not 2: points do not turn
+order 1: semi-implicit Euler
+)");
+  Ledger<double> ledger(world);
+  ledger.step(world);
+  // Half a second of 8 N: -4 N s at a mean speed of -1 m/s, and 1 m beside the origin.
+  CHECK(table_of(ledger, world) ==
+        R"(              energy, J  momentum x, y, z, kg m/s      angular momentum x, y, z, kg m^2/s
+at the start          0          0         0         0          0         0         0
++ gravity             4          0         0        -4          0         4         0
++ drift               0          0         0         0          0         0         0
+now                   4          0         0        -4          0         4         0
+unexplained           0          0         0         0          0         0         0
+)");
+}
