@@ -3,6 +3,8 @@
 /// tumble_compile_once in cmake/TumbleCourse.cmake. Users have the headers alone.
 #pragma once
 
+#include <tumble/turning_methods.hpp>
+
 #define TUMBLE_MANY_BODIES(how, Real)                                                   \
   how template class Schedule<Real, natural_width<Real>>;                               \
   how template class PackedActs<Real, natural_width<Real>>;                             \
@@ -15,7 +17,8 @@
   how template SpringLimit<Real> spring_limit(const Work<Real>&,                        \
                                               const NamedBodies<Real, InPacks<Real>>&); \
   how template std::vector<PlanRow> rows_of(const Planner<Real>&,                       \
-                                            const NamedBodies<Real, InPacks<Real>>&);
+                                            const NamedBodies<Real, InPacks<Real>>&);   \
+  how template void FirstTurningRules::choose(World<Real, InPacks<Real>>&, std::size_t);
 
 namespace tumble {
 TUMBLE_MANY_BODIES(extern, float)
