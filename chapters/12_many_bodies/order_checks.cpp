@@ -221,6 +221,7 @@ TEST_CASE_TEMPLATE("A world in packs can be stepped by reference, and a part of 
   auto plain = bricks(World<Real>(steps_per_second(60)));
   auto by_reference = bricks(ManyBodies<Real>(steps_per_second(60)));
   auto in_part = by_reference;
+  const Bodies<Real> start = in_part.bodies();
   plain.step();
   by_reference.step_by_reference();
   CHECK(same_motion(plain.bodies(), by_reference.bodies()));
@@ -233,6 +234,6 @@ TEST_CASE_TEMPLATE("A world in packs can be stepped by reference, and a part of 
   for (BodyIndex i = 0; i < 37; ++i) {
     const RigidBody<Real> drifted = in_part.body(in_part.handle_at(i));
     CHECK(drifted.centre.position.z() == in_part.time_step());
-    CHECK(same_bits(drifted.top.orientation.imaginary, Vec3<Real>(0, 0, 0)));
+    CHECK(same_bits(drifted.top.orientation.imaginary, start.tops[i].orientation.imaginary));
   }
 }

@@ -168,8 +168,7 @@ template <class T>
 /// the second as if it, too, could be changed.
 template <class A, class B>
 constexpr decltype(auto) first_of(int number, A&& a, B&& b) {
-  if constexpr (std::is_lvalue_reference_v<A> &&
-                std::is_same_v<std::decay_t<A>, std::decay_t<B>>) {
+  if constexpr (std::is_lvalue_reference_v<A> && std::is_same_v<std::decay_t<A>, std::decay_t<B>>) {
     if (chosen(number)) return const_cast<A>(static_cast<const std::decay_t<B>&>(b));
     return std::forward<A>(a);
   } else if constexpr (std::is_same_v<Plain<A>, Plain<B>> &&
