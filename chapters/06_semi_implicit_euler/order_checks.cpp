@@ -108,8 +108,9 @@ TEST_CASE_TEMPLATE(
 //! [constant_gravity]
 
 //! [free_fall_energy]
-TEST_CASE_TEMPLATE("In free fall kick and drift loses m g^2 h t / 2 of energy, explicit Euler gains it",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "In free fall kick and drift loses m g^2 h t / 2 of energy, explicit Euler gains it", Real,
+    EVERY_PRECISION) {
   const Real g = Real(9.81), time_step = Real(1) / 60, mass = 2;
   Particle<Real> semi = make_particle(mass, Vec3<Real>(0, 0, 5), Vec3<Real>(8, 0, 10)),
                  explicitly = semi;
@@ -125,11 +126,12 @@ TEST_CASE_TEMPLATE("In free fall kick and drift loses m g^2 h t / 2 of energy, e
     step(semi, time_step);
     explicit_step(explicitly, time_step);
     const Real loss = mass * g * g * time_step * (Real(n) * time_step) / 2;
-    // Up to 93 m/s and 390 m down, where either energy is under 8.8 kJ. A velocity rounds four times
-    // a step and a position twice; both count in full, a velocity's also through the later places.
+    // Up to 93 m/s and 390 m down, where either energy is under 8.8 kJ. A velocity rounds four
+    // times a step and a position twice; both count in full, a velocity's also through the later
+    // places.
     const Real speed_bound = Real(4 * n) * unit_roundoff<Real> * 93,
-               place_bound = speed_bound * Real(n) * time_step +
-                             Real(2 * n) * unit_roundoff<Real> * 390,
+               place_bound =
+                   speed_bound * Real(n) * time_step + Real(2 * n) * unit_roundoff<Real> * 390,
                bound = mass * (93 * speed_bound + g * place_bound) +
                        10 * unit_roundoff<Real> * Real(8.8e3);
     REQUIRE(std::abs(energy(semi) - (start - loss)) <= bound);
