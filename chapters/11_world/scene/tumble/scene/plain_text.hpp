@@ -32,7 +32,7 @@ inline ControlLetter control_at_front(std::string_view text) {
   return turns_lines ? ControlLetter{number, 3} : ControlLetter{};
 }
 
-/// The text with an escape, such as \u001b, for each letter that a terminal obeys.
+/// The text with an escape of four hexadecimal digits for each letter that a terminal obeys.
 inline std::string plain(std::string_view text) {
   std::string shown;
   while (!text.empty()) {
