@@ -255,16 +255,20 @@ struct Late {
 
 TEST_CASE("An effect that fails in the middle of a step is named, and the step is taken back") {
   // Suzuki's kicks come at 0.021, 0.062, 0.05, 0.038 and 0.079 s; Verlet's at 0.05 s.
-  for (const auto& [scheme, from, fails] :
-       {std::tuple(Scheme::semi_implicit_euler, 0.001, false),
-        std::tuple(Scheme::verlet, 0.049, true), std::tuple(Scheme::verlet, 0.051, false),
-        std::tuple(Scheme::suzuki, 0.079, true), std::tuple(Scheme::suzuki, 0.08, false)}) {
-    CAPTURE(name_of(scheme));
-    CAPTURE(from);
+  struct Case {
+    Scheme scheme;
+    double from;
+    bool fails;
+  };
+  for (const Case& tried : {Case{Scheme::semi_implicit_euler, 0.001, false},
+                            Case{Scheme::verlet, 0.049, true}, Case{Scheme::verlet, 0.051, false},
+                            Case{Scheme::suzuki, 0.079, true}, Case{Scheme::suzuki, 0.08, false}}) {
+    CAPTURE(name_of(tried.scheme));
+    CAPTURE(tried.from);
     World<double> world(steps_per_second(10));
-    world.step_by(scheme);
+    world.step_by(tried.scheme);
     world.add("thing", make_particle<double>(1, {0, 0, 0}, {1, 0, 0}));
-    world.add(Late{from});
+    world.add(Late{tried.from});
     const Bodies<double> before = world.bodies();
     std::string complaint;
     try {
@@ -274,9 +278,9 @@ TEST_CASE("An effect that fails in the middle of a step is named, and the step i
       CHECK(error.effect == "late");
     }
     CHECK(complaint.find("late gives a force of (nan, 0, 0) N") ==
-          (fails ? complaint.find("late") : std::string::npos));
-    CHECK(complaint.empty() != fails);
-    CHECK((world.bodies().centres[0].position == before.centres[0].position) == fails);
+          (tried.fails ? complaint.find("late") : std::string::npos));
+    CHECK(complaint.empty() != tried.fails);
+    CHECK((world.bodies().centres[0].position == before.centres[0].position) == tried.fails);
   }
 }
 
