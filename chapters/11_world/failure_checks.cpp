@@ -83,7 +83,8 @@ struct Tripwire {
   Vec3<Real> velocity(const BodyState<Real>& body, const Moment<Real>&) const {
     const bool is_there =
         body.centre.position == start && body.top.orientation.imaginary == Vec3<Real>::Zero();
-    return is_there ? body.centre.velocity : Vec3<Real>(0, 0, std::nan(""));
+    return is_there ? body.centre.velocity
+                    : Vec3<Real>(0, 0, std::numeric_limits<Real>::quiet_NaN());
   }
 };
 

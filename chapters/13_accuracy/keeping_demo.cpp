@@ -64,7 +64,7 @@ int main(int argument_count, char** arguments) {
   const long too_long = 100L * 3600 * steps_per_second;
   long steps = long{seconds} * steps_per_second;
   for (; worst_energy[1] < worst_energy[3] && steps < too_long; ++steps)
-    for (const std::size_t m : {1, 3}) {
+    for (const std::size_t m : {std::size_t{1}, std::size_t{3}}) {
       methods[m](tops[m], 1.0 / steps_per_second);
       worst_energy[m] = std::max(worst_energy[m], energy_error(tops[m], E));
     }

@@ -156,7 +156,10 @@ class OnSlurm(AClassInAFolder):
         self.wait_until(lambda: not self.slurm("squeue", "--noheader").strip())
         wait.unlink()
         self.slurm("sbatch", "--wait", "--array=1-3", "grade.sh", *self.words())
-        self.assertEqual(self.graded_so_far(), {name: 2 if name == "student04" else 1 for name in self.names()})
+        graded = self.graded_so_far()
+        # A cancelled task ends process by process, so the one that waited may have been tried once more before its end came.
+        self.assertIn(graded.pop("student04"), (2, 3))
+        self.assertEqual(graded, {name: 1 for name in self.names() if name != "student04"})
         self.assertEqual(sorted(file.name for file in self.place.glob("grade.*.part")),
                          [f"grade.{number}_of_3.part" for number in (1, 2, 3)])
         self.require_all()
