@@ -7,7 +7,7 @@
 
 #define TUMBLE_MANY_BODIES(how, Real)                                                   \
   how template class Schedule<Real, natural_width<Real>>;                               \
-  how template struct PackedActs<Real, natural_width<Real>>;                             \
+  how template struct PackedActs<Real, natural_width<Real>>;                            \
   how template class PackedRuleOf<Real, natural_width<Real>, Splitting>;                \
   how template class InPacks<Real>;                                                     \
   how template class NamedBodies<Real, InPacks<Real>>;                                  \
