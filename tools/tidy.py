@@ -19,8 +19,8 @@ from pathlib import Path
 root = Path(__file__).resolve().parent.parent
 include = re.compile(r'^#include (?:<(.+)>|"(.+)")', re.MULTILINE)
 # What must stand outside of any other namespace, and what of that must come last: no declaration may follow what it declares.
-has_a_place = re.compile(r"^namespace \w|^template [^<]|^\S.*\btumble::[\w:<>]+\(.*\{$", re.MULTILINE)
-instantiates = re.compile(r"^template [^<]", re.MULTILINE)
+has_a_place = re.compile(r"^namespace \w|^(?:extern )?template [^<]|^\S.*\btumble::[\w:<>]+\(.*\{$", re.MULTILINE)
+instantiates = re.compile(r"^(?:extern )?template [^<]", re.MULTILINE)
 
 
 def flags_of(entry):
@@ -50,7 +50,9 @@ def folders_of(entries):
         nearest = next((together[folder] for folder in file.parents if folder in together), {})
         flags = own.get(file, list(nearest))
         standard = [flag for flag in flags if flag.startswith("-std=")][-1:]
-        folders.setdefault((file.parent, *standard), {})[file] = flags
+        # Every live figure defines the same function, so no two of them can be read as one.
+        figure = file if file.stem.endswith("_live") else None
+        folders.setdefault((file.parent, figure, *standard), {})[file] = flags
     return sorted(folders.values(), key=len, reverse=True)
 
 

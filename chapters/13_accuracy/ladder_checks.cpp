@@ -156,7 +156,7 @@ TEST_CASE_TEMPLATE(
   for (const TurningRung<Real>& rung : turning_ladder<Real>) {
     CAPTURE(std::string(rung.name));
     const Top<Real> start = top_of<Real>(A);
-    const Motion motion = watched(start, rung.turn, steps, 0, step);
+    const course::Motion motion = watched(start, rung.turn, steps, 0, step);
     if (rung.claims.energy) CHECK(motion.energy_error <= rounding);
     if (rung.claims.momentum) CHECK(motion.momentum_error <= rounding);
     // In float the highest orders lose nothing that can be seen.
@@ -175,7 +175,7 @@ TEST_CASE(
   for (const TurningRung<long double>& rung : turning_ladder<long double>) {
     CAPTURE(std::string(rung.name));
     const Top<long double> start = top_of<long double>(A);
-    const Motion motion = watched(start, rung.turn, 40, 0, step);
+    const course::Motion motion = watched(start, rung.turn, 40, 0, step);
     // What is seen of the energy is a ratio in double.
     const double seen = std::max(double(rounding), 2 * unit_roundoff<double>);
     if (!rung.claims.energy) CHECK((motion.energy_error > 10 * seen || motion.diverged > 0));
