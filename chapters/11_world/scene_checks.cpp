@@ -231,7 +231,8 @@ TEST_CASE("Nothing of a scene file that is shown gives orders to a terminal") {
     const std::u32string others =
         U"\u061c\u200e\u200f\u2028\u2029\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069";
     const bool is_order = (letter < 0x20 && letter != '\n' && letter != '\t') ||
-                          (letter >= 0x7f && letter < 0xa0) || others.find(letter) != others.npos;
+                          (letter >= 0x7f && letter < 0xa0) ||
+                          others.find(letter) != std::u32string::npos;
     CAPTURE(unsigned(letter));
     CHECK(plain("a" + text + "b") ==
           (is_order ? std::string("a") + escape + "b" : "a" + text + "b"));

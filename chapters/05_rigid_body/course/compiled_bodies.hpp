@@ -3,6 +3,7 @@
 /// course/bodies and tumble_compile_once in cmake/TumbleCourse.cmake. Users have the headers alone.
 #pragma once
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a kind of declaration and a type can stand in none
 #define TUMBLE_BODIES(how, Real)                                                                   \
   how template std::string text_of(Real);                                                          \
   how template std::string text_of(const Vec3<Real>&);                                             \
@@ -25,6 +26,7 @@
   how template ModelledBody<Real> make_rigid_body(std::string_view, const MassProperties<Real>&,   \
                                                   const Pose<Real>&, const Vec3<Real>&,            \
                                                   const Vec3<Real>&, Turning);
+// NOLINTEND(bugprone-macro-parentheses)
 
 namespace tumble {
 TUMBLE_BODIES(extern, float)

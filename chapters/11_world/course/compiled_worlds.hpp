@@ -3,6 +3,7 @@
 /// tumble_compile_once in cmake/TumbleCourse.cmake. Users have the headers alone.
 #pragma once
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a kind of declaration and a type can stand in none
 #define TUMBLE_WORLD(how, Real)                                                            \
   how template class PlanGroups<Real>;                                                     \
   how template class Planner<Real>;                                                        \
@@ -23,6 +24,7 @@
                                             const NamedBodies<Real, OneByOne<Real>>&);     \
   how template SimulationError failure(const std::string&, BodyIndex, const Bodies<Real>&, \
                                        const Work<Real>&, std::int64_t, Real);
+// NOLINTEND(bugprone-macro-parentheses)
 
 namespace tumble {
 TUMBLE_WORLD(extern, float)

@@ -5,6 +5,7 @@
 
 #include <tumble/turning_methods.hpp>
 
+// NOLINTBEGIN(bugprone-macro-parentheses): a kind of declaration and a type can stand in none
 #define TUMBLE_MANY_BODIES(how, Real)                                                   \
   how template class Schedule<Real, natural_width<Real>>;                               \
   how template struct PackedActs<Real, natural_width<Real>>;                            \
@@ -19,6 +20,7 @@
   how template std::vector<PlanRow> rows_of(const Planner<Real>&,                       \
                                             const NamedBodies<Real, InPacks<Real>>&);   \
   how template void FirstTurningRules::choose(World<Real, InPacks<Real>>&, std::size_t);
+// NOLINTEND(bugprone-macro-parentheses)
 
 namespace tumble {
 TUMBLE_MANY_BODIES(extern, float)
