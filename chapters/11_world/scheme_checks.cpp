@@ -284,6 +284,13 @@ TEST_CASE("An effect that fails in the middle of a step is named, and the step i
   }
 }
 
+/// A rule that says it is of second order, and not that it is symmetric.
+struct Lopsided {
+  static constexpr std::string_view name = "lopsided";
+  static constexpr int order = 2;
+  void operator()(Top<double>& top, double h) const { turn_by_splitting(top, h); }
+};
+
 /// A rule of the user's own.
 struct Unsaid {
   static constexpr std::string_view name = "my own";
@@ -302,6 +309,8 @@ TEST_CASE("A plan says of which order the step is, and what stands in the way of
   world.turn_by(CarryingMomentum{});
   CHECK(last_line() ==
         "order 1 in place of 4 (Suzuki): turning by carrying momentum is of order 1\n");
+  world.turn_by(Lopsided{});
+  CHECK(last_line() == "order 2 in place of 4 (Suzuki): turning by lopsided is of order 2\n");
   world.turn_by(Unsaid{});
   CHECK(last_line() ==
         "order 0 in place of 4 (Suzuki): turning by my own does not say its order\n");

@@ -104,17 +104,21 @@ bool is_same_until_burnt_out(Effect effect) {
     world.add(Gravity<Real>{});
     return world;
   };
-  World<Real> plain = made(World<Real>(steps_per_second(60)));
-  auto packed = made(ManyBodies<Real>(steps_per_second(60)));
-  for (int n = 0; n < 80; ++n) {
-    plain.step();
-    packed.step();
-    REQUIRE(same_motion(plain.bodies(), packed.bodies()));
+  bool fails = true;
+  for (const Scheme scheme : {Scheme::semi_implicit_euler, Scheme::verlet, Scheme::suzuki}) {
+    World<Real> plain = made(World<Real>(steps_per_second(60)));
+    auto packed = made(ManyBodies<Real>(steps_per_second(60)));
+    plain.step_by(scheme);
+    packed.step_by(scheme);
+    std::string complaint;
+    for (int n = 0; n < 81 && complaint.empty(); ++n) {
+      complaint = complaint_of_step([&] { plain.step(); });
+      REQUIRE(complaint_of_step([&] { packed.step(); }) == complaint);
+      REQUIRE(same_motion(plain.bodies(), packed.bodies()));
+    }
+    fails = fails && !complaint.empty();
   }
-  const std::string complaint = complaint_of_step([&] { plain.step(); });
-  CHECK(complaint_of_step([&] { packed.step(); }) == complaint);
-  if (!complaint.empty()) CHECK(same_motion(plain.bodies(), packed.bodies()));
-  return !complaint.empty();
+  return fails;
 }
 
 }  // namespace
