@@ -5,7 +5,6 @@
 #include <course/scene_rules.hpp>
 #include <memory>
 #include <optional>
-#include <tumble/ladder.hpp>
 #include <tumble/scene/number_range.hpp>
 #include <tumble/scene/read_scene.hpp>
 
@@ -147,14 +146,6 @@ Reference reference_of(const std::filesystem::path& file, const Frames& frames, 
   return best;
 }
 
-/// What the ladder claims of a rule of that name. The others are taken for first order, and so are
-/// tried last.
-int order_of(std::string_view name) {
-  for (const TurningRung<double>& rung : turning_ladder<double>)
-    if (rung.name == name) return rung.claims.order;
-  return 1;
-}
-
 /// A world stepped by one choice: its errors and its time.
 template <class Real>
 Candidate candidate_of(const std::filesystem::path& file, const Frames& frames,
@@ -217,7 +208,7 @@ void append(SceneCandidates& made, const std::filesystem::path& file, const Fram
       if (scheme != Scheme::semi_implicit_euler)
         candidate.scheme = scheme_words()[std::size_t(scheme)];
       candidate.precision = std::string(range_of<Real>().precision);
-      candidate.order = is_kicked ? promised : order_of(name);
+      candidate.order = is_kicked ? promised : world.work().rule->order().value_or(1);
       made.candidates.push_back(std::move(candidate));
     }
   }
