@@ -1,4 +1,5 @@
 // Which effect a step is blamed on that could not be taken, and what is said of it.
+#include <course/box_body.hpp>
 #include <course/checks.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
@@ -14,11 +15,6 @@ namespace {
 
 template <class Real>
 constexpr Real most = std::numeric_limits<Real>::max();
-
-template <class Real>
-RigidBody<Real> box_body(const Vec3<Real>& place) {
-  return make_rigid_body<Real>("box", mass_properties(Box<Real>{{1, 2, 3}}, 2), {place}).body;
-}
 
 /// The error of a step that must fail.
 template <class Step>

@@ -1,4 +1,5 @@
 // Who is visited, and what is said of it, after bodies and effects have changed.
+#include <course/box_body.hpp>
 #include <course/checks.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
@@ -11,11 +12,6 @@ using namespace tumble;
 using namespace tumble::course;
 
 namespace {
-
-template <class Real>
-RigidBody<Real> box_body(const Vec3<Real>& place) {
-  return make_rigid_body<Real>("box", mass_properties(Box<Real>{{1, 2, 3}}, 2), {place}).body;
-}
 
 /// Leaves the velocity as it is.
 template <class Real, Phase when>

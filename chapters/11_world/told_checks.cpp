@@ -2,6 +2,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <course/box_body.hpp>
 #include <course/checks.hpp>
 #include <cstdio>
 #include <tumble/air_and_water.hpp>
@@ -16,11 +17,6 @@ using namespace tumble;
 using namespace tumble::course;
 
 namespace {
-
-template <class Real>
-RigidBody<Real> box_body(const Vec3<Real>& place) {
-  return make_rigid_body<Real>("box", mass_properties(Box<Real>{{1, 2, 3}}, 2), {place}).body;
-}
 
 /// A spring on which no step of a second is safe.
 template <class Real>

@@ -1,4 +1,5 @@
 // What is changed in a world while it runs, and what of it is refused.
+#include <course/box_body.hpp>
 #include <course/checks.hpp>
 #include <course/random_world.hpp>
 #include <tumble/ledger.hpp>
@@ -7,11 +8,6 @@ using namespace tumble;
 using namespace tumble::course;
 
 namespace {
-
-template <class Real>
-RigidBody<Real> box_body(const Vec3<Real>& place) {
-  return make_rigid_body<Real>("box", mass_properties(Box<Real>{{1, 2, 3}}, 2), {place}).body;
-}
 
 template <class Action>
 std::string sentence_of(const Action& action) {
