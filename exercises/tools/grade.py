@@ -54,7 +54,11 @@ def export_for_similarity(folder, submissions, exercises):
         place = folder / exercise.name
         place.mkdir(parents=True, exist_ok=True)
         for name, submission in submissions.items():
-            header = read_header(submission, exercise)
+            try:
+                header = read_header(submission, exercise)
+            except GraderFailed as failure:
+                complain(f"--similarity lacks a file: {failure}")
+                continue
             if header.text:
                 write_anew(place / f"{file_name_of(name)}.hpp", header.text.encode())
         starter = exercise.folder / exercise.header
@@ -218,13 +222,24 @@ def commanded(words):
     course = argparse.ArgumentParser(add_help=False, allow_abbrev=False)
     course.add_argument("--root", type=Path, required=True)
     course.add_argument("--toolchain", type=Path, required=True)
-    known, rest = course.parse_known_args(words)
+    known, rest = course.parse_known_args(told_apart(words))
     grading, merging = parsers()
     if rest[:1] == ["merge"]:
         return merging.parse_intermixed_args(rest[1:])
     arguments = grading.parse_intermixed_args(rest)
     arguments.root, arguments.toolchain = known.root, known.toolchain
     return arguments
+
+
+def told_apart(words):
+    """The words, of which none is both an option and the name of what lies here: a student may call a folder --unsealed, and where the
+    teacher writes * the shell hands it on. After -- all are names."""
+    options = words[:words.index("--")] if "--" in words else words
+    for word in options:
+        if word.startswith("-") and os.path.lexists(word):
+            raise Complaint(f"{one_line(word)} could be an option or the name of what lies here; write ./* for all that lies here, or "
+                            "give the option from another folder")
+    return [*options, *(f"./{word}" if word.startswith("-") else word for word in words[len(options) + 1:])]
 
 
 def seconds_computed():
@@ -246,8 +261,8 @@ def show_how_far(done, of):
 
 def main(words):
     occupy_standard_descriptors()
-    arguments = commanded(words)
     try:
+        arguments = commanded(words)
         if sys.stdout is None:
             if not arguments.output:
                 raise Complaint("the standard output is closed; --output names a file for what is handed on")

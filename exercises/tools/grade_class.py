@@ -66,8 +66,8 @@ def _has_shape(value, shape):
 def grade_class(arguments, folders, exercises, part, tell):
     """Grades what the part lacks. Returns the results by submission, of those that have one, and why the others have none."""
     require_results(part.done, part.job.what)
-    for name in [name for name, result in part.done.items() if result["handed_in"] != _handed_in(folders[name], exercises)]:
-        part.void(name)  # it was handed in once more, so it's graded once more
+    for name in [name for name, result in part.done.items() if not _is_of(result, folders[name], exercises)]:
+        part.void(name)
     graders = _Graders(arguments, exercises, part.job.what["exercises"], min(arguments.jobs, len(folders)))
     failed = run(part, lambda name: graders.grade(name, folders[name]), graders.most, graders.end, tell)
     return {name: part.done[name] for name in part.tasks if name in part.done}, failed
@@ -159,6 +159,14 @@ def _digests_of(exercises, root):
     return {exercise.path: _digest(*((exercise.folder / name).read_bytes() for name in ("exercise.json", "checks.cpp")),
                                    *(digest.encode() for name, digest in headers if name == "common" or name <= exercise.chapter))
             for exercise in exercises}
+
+
+def _is_of(result, folder, exercises):
+    """Whether it is of what lies there now. What can't be read is graded once more, and fails alone."""
+    try:
+        return result["handed_in"] == _handed_in(folder, exercises)
+    except GraderFailed:
+        return False
 
 
 def _handed_in(folder, exercises):

@@ -95,8 +95,9 @@ def marks(results):
 
 
 def _no_formula(name):
-    """The name with an escape for a first letter by which a spreadsheet knows what it evaluates."""
-    return re.sub(r"\A[=+@-]", lambda found: f"\\x{ord(found[0]):02x}", name)
+    """The name with an escape for a first letter by which a spreadsheet knows what it evaluates; some take those of full width too."""
+    return re.sub(r"\A[=+@\-＝＋－＠]", lambda found: found[0].encode("unicode_escape").decode() if found[0] > "~"
+                  else f"\\x{ord(found[0]):02x}", name)
 
 
 def _indented(said, indent):

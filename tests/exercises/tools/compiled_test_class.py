@@ -48,9 +48,17 @@ json.dump({"submission": "never asked", "seconds": time.time(), "exercises": [
     {"exercise": task["exercises"][0], "title": "Twice", "reason": "", "flags": ["is \\x07 loud"][:points], "checks": checks}]}, sys.stdout)
 """
 RUNNER = """
-import sys
+import errno, os, sys
 sys.path.insert(0, TOOLS)
 import grade, grade_class
+if name := os.environ.get("UNREADABLE"):
+    import submission
+    bytes_of = submission._bytes_of
+    def fails(folder, place):
+        if folder.name == name:
+            raise OSError(errno.EIO, "the disk fails")
+        return bytes_of(folder, place)
+    submission._bytes_of = fails
 grade_class.GRADE_ONE = [sys.executable, "-I", "-S", "-B", "-c", "LOG = " + repr(LOG) + STAND_IN]
 sys.exit(grade.main(sys.argv[1:]))
 """
@@ -76,10 +84,11 @@ class AClassOfStandIns(Grading):
     def names(self):
         return sorted(os.listdir(self.submissions))
 
-    def begin(self, *options, folders=None):
+    def begin(self, *options, folders=None, inside=None, unreadable=""):
         folders = [] if "merge" in options[:1] else sorted(self.submissions.iterdir()) if folders is None else folders
         process = subprocess.Popen([sys.executable, "-B", str(self.runner), "--root", str(self.root), "--toolchain",
-                                    str(self.toolchain_file), *map(str, options), *map(str, folders)], cwd=self.place,
+                                    str(self.toolchain_file), *map(str, options), *map(str, folders)], cwd=inside or self.place,
+                                   env={**os.environ, "UNREADABLE": unreadable},
                                    stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
         self.addCleanup(process.kill)
         return process
@@ -238,6 +247,28 @@ class NothingLost(AClassOfStandIns):
         self.run_to_the_end("--similarity", "copies")
         self.assertEqual((starter.read_bytes(), (copies / "ada.hpp").read_text(encoding="utf-8")), (before, "// 2\n"))
         self.assertEqual(starter.stat().st_nlink, 1)
+
+    def test_a_submission_that_cannot_be_read_is_missing_alone(self):
+        self.hand_in_all(ada=2, bob=1)
+        self.run_to_the_end("--part", "kept")
+        for way in ("--resume", "--similarity=copies"):
+            _, said = self.run_to_the_end("--part", "kept" if way == "--resume" else "other", way, "--incomplete", code=3,
+                                          unreadable="bob")
+            self.assertIn("course: bob has no result: GraderFailed: ", said)
+            self.assertNotIn("ada", said)
+        self.assertEqual(os.listdir(self.place / "copies" / "doubled").count("ada.hpp"), 1)
+
+    def test_no_folder_is_taken_for_an_option(self):
+        for name in ("ada", "--incomplete"):
+            self.hand_in(name, "// 1\n")
+        names = [Path(name) for name in self.names()]
+        _, said = self.run_to_the_end(folders=names, code=2, inside=self.submissions)
+        self.assertIn("--incomplete could be an option or the name of what lies here", said)
+        self.assertEqual(self.graded_so_far(), {})
+        for way in (["--", *names], [f"./{name}" for name in names]):
+            printed, _ = self.run_to_the_end("--format", "json", "--part", self.place / "kept", "--resume", folders=way,
+                                             inside=self.submissions)
+            self.assertEqual([result["submission"] for result in json.loads(printed)], ["--incomplete", "ada"])
 
     def test_a_name_of_two_lines_is_told_on_one(self):
         self.hand_in("ada\ncourse: bob", "// breaks\n")

@@ -65,6 +65,10 @@ class PlainText(InAFolder):
             result = {"student": name, "submission": name, "points": 0, "of": 0, "exercises": []}
             shown = f"\\x{ord(name[0]):02x}{name[1:]}" if name[0] in "=+-@" else one_line(name)
             self.assertEqual(marks([result]).splitlines()[1], f"{shown},{shown},0,0,")
+        for letter in "\uff1d\uff0b\uff0d\uff20":  # those of full width, which some spreadsheets take for the same
+            result = {"student": f"{letter}1", "submission": f"{letter}1", "points": 0, "of": 0, "exercises": []}
+            shown = f"\\u{ord(letter):04x}1"
+            self.assertEqual(marks([result]).splitlines()[1], f"{shown},{shown},0,0,")
 
     def test_a_terminal_without_the_letters_gets_escapes(self):
         for letters, expected in (("ascii", "\\u2018a\\u2019 \\x1b"), ("utf-8", "\u2018a\u2019 \\x1b"), ("latin-1", "\\u2018a\\u2019 \\x1b")):
