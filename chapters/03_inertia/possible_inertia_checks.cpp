@@ -128,6 +128,46 @@ TEST_CASE_TEMPLATE("Mirrored elements may differ by 64 roundings of the largest 
   }
 }
 
+TEST_CASE_TEMPLATE("Any of the nine elements may be the largest that mirrored ones are measured by",
+                   Real, EVERY_PRECISION) {
+  for (int row = 0; row < 3; ++row)
+    for (int column = row; column < 3; ++column)
+      for (const auto& [p, q] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
+        if (row == p && column == q) continue;
+        Mat3<Real> lopsided = Mat3<Real>::Zero();
+        lopsided(row, column) = lopsided(column, row) = -1;
+        lopsided(p, q) = 64 * unit_roundoff<Real>;
+        CHECK(complaint_of([&] { require_symmetric("hammer", lopsided); }) == "nothing thrown");
+        lopsided(p, q) = 65 * unit_roundoff<Real>;
+        CHECK(complaint_of([&] { require_symmetric("hammer", lopsided); }) != "nothing thrown");
+      }
+}
+
+TEST_CASE_TEMPLATE("The slack of a moment is how far the worst errors of the elements move it",
+                   Real, EVERY_PRECISION) {
+  Dice dice(32);
+  const Real slack = std::sqrt(unit_roundoff<Real>);
+  const Mat3<Real> moments = diagonal<Real>(1, 2, 3);
+  for (int n = 0; n < 20; ++n) {
+    const Mat3<Real> inertia = in_other_axes(moments, random_turn<Real>(dice));
+    const PrincipalAxes<Real> principal = principal_axes(inertia);
+    const Vec3<Real> allowed = moment_slack<Real>(inertia, principal.axes, slack);
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3<Real> v = principal.axes.col(axis);
+      Mat3<Real> errors;  // each with the sign that makes the sum over v_i v_j grow
+      for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+          errors(i, j) = slack * std::abs(inertia(i, j)) * (v(i) * v(j) < 0 ? Real(-1) : Real(1));
+      const Real moved = principal_axes(Mat3<Real>(inertia + errors)).moments(axis);
+      // What is of second order: the square of the errors' norm by the gap to the next moment, of
+      // which they take no more than a tenth; and two times 96 roundings of the principal axes.
+      const Real second_order = errors.squaredNorm() / Real(0.9);
+      CHECK(std::abs(moved - principal.moments(axis) - allowed(axis)) <=
+            second_order + 2 * 96 * unit_roundoff<Real> * inertia.norm());
+    }
+  }
+}
+
 TEST_CASE_TEMPLATE("A zero moment is refused where it would be inverted, never turned into 0", Real,
                    EVERY_PRECISION) {
   const std::string why =

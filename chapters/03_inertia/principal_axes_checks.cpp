@@ -172,6 +172,25 @@ TEST_CASE_TEMPLATE("A needle nearly along an axis keeps the relative accuracy of
 }
 //! [needle]
 
+TEST_CASE_TEMPLATE("Where mirrored elements differ by roundings, their mean counts, to the bit",
+                   Real, EVERY_PRECISION) {
+  Dice dice(25);
+  for (int n = 0; n < 20; ++n) {
+    const Mat3<Real> symmetric = turned(Vec3<Real>(1, 2, Real(2.5)), dice);
+    Mat3<Real> lopsided = symmetric, mean = symmetric;
+    for (const auto& [p, q] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
+      lopsided(p, q) += 16 * unit_roundoff<Real>;
+      lopsided(q, p) -= 24 * unit_roundoff<Real>;
+      mean(p, q) = mean(q, p) = (lopsided(p, q) + lopsided(q, p)) / 2;
+    }
+    const auto [moments, axes] = principal_axes(mean);
+    for (const Mat3<Real>& other : {lopsided, Mat3<Real>(lopsided.transpose())}) {
+      CHECK(same_bits(principal_axes(other).moments, moments));
+      CHECK(same_bits(principal_axes(other).axes, axes));
+    }
+  }
+}
+
 TEST_CASE_TEMPLATE("Principal moments scale by powers of two without changing another bit", Real,
                    EVERY_PRECISION) {
   Dice dice(24);

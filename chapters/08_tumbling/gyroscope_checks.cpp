@@ -331,6 +331,10 @@ TEST_CASE_TEMPLATE("A gyroscope is made about its tip, and a body that can't be 
         }) == "distance of the tip is inf m; it must be finite");
   CHECK(complaint_of([&] { on_its_tip(mass_properties(ThinRod<Real>{1}, 1), l, Real(9.81)); }) ==
         "moment about the axis is 0 kg m^2; it must be greater than 0");
+  MassProperties<Real> impossible = disc;
+  impossible.inertia(2, 2) = -1;
+  CHECK(complaint_of([&] { on_its_tip(impossible, l, Real(9.81)); }) ==
+        "moment about the axis is -1 kg m^2; it must be greater than 0");
   // By however little: four roundings of a moment about the tip are enough.
   const Real little = 8 * unit_roundoff<Real> * gyroscope.across;
   for (const auto& [row, column] :
