@@ -36,7 +36,7 @@ void print_digests(const std::filesystem::path& path) {
   for (const Scheme scheme : {Scheme::verlet, Scheme::suzuki}) {
     World<Real> world = scene.world;
     world.step_by(scheme);
-    bits::print<Real>(what + " with " + name_of(scheme), run(std::move(world), plan));
+    bits::print<Real>(what + " with " + std::string(name_of(scheme)), run(std::move(world), plan));
   }
   auto packed = read_scene_file<Real, InPacks<Real>>(path);
   packed.world.keeping().use_threads(1);
