@@ -6,6 +6,7 @@ FILE is JSON. Of its lists every combination is simulated; only "scenes" is requ
 
   {"scenes": ["t_handle", "my_scene.json"],      names of shipped scenes, or paths as seen from FILE
    "methods": ["splitting", "axis_by_axis"],     turning methods; without the key each scene's own
+   "schemes": ["verlet"],                        in which order a step kicks and drifts; without the key each scene's own
    "precisions": ["float", "double"],            without the key double
    "time_steps": [0.01, 0.001],                  s; without the key each scene's own
    "seeds": [0, 1, 2],                           added to those of random bodies; a scene without any runs once
@@ -36,7 +37,7 @@ from shards import WHOLE, Part, Stopped, merge, run, shard_of, stoppable  # noqa
 from running import Running  # noqa: E402
 from sweep_file import combinations_of, find_scene, job_of, read_sweep  # noqa: E402
 
-COLUMNS = ["scene", "method", "precision", "time step (s)", "seed", "bodies", "steps", "time (s)", "energy at the start (J)",
+COLUMNS = ["scene", "method", "scheme", "precision", "time step (s)", "seed", "bodies", "steps", "time (s)", "energy at the start (J)",
            "energy at the end (J)", "energy from turning (J)", "unexplained energy (J)", "angular momentum at the start (kg m^2/s)",
            "angular momentum from turning (kg m^2/s)", "ended"]
 
@@ -98,8 +99,8 @@ def row_of(simulator, combination, require_unchanged):
     numbers = [books["bodies"], books["steps"], books["time"], total(start["energy"], books["stored_at_the_start"]),
                total(now["energy"], books["stored_now"]), turning["energy"], books["unexplained"]["energy"],
                length(start["angular_momentum"]), length(turning["angular_momentum"])]
-    return [given["scenes"], given["methods"] or books["turning_method"], precision, books["time_step"], given["seeds"], *numbers,
-            "well" if code == 0 else errors]
+    return [given["scenes"], given["methods"] or books["turning_method"], given["schemes"] or books["scheme"], precision, books["time_step"],
+            given["seeds"], *numbers, "well" if code == 0 else errors]
 
 
 def turning_of(books):

@@ -13,7 +13,7 @@ from shards import Job
 
 SCENES = Path(__file__).resolve().parent.parent / "chapters" / "11_world" / "scenes"
 MOST = 1000000  # combinations
-LISTS = {"scenes": str, "methods": str, "precisions": str, "time_steps": (int, float), "seeds": int}
+LISTS = {"scenes": str, "methods": str, "schemes": str, "precisions": str, "time_steps": (int, float), "seeds": int}
 
 
 def read_sweep(file):
@@ -110,8 +110,8 @@ def combinations_of(sweep, folder):
         if not is_random(path):
             given["seeds"] = None
         options = [path, "--threads", 1]
-        for option, value in (("method", given["methods"]), ("precision", given["precisions"]), ("dt", given["time_steps"]),
-                              ("seed", given["seeds"]), ("until", sweep.get("until"))):
+        for option, value in (("method", given["methods"]), ("scheme", given["schemes"]), ("precision", given["precisions"]),
+                              ("dt", given["time_steps"]), ("seed", given["seeds"]), ("until", sweep.get("until"))):
             if value is not None:
                 options += [f"--{option}", value if isinstance(value, str) else json.dumps(value)]
         name = " ".join(json.dumps(value, ensure_ascii=False) for value in given.values())

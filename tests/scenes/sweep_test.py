@@ -11,10 +11,12 @@ import time
 import unittest
 
 SIMULATE, SCRATCH = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
-SWEEP = pathlib.Path(__file__).resolve().parents[2] / "tools" / "sweep.py"
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SWEEP, SCENES = ROOT / "tools" / "sweep.py", ROOT / "chapters" / "11_world" / "scenes"
 TOPS = {"duration": 0.1, "bodies": [{"name": "top", "mass": 1, "inertia": [1, 2, 2.5],
         "many": {"count": 3, "seed": 4, "angular_velocity_between": [[1, 1, 1], [2, 2, 2]]}}]}
 METHODS, STEPS, SEEDS = ["splitting", "axis_by_axis"], [0.02, 0.01], [0, 1, 2]
+EULER = "semi-implicit Euler"  # what steps a scene that asks for no scheme
 SPEC = {"scenes": ["tops.json", "t_handle"], "methods": METHODS, "time_steps": STEPS, "seeds": SEEDS, "until": 0.1}
 
 # A simulate that takes its time, and says so in a list of the runs that it began.
@@ -57,11 +59,12 @@ class Sweep(unittest.TestCase):
 
     def test_every_combination_has_a_row(self):
         head, *rows = [line.split("\t") for line in self.sweep("sweep.json").splitlines()]
-        self.assertEqual(head[:5], ["scene", "method", "precision", "time step (s)", "seed"])
+        self.assertEqual(head[:6], ["scene", "method", "scheme", "precision", "time step (s)", "seed"])
         steps = [str(step) for step in STEPS]
-        expected = [["tops.json", method, "double", step, str(seed)] for method, step, seed in itertools.product(METHODS, steps, SEEDS)]
-        expected += [["t_handle", method, "double", step, ""] for method, step in itertools.product(METHODS, steps)]
-        self.assertEqual([row[:5] for row in rows], expected)
+        expected = [["tops.json", method, EULER, "double", step, str(seed)]
+                    for method, step, seed in itertools.product(METHODS, steps, SEEDS)]
+        expected += [["t_handle", method, EULER, "double", step, ""] for method, step in itertools.product(METHODS, steps)]
+        self.assertEqual([row[:6] for row in rows], expected)
         self.assertEqual({row[head.index("ended")] for row in rows}, {"well"})
         self.assertEqual([row[head.index("steps")] for row in rows[:6]], ["5"] * 3 + ["10"] * 3)
         self.assertFalse(list(SCRATCH.glob("*.part*")))
@@ -78,6 +81,20 @@ class Sweep(unittest.TestCase):
         self.assertEqual(float(row["energy from turning (J)"]), turning["energy"])
         self.assertNotEqual(turning["energy"], 0)
         self.assertEqual(float(row["unexplained energy (J)"]), books["unexplained"]["energy"])
+
+    def test_a_scheme_is_that_of_its_row(self):
+        self.write("sweep.json", {"scenes": ["orbit"], "schemes": ["suzuki", "verlet"], "until": 1})
+        head, *rows = [line.split("\t") for line in self.sweep("sweep.json").splitlines()]
+        self.assertEqual([row[head.index("scheme")] for row in rows], ["suzuki", "verlet"])
+        for row in rows:
+            scheme = row[head.index("scheme")]
+            subprocess.run([SIMULATE, SCENES / "orbit.json", "--scheme", scheme, "--until", "1", "--books", "books.json"],
+                           cwd=SCRATCH, check=True, stdout=subprocess.DEVNULL)
+            books = json.loads((SCRATCH / "books.json").read_text())
+            energy = books["now"]["energy"] + books["stored_now"]
+            self.assertEqual(float(row[head.index("energy at the end (J)")]), energy)
+            self.assertEqual(books["scheme"].lower(), scheme)
+        self.assertNotEqual(*(row[head.index("energy at the end (J)")] for row in rows))
 
     def test_merged_shards_are_one_run_to_the_byte(self):
         whole = self.sweep("sweep.json", "--jobs", "1")
@@ -238,7 +255,7 @@ class Sweep(unittest.TestCase):
             "effects": [{"kind": "point_gravity", "strength": 1e-200}]})
         self.write("sweep.json", {"scenes": ["crash.json"]})
         row = self.sweep("sweep.json").splitlines()[1].split("\t")
-        self.assertEqual(row[6], "2")
+        self.assertEqual(row[7], "2")
         self.assertTrue(row[-1].startswith("'comet' at 0.5 s (step 2): point gravity gives a force of"), row[-1])
 
     def test_the_table_holds_plain_text(self):
@@ -252,6 +269,7 @@ class Sweep(unittest.TestCase):
                 ({"scenes": []}, "scenes must be a list with at least one element"),
                 ({"scenes": ["nowhere"]}, "no scene and no file is called nowhere"),
                 ({"methods": ["spliting"]}, "no method is called spliting; did you mean splitting?"),
+                ({"schemes": ["verlett"]}, "no scheme is called verlett; did you mean verlet?"),
                 ({"time_steps": [0.01, 0.01]}, "0.01 stands in time_steps twice"),
                 ({"time_steps": [0.01, 0.02, 0.0100000000001]},
                  "0.01 and 0.0100000000001 in time_steps are the same number of nanoseconds"),
