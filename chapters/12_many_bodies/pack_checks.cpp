@@ -66,7 +66,7 @@ bool is_same_lane_by_lane(const Function& function) {
 }  // namespace
 
 //! [three]
-TEST_CASE_TEMPLATE("Of three products Eigen adds the last two first, alone and in a pack", Real,
+TEST_CASE_TEMPLATE("Of three products the last two are added first, alone and in a pack", Real,
                    EVERY_PRECISION) {
   std::mt19937 generator(3);
   std::uniform_real_distribution<Real> number(-1, 1);
@@ -82,12 +82,14 @@ TEST_CASE_TEMPLATE("Of three products Eigen adds the last two first, alone and i
     other_order_differs += sum != (products.x() + products.y()) + products.z();
     Mat3<Real> rows = Mat3<Real>::Zero();
     rows.row(n % 3) = a;
-    REQUIRE(a.dot(b) == sum);
+    REQUIRE(dot(a, b) == sum);
+    REQUIRE(dot(2 * a, -b) == -2 * sum);
     REQUIRE(products.sum() == sum);
     REQUIRE(Vec3<Real>(rows * b)[n % 3] == sum);
     const Vec3<Packed<Real>> wide_a = a.template cast<Packed<Real>>(),
                              wide_b = b.template cast<Packed<Real>>();
-    REQUIRE(wide_a.dot(wide_b)[0] == sum);
+    REQUIRE(dot(wide_a, wide_b)[0] == sum);
+    REQUIRE(wide_a.squaredNorm()[0] == a.squaredNorm());
   }
   CHECK(other_order_differs > 100);  // so a sum from the front would be seen
 }

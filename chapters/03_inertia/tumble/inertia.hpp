@@ -38,7 +38,7 @@ Mat3<Real> inertia_of_particle(Real mass, const Vec3<Same<Real>>& r) {
 //! [turning_energy]
 template <class Real>
 Real turning_energy(const Mat3<Real>& inertia, const Vec3<Same<Real>>& angular_velocity) {
-  return angular_velocity.dot(inertia * angular_velocity) / 2;
+  return dot(angular_velocity, inertia * angular_velocity) / 2;
 }
 //! [turning_energy]
 

@@ -73,14 +73,14 @@ MeshIntegrals<Real> integrate(const Mesh<Real>& mesh, const MeshFrame<Real>& fra
     const Vec3<Real> b = frame.from_model(mesh.vertices[j]) - origin;
     const Vec3<Real> c = frame.from_model(mesh.vertices[k]) - origin;
     const Vec3<Real> s = a + b + c;
-    const Real D = a.dot(b.cross(c));
+    const Real D = dot(a, b.cross(c));
     const Mat3<Real> squares =
         a * a.transpose() + b * b.transpose() + c * c.transpose() + s * s.transpose();
     volume.add(D / 6);
     first.add(D / 24 * s);
     second.add(D / 120 * squares);
     rounding += 8 / Real(6) * (std::numeric_limits<Real>::epsilon() / 2) *
-                a.cwiseAbs().dot(sum_of_products<Real>(b.cwiseAbs(), c.cwiseAbs()));
+                dot(a.cwiseAbs(), sum_of_products<Real>(b.cwiseAbs(), c.cwiseAbs()));
   }
   return {volume.sum, first.sum, second.sum, rounding};
 }

@@ -16,7 +16,7 @@ Real orthonormality_error(const Mat3<Real>& R) {
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j <= i; ++j) {
       const Vec3<Real> a = R.col(i), b = R.col(j);
-      largest = std::max(largest, std::abs(a.dot(b) - (i == j ? 1 : 0)));
+      largest = std::max(largest, std::abs(dot(a, b) - (i == j ? 1 : 0)));
     }
   return largest;
 }
@@ -26,7 +26,7 @@ Real orthonormality_error(const Mat3<Real>& R) {
 template <class Real>
 Real triple_product(const Mat3<Real>& R) {
   const Vec3<Real> a = R.col(0), b = R.col(1), c = R.col(2);
-  return a.cross(b).dot(c);
+  return dot(a.cross(b), c);
 }
 
 }  // namespace tumble

@@ -19,7 +19,7 @@ struct Tetrahedron {
 template <class Real>
 Real volume(const Tetrahedron<Real>& tetrahedron) {
   const auto& [a, b, c, d] = tetrahedron.corners;
-  return std::abs((b - a).dot((c - a).cross(d - a))) / 6;
+  return std::abs(dot(b - a, (c - a).cross(d - a))) / 6;
 }
 
 /// The centre of mass c is the mean of the corners. About it the second moments are
@@ -51,7 +51,7 @@ void require_not_flat(const Tetrahedron<Real>& tetrahedron) {
   // Dividing by the longest edge first keeps products of three lengths within the range of Real.
   const Vec3<Real> ab = (b - a) / longest, ac = (c - a) / longest, ad = (d - a) / longest;
   const Real slack = 16 * (std::numeric_limits<Real>::epsilon() / 2);
-  if (!(std::abs(ab.dot(ac.cross(ad))) > slack * ab.norm() * ac.norm() * ad.norm()))
+  if (!(std::abs(dot(ab, ac.cross(ad))) > slack * ab.norm() * ac.norm() * ad.norm()))
     throw std::invalid_argument("the corners of the tetrahedron, " + text_of(a) + ", " +
                                 text_of(b) + ", " + text_of(c) + " and " + text_of(d) +
                                 " m, lie in one plane; they must enclose a volume");

@@ -50,7 +50,7 @@ template <class Real>
 Quaternion<Real> operator*(const Quaternion<Real>& p, const Quaternion<Real>& q) {
   const Vec3<Real>& u = p.imaginary;
   const Vec3<Real>& v = q.imaginary;
-  return {p.real * q.real - u.dot(v), p.real * v + q.real * u + u.cross(v)};
+  return {p.real * q.real - dot(u, v), p.real * v + q.real * u + u.cross(v)};
 }
 //! [product]
 

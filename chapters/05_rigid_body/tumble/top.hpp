@@ -145,7 +145,7 @@ void add_angular_momentum(Top<Real>& top, const Vec3<Same<Real>>& angular_impuls
 //! [kinetic_energy]
 template <class Real>
 Real kinetic_energy(const Top<Real>& top) {
-  return angular_velocity_body(top).dot(top.angular_momentum_body) / 2;
+  return dot(angular_velocity_body(top), top.angular_momentum_body) / 2;
 }
 //! [kinetic_energy]
 

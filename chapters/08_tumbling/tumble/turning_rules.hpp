@@ -59,7 +59,7 @@ template <class Real>
 Vec3<Real> solved(const Mat3<Real>& M, const Vec3<Same<Real>>& right) {
   const Vec3<Real> a = M.col(0), b = M.col(1), c = M.col(2);
   const Vec3<Real> b_c = b.cross(c), c_a = c.cross(a), a_b = a.cross(b);
-  return Vec3<Real>(b_c.dot(right), c_a.dot(right), a_b.dot(right)) / a.dot(b_c);
+  return Vec3<Real>(dot(b_c, right), dot(c_a, right), dot(a_b, right)) / dot(a, b_c);
 }
 
 /// Euler's equations by implicit Euler: L' = L + h L' × ω', with ω' = I⁻¹ L'. One step of Newton's

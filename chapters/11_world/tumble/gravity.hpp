@@ -24,7 +24,7 @@ struct Gravity {
     return {gravity.template cast<Wide>()};
   }
   Real potential_energy(const BodyState<Real>& body) const {
-    return -mass_of(body.centre) * gravity.dot(body.centre.position);
+    return -mass_of(body.centre) * dot(gravity, body.centre.position);
   }
 };
 //! [gravity]
@@ -47,7 +47,7 @@ struct GravityAsAcceleration {
     return {gravity.template cast<Wide>()};
   }
   Real potential_energy(const BodyState<Real>& body) const {
-    return -mass_of(body.centre) * gravity.dot(body.centre.position);
+    return -mass_of(body.centre) * dot(gravity, body.centre.position);
   }
 };
 //! [gravity_as_acceleration]

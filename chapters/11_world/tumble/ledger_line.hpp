@@ -40,7 +40,7 @@ LedgerLine holdings_of(const BodyState<Real>& body) {
                              body.top.orientation.imaginary.template cast<double>()};
   const Vec3d p = momentum(centre);
   return {{},
-          kinetic_energy(centre) + angular_velocity.dot(angular_momentum) / 2,
+          kinetic_energy(centre) + dot(angular_velocity, angular_momentum) / 2,
           p,
           centre.position.cross(p) + rotate(q, angular_momentum)};
 }
@@ -70,7 +70,7 @@ LedgerLine work_of(const Push<Real>& push, const BodyState<Real>& before,
                         after.centre.velocity.template cast<double>()) /
                        2;
     work.momentum = h * push.force.template cast<double>();
-    work.energy = work.momentum.dot(mean);
+    work.energy = dot(work.momentum, mean);
     work.angular_momentum = before.centre.position.template cast<double>().cross(work.momentum);
   }
   const Vec3<Real> torque_body =
@@ -78,7 +78,7 @@ LedgerLine work_of(const Push<Real>& push, const BodyState<Real>& before,
   const Vec3d mean_spin = (angular_velocity_body(before.top).template cast<double>() +
                            angular_velocity_body(after.top).template cast<double>()) /
                           2;
-  work.energy += h * torque_body.template cast<double>().dot(mean_spin);
+  work.energy += h * dot(torque_body.template cast<double>(), mean_spin);
   work.angular_momentum +=
       h * rotate<Real>(before.top.orientation, torque_body).template cast<double>();
   return work;

@@ -25,7 +25,7 @@ Vec3<Real> spring_force(const Spring<Real>& spring, const Vec3<Real>& extent,
   const Real length = extent.norm();
   const Vec3<Real> n = extent / select(length == 0, Real(1), length);
   const Real stretch = length - spring.rest_length;
-  const Real tension = spring.stiffness * stretch + spring.damping * rate.dot(n);
+  const Real tension = spring.stiffness * stretch + spring.damping * dot(rate, n);
   const Real pull =
       spring.only_pulls ? select(stretch < 0 || tension < 0, Real(0), tension) : tension;
   return -pull * n;

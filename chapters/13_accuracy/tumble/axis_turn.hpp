@@ -93,7 +93,7 @@ class AxisTurn {
 
   /// The turn that takes c to n, not normalised.
   Quaternion<Real> shortest_from(const Vec3<Real>& c) const {
-    return {.real = 1 + c.dot(n()), .imaginary = c.cross(n())};
+    return {.real = 1 + dot(c, n()), .imaginary = c.cross(n())};
   }
 
   const Gather* gather_;

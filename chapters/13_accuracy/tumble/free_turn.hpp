@@ -79,7 +79,7 @@ class FreeTurn {
  private:
   void begin_at(const Vec3<Real>& l) {
     first_ = l;
-    twice_energy_ = l.dot(inverse_.cwiseProduct(l));
+    twice_energy_ = dot(l, inverse_.cwiseProduct(l));
     // L goes around the outer axis on whose side of the middle one the energy lies.
     const Real low = inverse_.minCoeff(), high = inverse_.maxCoeff();
     const Real middle = inverse_.sum() - low - high;
@@ -98,7 +98,7 @@ class FreeTurn {
 
   /// The turn that takes l to e, not normalised.
   Quaternion<Real> shortest_from(const Vec3<Real>& l) const {
-    return {.real = 1 + l.dot(e()), .imaginary = l.cross(e())};
+    return {.real = 1 + dot(l, e()), .imaginary = l.cross(e())};
   }
 
   Top<Real> top_;

@@ -118,7 +118,7 @@ class FreeTop {
     const Real inverse_unit = power_of_two(start_.inverse_moments);
     const Vec3<Real> inverse = start_.inverse_moments / inverse_unit;
     const Vec3<Real> l = start_.angular_momentum_body / momentum_unit_;
-    const Real size = l.norm(), twice_energy = l.dot(inverse.cwiseProduct(l));
+    const Real size = l.norm(), twice_energy = dot(l, inverse.cwiseProduct(l));
     const auto excess = [&](int k) {  // D_k, from the terms that don't cancel
       Real sum = 0;
       for (int n = 0; n < 3; ++n) sum += l[n] * l[n] * (inverse[k] - inverse[n]);

@@ -52,7 +52,7 @@ class KeplerOrbit {
     semi_axis_ = attraction / (bound - speed_squared);
     mean_motion_ = std::sqrt(attraction / semi_axis_) / semi_axis_;
     e_cosine_ = 1 - first_distance_ / semi_axis_;
-    e_sine_ = r.dot(v) / std::sqrt(attraction * semi_axis_);
+    e_sine_ = dot(r, v) / std::sqrt(attraction * semi_axis_);
   }
 
   Real period() const { return 2 * std::numbers::pi_v<Real> / mean_motion_; }
