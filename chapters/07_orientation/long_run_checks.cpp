@@ -66,7 +66,8 @@ TEST_CASE_TEMPLATE(
 }
 //! [tiny_turns]
 
-TEST_CASE_TEMPLATE("In double, tiny turns add up from any orientation", Real, double) {
+TEST_CASE_TEMPLATE("In double, turns of a ten-millionth of a radian add up from any orientation",
+                   Real, double) {
   std::mt19937_64 generator(78);
   const int steps = 100'000;
   const Quaternion<Real> start = random_orientation<Real>(generator);
