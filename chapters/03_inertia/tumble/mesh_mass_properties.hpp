@@ -39,7 +39,7 @@ struct MeshIntegrals {
   Real volume;                ///< ∫ dV
   Vec3<Real> first_moment;    ///< ∫ r dV
   Mat3<Real> second_moments;  ///< ∫ r rᵀ dV
-  Real rounding;              ///< how far the volume may be off
+  Real rounding;              ///< how far the roundings of all D may put the volume off
 };
 
 /// The cross product with + in place of −. Of D = a·(b × c) a computer knows no more than: it is
