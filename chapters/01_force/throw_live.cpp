@@ -14,13 +14,17 @@ void tumble::course::run_live(Live& live) {
   const Vec3d velocity(forward, 0, up), gravity(0, 0, -9.81);
   std::vector<double>&time = live.column("time", "s"), &distances = live.column("distance", "m"),
   &heights = live.column("height", "m"), &exact_distances = live.column("exact distance", "m"),
-  &exact_heights = live.column("exact height", "m");
+  &exact_heights = live.column("exact height", "m"),
+  &below = live.column("below the parabola", "m"), &predicted = live.column("half g h t", "m");
   Particled ball = make_particle(mass, Vec3d::Zero(), velocity);
   const int steps = static_cast<int>(2 / h);
   for (int n = 0; n <= steps; ++n) {
     time.push_back(n * h);
     distances.push_back(ball.position.x());
     heights.push_back(ball.position.z());
+    const double t = n * h;
+    below.push_back(t * velocity.z() + t * t / 2 * gravity.z() - ball.position.z());
+    predicted.push_back(-gravity.z() * h * t / 2);
     if (way == 0)
       add_gravity(ball, gravity);
     else

@@ -34,24 +34,22 @@ tumble_live.figures.throw = {
     {
       label: 'How far the stepped ball is below the parabola, against time: a straight line.',
       aspect: 1.25,
-      draw(picture, {columns, values}) {
+      draw(picture, {columns}) {
         const {painter, palette, size} = picture;
-        const below = Array.from(columns.time, (t, n) => values.up * t - 4.905 * t * t - columns.height[n]);
-        const bound = columns.time.map(t => 4.905 * values.h * t);
+        const below = columns['below the parabola'];
         const plot = new tumble_live.Plot(painter, palette, size, {label: 'time', unit: 's', least: 0, most: 2},
           {label: 'below the parabola', unit: 'm', ...tumble_live.range_of([below, [0]])});
         picture.plot = plot;
-        plot.line(columns.time, bound, palette.bodies[0]);
+        plot.line(columns.time, columns['half g h t'], palette.bodies[0]);
         plot.points(columns.time, below, palette.bodies[1], 3);
         plot.legend([['½ g h t', palette.bodies[0]]]);
       },
     },
   ],
-  finding({columns, values}) {
+  finding({columns}) {
     const {with_unit} = tumble_live;
-    const t = columns.time.at(-1);
-    const below = columns['exact height'].at(-1) - columns.height.at(-1);
-    return `After ${with_unit(t, 's')} the stepped ball is ${with_unit(below, 'm')} below the parabola, and ½ g h t is ` +
-      `${with_unit(4.905 * values.h * t, 'm')}. Forward it is off by ${with_unit(Math.abs(columns['exact distance'].at(-1) - columns.distance.at(-1)), 'm', 2)}.`;
+    const last = name => columns[name].at(-1);
+    return `After ${with_unit(last('time'), 's')} the stepped ball is ${with_unit(last('below the parabola'), 'm')} below the parabola, and ½ g h t is ` +
+      `${with_unit(last('half g h t'), 'm')}. Forward it is off by ${with_unit(Math.abs(columns['exact distance'].at(-1) - columns.distance.at(-1)), 'm', 2)}.`;
   },
 };

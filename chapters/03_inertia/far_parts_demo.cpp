@@ -49,6 +49,9 @@ int main(int argument_count, char** arguments) {
     lost = lost || std::abs(naive - truth) >= truth;
     kept = kept && std::abs(careful - truth) <= 4e-7f * truth;
     std::printf("%14.0f  %10.4f    %.4f\n", distance, naive, careful);
+    const double error = double(std::abs(naive - truth) / truth);
+    if (distance == 3) notebook.value("error_3", number("%.0e", error));
+    if (distance == 10000) notebook.value("error_10000", number("%.0f", error));
     if (distance == 1000) notebook.value("at_1000", number("%.3g kg m²", naive));
   }
   course::expect(lost, "far away the sum has lost the body altogether");

@@ -71,6 +71,9 @@ int main(int argument_count, char** arguments) {
               push.y() / sphere.mass);
   std::printf("   the turning speeds up by %5.2f rad/s^2   %6.2f rad/s^2\n", box_answer.z(),
               sphere_answer.z());
+  notebook.value("about_x", number("%.3f kg m²", moments.x()));
+  notebook.value("about_y", number("%.3f kg m²", moments.y()));
+  notebook.value("about_z", number("%.3f kg m²", moments.z()));
   notebook.value("ratio_box", number("%.0f", moments.maxCoeff() / moments.minCoeff()));
   notebook.value("ratio_push", number("%.1f", sphere_answer.z() / box_answer.z()));
 

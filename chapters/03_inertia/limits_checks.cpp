@@ -1,6 +1,7 @@
 // Where the refusals of this chapter begin: the last input that is taken, and the first that is
 // not.
 #include <course/bad_vectors.hpp>
+#include <course/particle_cloud.hpp>
 #include <tumble/mesh_mass_properties.hpp>
 #include <tumble/spheres.hpp>
 #include <tumble/tetrahedron.hpp>
@@ -93,6 +94,19 @@ TEST_CASE_TEMPLATE("A matrix turns while its products are off by 1024 roundings,
   const Real most = 1024 * unit_roundoff<Real>;
   CHECK(complaint(most) == "nothing thrown");
   CHECK(complaint(std::nextafter(most, Real(1))) != "nothing thrown");
+}
+
+TEST_CASE_TEMPLATE("A product of fifty turns is still a turn, and of a thousand different ones",
+                   Real, EVERY_PRECISION) {
+  Dice dice(7);
+  for (int trial = 0; trial < 20; ++trial) {
+    const Mat3<Real> R = random_turn<Real>(dice);
+    Mat3<Real> power = R, product = R;
+    for (int n = 1; n < 50; ++n) power = (power * R).eval();
+    for (int n = 1; n < 1000; ++n) product = (product * random_turn<Real>(dice)).eval();
+    CHECK(complaint_of([&] { require_turn("fifty times the same", power); }) == "nothing thrown");
+    CHECK(complaint_of([&] { require_turn("a thousand", product); }) == "nothing thrown");
+  }
 }
 
 TEST_CASE_TEMPLATE("A triangle has area from 8 roundings of its longest side's square on", Real,

@@ -150,6 +150,26 @@ TEST_CASE_TEMPLATE("A mesh scaled by a power of two scales its moments and chang
     CHECK(same_bits(body(k), std::ldexp(Real(1), 2 * k) * body(0)));
 }
 
+TEST_CASE_TEMPLATE(
+    "From its centre a convex mesh has no tetrahedron to take away, from its box's middle it may",
+    Real, EVERY_PRECISION) {
+  const Mesh<Real> mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                        {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+  const MeshFrame<Real> frame(mesh);
+  const auto taken_away = [&](const Vec3<Real>& from) {
+    int count = 0;
+    for (const auto& [i, j, k] : mesh.triangles) {
+      const Vec3<Real> a = mesh.vertices[i] - from, b = mesh.vertices[j] - from,
+                       c = mesh.vertices[k] - from;
+      if (a.dot(b.cross(c)) < 0) ++count;
+    }
+    return count;
+  };
+  CHECK(same_bits(frame.middle, Vec3<Real>::Constant(Real(0.5))));
+  CHECK(taken_away(frame.middle) == 1);
+  CHECK(taken_away(mass_properties(mesh, 1).centre_of_mass) == 0);
+}
+
 TEST_CASE("A fine mesh in float is as exact as a coarse one") {
   const Mesh<float> mesh = sphere_mesh(0.7f, 6);
   Mesh<double> witness;

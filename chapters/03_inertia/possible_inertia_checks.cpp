@@ -143,6 +143,22 @@ TEST_CASE_TEMPLATE("Any of the nine elements may be the largest that mirrored on
       }
 }
 
+TEST_CASE_TEMPLATE(
+    "A slanted needle's slack is 4/3 of its largest moment's at most, along (1, 1, 1)", Real,
+    EVERY_PRECISION) {
+  const auto slack_of = [](const Vec3<Real>& line) {
+    const Vec3<Real> v = line.normalized();
+    const Mat3<Real> needle = Mat3<Real>::Identity() - v * v.transpose();
+    return moment_slack<Real>(needle, principal_axes(needle).axes, 1)(0);
+  };
+  // Σ |v_i| |I_ij| |v_j| is 2 Σ v_i² v_j² over the pairs; a dozen roundings of it, and of v.
+  const Real roundings = 48 * unit_roundoff<Real>;
+  CHECK(std::abs(slack_of({1, 1, 1}) - Real(4) / 3) <= roundings);
+  Dice dice(33);
+  for (int n = 0; n < 100; ++n)
+    CHECK(slack_of(random_turn<Real>(dice).col(0)) <= Real(4) / 3 + roundings);
+}
+
 TEST_CASE_TEMPLATE("The slack of a moment is how far the worst errors of the elements move it",
                    Real, EVERY_PRECISION) {
   Dice dice(32);

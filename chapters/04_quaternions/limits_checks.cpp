@@ -20,8 +20,9 @@ TEST_CASE_TEMPLATE("A quaternion whose square is off by 8 epsilon stays as it is
   CHECK_FALSE(same_bits(renormalized(nine), nine));
 }
 
-TEST_CASE_TEMPLATE("A matrix may be off by 0.01 from a rotation and no more, whatever the column",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "The squares and products of a rotation's columns may be off by 0.01 and no more", Real,
+    EVERY_PRECISION) {
   // Sheared by e, the columns' products are off by e, and a length's square by e².
   const auto complaint = [](Real e) {
     Mat3<Real> matrix = Mat3<Real>::Identity();
@@ -33,6 +34,11 @@ TEST_CASE_TEMPLATE("A matrix may be off by 0.01 from a rotation and no more, wha
   CHECK(complaint(std::nextafter(most, Real(1))).find("the largest element of RᵀR − 1") == 0);
   for (int column = 0; column < 3; ++column) {
     Mat3<Real> matrix = Mat3<Real>::Identity();
+    // A length is off by half of what its square is.
+    matrix(column, column) = Real(1.0049);
+    CHECK(complaint_of([&] { quaternion_of(matrix); }) == "nothing thrown");
+    matrix(column, column) = Real(1.0051);
+    CHECK(complaint_of([&] { quaternion_of(matrix); }) != "nothing thrown");
     matrix(1, column) = std::numeric_limits<Real>::quiet_NaN();
     CHECK(complaint_of([&] { quaternion_of(matrix); }).find("a column of rotation is (") == 0);
   }

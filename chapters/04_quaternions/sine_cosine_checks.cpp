@@ -96,3 +96,24 @@ TEST_CASE_TEMPLATE("An angle beyond the stated limit gives NaN, never a wrong nu
       CHECK(std::isnan(sine_cosine(signed_angle).cosine));
     }
 }
+
+TEST_CASE_TEMPLATE("Each coefficient of both series is 1/n! rounded once, whatever long double is",
+                   Real, EVERY_PRECISION) {
+  using Constants = SineCosineConstants<Real>;
+  for (const int first : {0, 1}) {
+    const auto& series = first == 0 ? Constants::cosine_series : Constants::sine_series;
+    std::uint64_t factorial = 1;
+    for (int term = 0; term < Constants::terms; ++term) {
+      const Real coefficient = series[static_cast<std::size_t>(term)];
+      const Real sign = term % 2 == 0 ? Real(1) : Real(-1);
+      // n! times half a unit in the coefficient's last place; fma() subtracts 1 without a rounding.
+      const Real half_a_unit =
+          std::ldexp(Real(1), std::ilogb(coefficient) - std::numeric_limits<Real>::digits);
+      const Real n = static_cast<Real>(factorial);
+      CHECK(static_cast<std::uint64_t>(n) == factorial);
+      CHECK(std::abs(std::fma(sign * coefficient, n, Real(-1))) <= n * half_a_unit);
+      const auto next = static_cast<std::uint64_t>(2 * term + first + 1);
+      factorial *= next * (next + 1);
+    }
+  }
+}

@@ -42,7 +42,14 @@ int main(int argument_count, char** arguments) {
   notebook.value("angle_double", course::number("%.0f", SineCosineConstants<double>::limit));
   notebook.value("terms_float", std::to_string(SineCosineConstants<float>::terms));
   notebook.value("terms_double", std::to_string(SineCosineConstants<double>::terms));
-  notebook.value("turns_float", course::number("%.0f", limit / (2 * std::numbers::pi)));
+  // Whole turns that fit: rounded to the nearest it would be one that doesn't.
+  const int turns = static_cast<int>(limit / (2 * std::numbers::pi));
+  notebook.value("turns_float", std::to_string(turns));
+  const auto answered = [](int whole_turns) {
+    const auto angle = static_cast<float>(whole_turns * 2 * std::numbers::pi);
+    return std::isfinite(quaternion_of_rotation_vector(Vec3f(0, 0, angle)).real);
+  };
+  course::expect(answered(turns) && !answered(turns + 1), "so many whole turns, and no more");
   std::printf("\nturned by (rad)   sin(angle/2)/angle v   the exponential of v/2\n");
   for (const double angle : {1e-3, 1e-160, 1e-200, 0.0}) {
     const Vec3d v(0, 0, angle);

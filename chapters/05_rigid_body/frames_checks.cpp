@@ -36,6 +36,22 @@ TEST_CASE_TEMPLATE("Turn a body by 90 degrees and its tensor in world axes turns
 }
 //! [quarter_turn]
 
+TEST_CASE_TEMPLATE(
+    "A turn about a principal axis changes the world tensor unless the other two moments are equal",
+    Real, EVERY_PRECISION) {
+  for (int axis = 0; axis < 3; ++axis) {
+    // A brick, which looks the same after half a turn about each of its axes, and a square prism.
+    Top<Real> brick = plain_top<Real>(), prism = plain_top<Real>();
+    prism.inverse_moments = Vec3<Real>::Constant(Real(0.5));
+    prism.inverse_moments[axis] = Real(0.125);
+    const Mat3<Real> brick_before = world_inertia(brick), prism_before = world_inertia(prism);
+    for (Top<Real>* top : {&brick, &prism})
+      top->orientation = quaternion_about<Real>(Vec3<Real>::Unit(axis), Real(0.7));
+    CHECK((world_inertia(prism) - prism_before).cwiseAbs().maxCoeff() <= tensor_error<Real> * 8);
+    CHECK((world_inertia(brick) - brick_before).cwiseAbs().maxCoeff() > Real(0.4));
+  }
+}
+
 TEST_CASE_TEMPLATE("After a turn by 90 degrees the same world torque gets another answer", Real,
                    EVERY_PRECISION) {
   Top<Real> top = plain_top<Real>();

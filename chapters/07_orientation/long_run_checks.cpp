@@ -66,7 +66,8 @@ TEST_CASE_TEMPLATE(
 }
 //! [tiny_turns]
 
-TEST_CASE_TEMPLATE("In double, tiny turns add up from any orientation", Real, double) {
+TEST_CASE_TEMPLATE("In double, turns of a ten-millionth of a radian add up from any orientation",
+                   Real, double) {
   std::mt19937_64 generator(78);
   const int steps = 100'000;
   const Quaternion<Real> start = random_orientation<Real>(generator);
@@ -175,4 +176,22 @@ TEST_CASE_TEMPLATE("A turn that no step can answer is refused by name, size and 
   CHECK(complaint({0, 0, limit}, -2) != "nothing thrown");
   CHECK(std::isfinite(turn_exponential<Real>({}, Vec3<Real>(0, 0, limit), 1).real));
   CHECK(std::isnan(turn_exponential<Real>({}, Vec3<Real>(0, 0, 2 * limit), 1).real));
+}
+
+TEST_CASE_TEMPLATE("Whatever turn is let pass has an answer, to the last bit of the limit", Real,
+                   EVERY_PRECISION) {
+  std::mt19937_64 generator(11);
+  const Real limit = 2 * SineCosineConstants<Real>::limit, h = Real(1) / 60;
+  int passed = 0, refused = 0;
+  for (int trial = 0; trial < 1000; ++trial) {
+    const Vec3<Real> direction = random_vector<Real>(generator);
+    const Vec3<Real> omega = direction * (limit / (h * direction.norm()));
+    const bool answered = complaint_of([&] { require_turn(omega, h); }) == "nothing thrown";
+    (answered ? passed : refused) += 1;
+    CHECK(answered == std::isfinite(turn_exponential<Real>({}, omega, h).real));
+    CHECK(answered == std::isfinite(turn_exponential_body<Real>({}, omega, h).real));
+  }
+  // At the limit rounding alone decides, so there are some of either kind.
+  CHECK(passed > 100);
+  CHECK(refused > 100);
 }

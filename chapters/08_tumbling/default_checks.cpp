@@ -76,6 +76,27 @@ TEST_CASE_TEMPLATE("A symmetric top is turned exactly, however long the step", R
 }
 //! [symmetric]
 
+TEST_CASE_TEMPLATE("A step turns up to the sine's limit, and a needle beyond it if L is across",
+                   Real, EVERY_PRECISION) {
+  const Real limit = 2 * SineCosineConstants<Real>::limit;
+  const auto answered = [](const Vec3<Real>& inverse_moments, const Vec3<Real>& L) {
+    Top<Real> top{.angular_momentum_body = L, .inverse_moments = inverse_moments};
+    drift(top, 1);
+    return std::isfinite(top.orientation.real);
+  };
+  const Real thin = Real(1) / 1024;
+  const Vec3<Real> x = Vec3<Real>::UnitX(), y = Vec3<Real>::UnitY(), z = Vec3<Real>::UnitZ();
+  for (const Vec3<Real>& inverse : {Vec3<Real>(thin, thin, 1), Vec3<Real>(1, Real(0.9), thin),
+                                    Vec3<Real>(1, Real(0.5), Real(0.25)), Vec3<Real>(1, 1, 1)})
+    for (const Vec3<Real>& direction : {x, y, z, Vec3<Real>((x - y + z).normalized())}) {
+      CHECK(answered(inverse, Real(0.999) * limit * direction));
+      const bool turns_beyond = Real(1.5) * inverse.cwiseProduct(direction).norm() > 1;
+      if (turns_beyond) CHECK_FALSE(answered(inverse, Real(1.5) * limit * direction));
+    }
+  CHECK(answered({thin, thin, 1}, Real(1.5) * limit * y));
+  CHECK_FALSE(answered({thin, thin, 1}, Real(1.5) * limit * z));
+}
+
 //! [round]
 TEST_CASE_TEMPLATE(
     "A ball needs none of it: every rule turns it steadily, and the default skips the work", Real,

@@ -100,7 +100,7 @@
   }
 
   live.figures.energy_sphere = {
-    title: 'Each wrong rule leaves its energy curve in its own way',
+    title: 'On the sphere of L each wrong rule goes wrong in its own way',
     hint: 'Drag the body or the sphere to turn it; by keys, with the arrows.',
     knobs: {
       rule: {label: 'Rule', choices: rules},

@@ -170,7 +170,9 @@ TEST_CASE_TEMPLATE("Damping the centre leaves the turning alone, and the other w
   CHECK(same_bits(body.top.orientation.imaginary, start.top.orientation.imaginary));
 }
 
-TEST_CASE_TEMPLATE("A static particle and a rate of zero change nothing", Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "A static particle keeps any velocity, and at a rate of zero a ball any that matters", Real,
+    EVERY_PRECISION) {
   Particle<Real> belt = make_static_particle(Vec3<Real>(1, 2, 3));
   belt.velocity = Vec3<Real>(Real(0.5), 0, slowest_speed<Real> / 2);  // a conveyor belt
   const Vec3<Real> before = belt.velocity;
@@ -180,6 +182,10 @@ TEST_CASE_TEMPLATE("A static particle and a rate of zero change nothing", Real, 
   Particle<Real> ball = make_particle(Real(1), Vec3<Real>(1, 2, 3), Vec3<Real>(Real(0.1), 7, -3));
   damp(ball, fraction_kept(Real(0), Real(1) / 60));
   CHECK(same_bits(ball.velocity, Vec3<Real>(Real(0.1), 7, -3)));
+  // What is too slow to matter stops even so.
+  ball.velocity.x() = slowest_speed<Real> / 2;
+  damp(ball, fraction_kept(Real(0), Real(1) / 60));
+  CHECK(same_bits(ball.velocity, Vec3<Real>(0, 7, -3)));
 }
 
 //! [refused]

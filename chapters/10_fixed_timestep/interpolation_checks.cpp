@@ -105,10 +105,19 @@ TEST_CASE("Drawn between two states an evenly moving body is where it was one st
   CHECK(clock.dropped_time + clock.dropped_steps == 0);
 }
 
-TEST_CASE("A body that turns by more than half a turn in a step is drawn turning backwards") {
+TEST_CASE(
+    "A body that turns by more than half a turn in a step, and less than one, is drawn backwards") {
   const Vec3d up(0, 0, 1);
-  Posed from, to;
-  to.orientation = quaternion_about(up, 3.3);
-  const Vec3d turned = rotation_vector_of(interpolated(from, to, 0.5).orientation);
-  CHECK(std::abs(turned.z() - (3.3 - 2 * std::numbers::pi) / 2) <= turn_error<double>);
+  const double whole = 2 * std::numbers::pi;
+  const auto drawn = [&](double turn) {
+    const Posed from, to{.position = {0, 0, 0}, .orientation = quaternion_about(up, turn)};
+    return 2 * rotation_vector_of(interpolated(from, to, 0.5).orientation).z();
+  };
+  for (const double turn : {3.2, 3.3, 5.0, 6.2}) {
+    CHECK(drawn(turn) < 0);
+    CHECK(std::abs(drawn(turn) - (turn - whole)) <= 2 * turn_error<double>);
+  }
+  // Beyond a whole turn it is drawn forwards again, by what is left over.
+  for (const double turn : {6.4, 7.0, 9.0})
+    CHECK(std::abs(drawn(turn) - (turn - whole)) <= 2 * turn_error<double>);
 }

@@ -60,13 +60,15 @@ struct SineCosineConstants {
   }
   static constexpr int terms = count_terms();
 
-  /// ±1/n! for n = first, first + 2, first + 4, …, with alternating signs.
+  /// ±1/n! for n = first, first + 2, first + 4, …, with alternating signs. Each n! fits into the
+  /// digits of Real, so that the quotient alone is rounded; long double, which has other digits on
+  /// other machines, takes no part in it.
   static constexpr std::array<Real, terms> series(int first) {
     std::array<Real, terms> coefficients = {};
-    long double value = 1;
+    Real factorial = 1;
     for (int term = 0; term < terms; ++term) {
-      coefficients[static_cast<std::size_t>(term)] = static_cast<Real>(value);
-      value /= -static_cast<long double>((2 * term + first + 1) * (2 * term + first + 2));
+      coefficients[static_cast<std::size_t>(term)] = (term % 2 == 0 ? 1 : -1) / factorial;
+      factorial *= static_cast<Real>((2 * term + first + 1) * (2 * term + first + 2));
     }
     return coefficients;
   }

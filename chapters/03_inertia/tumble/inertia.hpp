@@ -46,7 +46,9 @@ Real turning_energy(const Mat3<Real>& inertia, const Vec3<Same<Real>>& angular_v
 ///
 /// A tensor that was turned by matrix products differs from its transpose by rounding: every
 /// element of R I Rᵀ sums nine products with six roundings each, at most 3 · 6 units of roundoff of
-/// the largest element, and the mirrored element as much again. So 64 units are let pass.
+/// the largest element, and the mirrored element as much again: 36. The largest element may have
+/// been half as large again before the turn, but no larger, because the trace stays, and is at
+/// least twice the largest moment. So 64 units are let pass.
 template <class Real>
 void require_symmetric(std::string_view name, const Mat3<Real>& inertia) {
   if (!is_finite(inertia))

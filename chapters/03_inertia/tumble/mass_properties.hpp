@@ -64,7 +64,9 @@ Mat3<Real> in_other_axes(const Mat3<Real>& inertia, const Mat3<Same<Real>>& R) {
 
 /// Throws unless `matrix` turns a body and does nothing else to it: columns of length 1,
 /// perpendicular to each other, right-handed. 1024 units of roundoff are let pass, so that a
-/// product of hundreds of turns is still one.
+/// product of fifty turns is still one. A turn's own columns and each multiplication may be off by
+/// some ten units, which add up if all the turns are the same; of different turns a thousand will
+/// do.
 template <class Real>
 void require_turn(std::string_view name, const Mat3<Real>& matrix) {
   if (!is_finite(matrix))

@@ -27,7 +27,7 @@ struct MeshEdge {
 };
 
 /// Throws unless every vertex is finite and every triangle has three corners that exist and some
-/// area: more than 8 roundings make of the square of its longest side.
+/// area: twice it is more than 8 roundings make of the square of its longest side.
 template <class Real>
 void require_sound_triangles(const Mesh<Real>& mesh) {
   if (mesh.triangles.empty()) throw std::invalid_argument("the mesh has no triangles");

@@ -39,7 +39,7 @@ struct MeshIntegrals {
   Real volume;                ///< ∫ dV
   Vec3<Real> first_moment;    ///< ∫ r dV
   Mat3<Real> second_moments;  ///< ∫ r rᵀ dV
-  Real rounding;              ///< how far the volume may be off
+  Real rounding;              ///< how far the roundings of all D may put the volume off
 };
 
 /// The cross product with + in place of −. Of D = a·(b × c) a computer knows no more than: it is
@@ -114,9 +114,11 @@ Real volume(const Mesh<Real>& mesh) {
 /// The mass properties of `mass` kg spread evenly through a closed mesh.
 ///
 /// The mesh is walked over twice: for the centre of mass, then for the second moments about it. So
-/// nothing large is subtracted from anything large at the end, and around a convex body all the
-/// tetrahedra are positive. The compensated sums keep the error to a few dozen units of roundoff of
-/// Σ|D| |squares|, however many triangles there are.
+/// nothing large is subtracted from anything large at the end. The first walk starts from the
+/// middle of the box, which may lie outside even a convex body; the second starts from the centre
+/// of mass, which lies within, so there all the tetrahedra of a convex body are positive. The
+/// compensated sums keep the error to a few dozen units of roundoff of Σ|D| |squares|, however many
+/// triangles there are.
 /// @throws std::invalid_argument as volume() does, or if the mass is not positive.
 //! [mesh_mass_properties]
 template <class Real>

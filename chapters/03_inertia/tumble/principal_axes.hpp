@@ -52,10 +52,10 @@ void remove_product(Mat3<Real>& I, Mat3<Real>& axes, int p, int q) {
 /// product of inertia away after the other until none is left that matters.
 ///
 /// A turn brings back a part of what the one before removed, but ever less: near the end, the
-/// square of what was left. A product counts as gone once it is below a rounding of the smaller of
-/// its two moments. A tensor that is diagonal already is not touched: its numbers come out to the
-/// bit, in ascending order. Equal moments leave the choice of axes free; some right-handed ones
-/// come out.
+/// product of the two removed last, by a difference of moments. A product counts as gone once it is
+/// below a rounding of the smaller of its two moments. A tensor that is diagonal already is not
+/// touched: its numbers come out to the bit, in ascending order. Equal moments leave the choice of
+/// axes free; some right-handed ones come out.
 /// @throws std::invalid_argument if the tensor called `name` is not finite or not symmetric.
 //! [principal_axes]
 template <class Real>

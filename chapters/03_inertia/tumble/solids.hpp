@@ -1,9 +1,10 @@
 /// @file
 /// The mass properties of common solids of uniform density.
 ///
-/// A solid that looks the same in three mirrors has no products of inertia in their axes, so three
-/// second moments of mass say it all: S_x = ∫x² dm, and likewise S_y and S_z. The tensor is then
-/// diag(S_y + S_z, S_x + S_z, S_x + S_y). The functions below differ in those three numbers only.
+/// A solid that looks the same in two mirrors, one in x and one in y, has no products of inertia in
+/// these axes, so three second moments of mass about its centre say it all: S_x = ∫x² dm, and
+/// likewise S_y and S_z. The tensor is then diag(S_y + S_z, S_x + S_z, S_x + S_y). The solids below
+/// differ in those three numbers only, and the cone, which has no third mirror, in its centre too.
 #pragma once
 
 #include <numbers>

@@ -17,8 +17,8 @@ constexpr Real element_slack = 32 * (std::numeric_limits<Real>::epsilon() / 2);
 ///
 /// A moment is λ = vᵀ I v with v its axis. So an error of slack |I_ij| in each element moves λ by
 /// at most slack Σ |v_i| |I_ij| |v_j|. For a diagonal tensor that is slack λ: even a needle's
-/// smallest moment is known to its last digits. For a slanted needle it is slack times the
-/// *largest* moment.
+/// smallest moment is known to its last digits. For a slanted needle it is in proportion to the
+/// *largest* moment: 4/3 slack of it for one along (1, 1, 1), and no more for any other.
 //! [moment_slack]
 template <class Real>
 Vec3<Real> moment_slack(const Mat3<Real>& inertia, const Mat3<Real>& axes, Real slack) {

@@ -132,9 +132,11 @@ Quaternion<Real> checked_orientation(const Quaternion<Real>& q, std::string_view
     reject(name, q, "", "every component must be finite");
   if (q.real == 0 && (q.imaginary.array() == 0).all())
     reject(name, q, "", "zero turns nothing into nothing: no turn is (1, 0, 0, 0)");
-  const Real length = norm(q), slack = Real(0.01);
-  if (!(std::abs(length - 1) <= slack))
+  if (!(std::abs(norm(q) - 1) <= Real(0.01))) {
+    const Vec3<Real>& u = q.imaginary;  // whose squares may be 0 or infinite, unlike the norm
+    const Real length = std::hypot(q.real, std::hypot(u.x(), u.y(), u.z()));
     reject(name, q, "", "its norm is " + text_of(length) + " and must be 1 within 0.01");
+  }
   return normalized(q);
 }
 //! [checked_orientation]

@@ -27,7 +27,8 @@ Mat3<Real> matrix_of(const Quaternion<Real>& q) {
 //! [matrix_of]
 
 /// @throws std::invalid_argument unless the columns of `matrix` have length 1 and are perpendicular
-/// to each other, within 0.01, and right-handed.
+/// to each other, and right-handed. Each element of RᵀR − 1 may be off by 0.01, so that a length,
+/// of which it holds the square, may be off by 0.005.
 template <class Real>
 void require_nearly_rotation(std::string_view name, const Mat3<Real>& matrix) {
   for (int column = 0; column < 3; ++column)

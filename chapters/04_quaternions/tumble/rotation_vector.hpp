@@ -27,7 +27,8 @@ Quaternion<Real> quaternion_of_rotation_vector(const Vec3<Real>& rotation_vector
 
 /// The shortest turn that q stands for: its direction is the axis, its length the angle, 0 to π
 /// rad. The inverse of quaternion_of_rotation_vector() for lengths below π; q and −q give one
-/// vector. The norm of q does not matter, as long as its square neither under- nor overflows.
+/// vector. (At π both directions are right, and the sign of the real part's zero chooses.) The norm
+/// of q does not matter, as long as its square neither under- nor overflows.
 //! [logarithm]
 template <class Real>
 Vec3<Real> rotation_vector_of(const Quaternion<Real>& q) {

@@ -80,8 +80,10 @@ template <class Real>
 void require_turn(const Vec3<Real>& angular_velocity, Same<Real> time_step) {
   require_finite("angular velocity", angular_velocity, "rad/s");
   require_finite("time step", time_step, "s");
-  const Real turn = std::abs(time_step) * angular_velocity.norm();
-  require_between("turn in one step", turn, "rad", 0, 2 * SineCosineConstants<Real>::limit);
+  const Vec3<Real> turn = time_step * angular_velocity;
+  const Real half_angle = (turn / 2).norm();  // rounded as in quaternion_of_rotation_vector()
+  require_between("turn in one step", 2 * half_angle, "rad", 0,
+                  2 * SineCosineConstants<Real>::limit);
 }
 //! [require_turn]
 

@@ -19,8 +19,9 @@ void kick(Top<Real>& top, Same<Real> time_step) {
 
 /// Turns freely for `time_step` seconds: steadily where that is exact, by splitting elsewhere.
 ///
-/// Angles |L| h/I up to twice SineCosineConstants::limit are turned as asked; beyond, the
-/// orientation is NaN.
+/// Steps with |L| h/I up to twice SineCosineConstants::limit, I being the smallest moment, are
+/// turned as asked. Beyond, the orientation is NaN if a turn of the step exceeds that limit: for a
+/// needle it need not, as long as L is perpendicular to the needle.
 //! [drift]
 template <class Real>
 void drift(Top<Real>& top, Same<Real> time_step) {

@@ -21,7 +21,8 @@ void turn_steadily(Top<Real>& top, Same<Real> time_step) {
 //! [turn_steadily]
 
 /// Euler's equations by explicit Euler, L ← L + h L × ω, then the turn. What is added is
-/// perpendicular to L, so |L| grows in every step, and the energy with it, without bound.
+/// perpendicular to L, so |L| grows in every step, and the energy with it: without bound, unless
+/// the top spins about a principal axis, where L × ω is zero and nothing is added.
 //! [turn_explicitly]
 template <class Real>
 void turn_explicitly(Top<Real>& top, Same<Real> time_step) {

@@ -33,7 +33,7 @@ constexpr Real slowest_speed = [] {
 //! [slowest_speed]
 
 /// Leaves `fraction` of the velocity, see fraction_kept(). Components below slowest_speed become
-/// zero. A static particle keeps its velocity, whatever it is.
+/// zero, even if the fraction is 1. A static particle keeps its velocity, whatever it is.
 //! [damp_particle]
 template <class Real>
 void damp(Particle<Real>& particle, Same<Real> fraction) {

@@ -10,7 +10,8 @@ namespace tumble {
 /// straight line, the orientation on the shortest arc, both at a steady rate.
 ///
 /// The arc is that of the turn from the one to the other, so q and −q make no difference. A body
-/// that turned by more than π in a step is drawn turning the other way, like a wheel in a film.
+/// that turned by more than π in a step, and less than 2π, is drawn turning the other way, like a
+/// wheel in a film; beyond 2π only what is left of whole turns is drawn.
 //! [interpolated]
 template <class Real>
 Pose<Real> interpolated(const Pose<Real>& from, const Pose<Real>& to, Same<Real> fraction) {

@@ -118,7 +118,7 @@ inline std::int64_t steps_due(StepClock& clock, std::int64_t frame) {
 
 /// `seconds` in whole nanoseconds, rounded. A clock of the system that counts in integers is better
 /// still: there the differences are exact.
-/// @throws std::invalid_argument if it is negative, NaN, or beyond 292 years.
+/// @throws std::invalid_argument if it is negative, NaN, or beyond 9.2e9 s, which is 291 years.
 //! [nanoseconds_of]
 inline std::int64_t nanoseconds_of(double seconds) {
   require_finite("frame time", seconds, "s");

@@ -1,4 +1,4 @@
-// caught by: What b feels of a blow at a, a feels of the same blow at b
+// caught by: What b feels along u of a blow w at a, a feels along w of a blow u at b
 // message: Where is the turn?
 #pragma once
 #include <tumble/mass_properties.hpp>
