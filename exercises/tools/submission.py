@@ -63,7 +63,6 @@ def read_header(folder, exercise):
 def _but_elsewhere(folder, exercise):
     """Where a file lies that may be meant: in another folder, in capitals, or numbered as browsers number what they fetch twice. A person
     has to decide; who hands in a thousand files is not searched for it."""
-    meant = re.compile(rf"{re.escape(exercise.name)}(?: ?\([0-9]+\))?\.hpp", re.IGNORECASE)
     left, found = MOST_SEARCHED, []
     for place, folders, files in os.walk(folder):
         left -= len(folders) + len(files)
@@ -71,8 +70,9 @@ def _but_elsewhere(folder, exercise):
             return ""
         if len(Path(place).relative_to(folder).parts) == DEEPEST_SEARCHED:
             folders.clear()
-        found += [os.path.relpath(os.path.join(place, file), folder) for file in files if meant.fullmatch(file)]
-    return f"; {min(found)} may be meant, but has another name or place" if found else ""
+        found += [os.path.relpath(os.path.join(place, file), folder) for file in files
+                  if re.sub(r" ?\([0-9]+\)\.", ".", file).lower() == exercise.header.lower()]
+    return f"; {one_line(min(found))} may be meant, but has another name or place" if found else ""
 
 
 def _bytes_of(folder, place):

@@ -33,13 +33,17 @@ class Headers(InAFolder):
                 self.assertEqual(read_header(self.folder / below.replace("/", "_"), exercise()).text, PLAIN)
 
     def test_what_lies_where_it_is_not_looked_for_is_named(self):
-        for number, place in enumerate(("homework/work/03_inertia/hammer/hammer.hpp", "Hammer.hpp", "hammer (1).hpp")):
+        for number, place in enumerate(("homework/work/03_inertia/hammer/hammer.hpp", "Hammer.hpp", "hammer(12).hpp", "hammer (1).hpp")):
             with self.subTest(place):
                 folder = self.folder / str(number)
                 (folder / place).parent.mkdir(parents=True)
                 (folder / place).write_text(PLAIN, encoding="utf-8")
                 self.assertEqual(read_header(folder, exercise()).reason,
                                  f"hammer.hpp was not handed in; {place} may be meant, but has another name or place")
+        (folder / "a\nb").mkdir()
+        (folder / "a\nb" / "hammer.hpp").touch()
+        (folder / place).unlink()
+        self.assertIn("; a\\nb/hammer.hpp may be meant", read_header(folder, exercise()).reason)
         deep = self.folder / "deep" / "/".join("a" * (DEEPEST_SEARCHED + 1))
         deep.mkdir(parents=True)
         (deep / "hammer.hpp").touch()
