@@ -136,7 +136,7 @@ def grade(arguments, stack):
             if arguments.similarity:
                 export(arguments.similarity, submissions, exercises)
             prepare_all(toolchain, exercises, arguments.jobs)
-            require_seals(toolchain, exercises[0], arguments.unsealed)
+            require_seals(toolchain, max(exercises, key=lambda exercise: exercise.chapter), arguments.unsealed)
             if not arguments.unsealed:
                 require_out_of_reach([("the course", arguments.root), ("the build", arguments.toolchain.parent), ("what TMPDIR names",
                                       tempfile.gettempdir()), *([("what --private names", arguments.private)] if arguments.private else []),

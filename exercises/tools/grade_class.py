@@ -38,6 +38,14 @@ def require_results(results, job):
     for name, result in results.items():
         if not _is_result(name, result, list(job["exercises"]) if _is_job(job) else None):
             raise Complaint(f"what the parts hold for {one_line(name)} is no result of grading")
+    asked = {name: [(check["sentence"], check["of"]) for check in _checks_of(result)] for name, result in results.items()}
+    for first, name in zip(asked, list(asked)[1:]):
+        if asked[first] != asked[name]:
+            raise Complaint(f"what the parts hold for {one_line(first)} and for {one_line(name)} is not of the same checks")
+
+
+def _checks_of(result):
+    return [check for exercise in result["exercises"] for check in exercise["checks"]]
 
 
 def _is_job(job):
@@ -48,7 +56,7 @@ def _is_result(name, result, exercises):
     """Of the job's exercises, for who is named, with points that are there and add up."""
     if not _has_shape(result, RESULT) or [each["exercise"] for each in result["exercises"]] != exercises:
         return False
-    checks = [check for exercise in result["exercises"] for check in exercise["checks"]]
+    checks = _checks_of(result)
     return ((result["submission"], result["student"]) == (name, student_of(name)) and 0 <= result["seconds"] < math.inf and
             all(0 <= check["points"] <= check["of"] for check in checks) and
             all(result[key] == sum(check[key] for check in checks) for key in ("points", "of")))
@@ -95,7 +103,7 @@ class _Graders:
             "private": str(self.arguments.private) if self.arguments.private else None, "caller": os.getpid()})
         if _digests_of(self.exercises, self.arguments.root) != self.digests:
             raise Complaint("the checks or headers have changed since the grading began; what was graded before is kept, and no more")
-        checks = [check for exercise in graded["exercises"] for check in exercise["checks"]]
+        checks = _checks_of(graded)
         return {"student": student, "submission": name, "points": sum(check["points"] for check in checks),
                 "of": sum(check["of"] for check in checks), "exercises": graded["exercises"], "seconds": graded["seconds"],
                 "handed_in": handed_in}

@@ -38,9 +38,9 @@ ROOM = 256 * MEBIBYTE    # which a compiler must find on the disk
 # The last that the compiler says then; a text can make it say so too, with a static_assert.
 ENDED_FROM_OUTSIDE = re.compile(r"fatal error: (Killed signal terminated program \w+|ld terminated with signal 9 \[Killed\])\n"
                                 r"compilation terminated\.\s*\Z")
-# What a system can lack for a while, in its own words.
+# What a system can lack for a while, in its own words; and a right, which a file of the course may have lost to a strict umask.
 LACKS = re.compile("|".join(re.escape(os.strerror(each)) for each in (errno.ENOSPC, errno.EDQUOT, errno.EAGAIN, errno.ENOMEM, errno.EMFILE,
-                                                                      errno.ENFILE, errno.EIO)))
+                                                                      errno.ENFILE, errno.EIO, errno.EACCES)))
 
 
 class Uncompiled(Exception):
@@ -103,6 +103,7 @@ def require_seals(toolchain, exercise, unsealed):
                             f"{wanted // MEBIBYTE} MB")
     try:
         with a_workshop(toolchain, exercise, own_user(), COMPILING * 5) as workshop:
+            workshop.require_readable()
             workshop.try_out()
     except GraderFailed as failure:
         raise Complaint(failure) from None
@@ -174,6 +175,18 @@ class Workshop:
         except Uncompiled:
             pass  # a private exercise without a starter; what counts is that nobody ended the compiler
 
+    def require_readable(self):
+        """Raises GraderFailed if a header or the worker's loop is kept from the user whom root gives to the compiler: what was fetched or
+        made under a strict umask. Whoever includes it would be told that the own text doesn't compile."""
+        if not self.user:
+            return
+        folders = [Path(folder) for folder in self._headers()]
+        found = [each for folder in folders for each in sorted(folder.rglob("*")) if each.is_dir() or each.suffix in (".hpp", ".gch")]
+        for file in (*folders, *found, shared(self.toolchain, "serve.o")):
+            wanted = stat.S_IROTH | stat.S_IXOTH if file.is_dir() else stat.S_IROTH
+            if ~file.stat().st_mode & wanted:
+                raise GraderFailed(f"{file} must be readable for everybody: run by root, the compiler has a user of its own")
+
     def try_out(self):
         """Raises GraderFailed unless the compiler works here, on a text that is beyond doubt."""
         free = os.statvfs(self.place)
@@ -201,14 +214,11 @@ class Workshop:
         command, dependencies = self.toolchain.compile(self.place / "text" / f"{name}.cpp", compiled, self.exercise.chapter,
                                             first_folders=[self.place / "text"])
         self._run(command, patience)
-        self._run(self.toolchain.link([compiled, *self._loop(name)], program), patience)
+        self._run(self.toolchain.link([compiled, shared(self.toolchain, "serve.o")], program), patience)
         foreign = [file for file in _listed(dependencies) if not self._allows(file)]
         if foreign:
             raise Uncompiled(f"it includes {Path(foreign[0]).name}, which is no part of the chapters up to {self.exercise.chapter}")
         return program
-
-    def _loop(self, name):
-        return [shared(self.toolchain, "serve.o")] if name.startswith("answers_") else []
 
     def _run(self, command, patience):
         """Raises Uncompiled with what the compiler said, GraderFailed where somebody else ended it."""

@@ -7,13 +7,19 @@ using namespace tumble::exercise;
 
 namespace {
 
+template <class Real>
+std::vector<Particle<Real>> flown(Real time_step, int steps) {
+  const auto end =
+      ask<std::vector<Particle<Real>>>("flown", course::three_suns<Real>(), time_step, steps);
+  require(end.size() == 3, "three bodies went in, and " + std::to_string(end.size()) + " came out");
+  return end;
+}
+
 /// The worst distance from where a body began, after one period in so many steps.
 template <class Real>
 Real missed_by(int steps) {
   const auto start = course::three_suns<Real>();
-  const Real time_step = Real(course::period_of_the_eight / steps);
-  const auto end = ask<std::vector<Particle<Real>>>("flown", start, time_step, steps);
-  require(end.size() == 3, "three bodies went in, and " + std::to_string(end.size()) + " came out");
+  const auto end = flown(Real(course::period_of_the_eight / steps), steps);
   Real worst = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Real miss = (end[i].position - start[i].position).norm();
@@ -88,6 +94,17 @@ EXERCISE_CHECK("A step leaves the momentum of all three together as it was, and 
 EXERCISE_CHECK(
     "After one period all three are back where they began, the nearer the shorter the step") {
   const Real coarse = missed_by<Real>(250), fine = missed_by<Real>(500);
+  // Who has never left is back, too. All three follow one path, a third of a period apart.
+  const auto start = course::three_suns<Real>();
+  const int third = 250;
+  const auto then = flown(Real(course::period_of_the_eight / (3 * third)), third);
+  for (std::size_t i = 0; i < 3; ++i) {
+    Real nearest = std::numeric_limits<Real>::infinity();
+    for (std::size_t j = 0; j < 3; ++j)
+      if (i != j) nearest = std::min(nearest, (then[i].position - start[j].position).norm());
+    require(nearest < Real(0.1), "after a third of the period a body is " + shown(nearest) +
+                                     " m from where another began; it must be there by then");
+  }
   // First order: half the step, half the miss. The next order changes the ratio by some percent.
   require(fine < Real(0.1), "after one period a body is " + shown(fine) +
                                 " m from where it began: they don't follow the figure of eight");

@@ -72,8 +72,8 @@ EXERCISE_CHECK(
 }
 
 EXERCISE_CHECK("A blow at the sweet spot leaves the grip at rest") {
-  for (const double m : {1.0, 0.85}) {
-    const Real mass = Real(m), length = Real(1.2), grip = Real(0.5),
+  for (const auto& [m, held_at] : {std::pair{1.0, 0.5}, std::pair{0.85, 0.4}}) {
+    const Real mass = Real(m), length = Real(1.2), grip = Real(held_at),
                moment = mass * length * length / 12;
     const Real found = ask<Real>("sweet_spot", mass, moment, grip);
     MassProperties<Real> bat{.mass = mass};

@@ -55,6 +55,15 @@ EXERCISE_CHECK("Pulling the stick lifts the nose towards the pilot's head, not t
                "it rose to the sky. For a pilot who hangs head down, a pull leads to the ground")
       .mistake(Vec3<Real>(1, 0, 0), "it has not moved")
       .must_be(Vec3<Real>(std::cos(pull), 0, -std::sin(pull)), roundings<Real>);
+  // On its back a turn in body axes is the same as one in the world's axes backwards. On its side,
+  // rolled to the right by a quarter, the head points to minus y.
+  const auto on_its_side = quaternion_of_rotation_vector(Vec3<Real>(quarter_turn<Real>, 0, 0));
+  Found("the nose of an aeroplane on its right side after the same pull", "",
+        nose(steered(on_its_side, Vec3<Real>(0, -pull, 0))))
+      .mistake(Vec3<Real>(std::cos(pull), 0, -std::sin(pull)),
+               "it went down, about an axis of the world and backwards. The pilot turns about the "
+               "aeroplane's own")
+      .must_be(Vec3<Real>(std::cos(pull), -std::sin(pull), 0), roundings<Real>);
 }
 
 EXERCISE_CHECK("Roll, pull, roll back: the nose has gone sideways") {

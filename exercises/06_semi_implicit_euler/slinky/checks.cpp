@@ -157,6 +157,13 @@ EXERCISE_CHECK("No coil passes through another") {
     require(beads.front().position.z() < -Real(Slinky::closed),
             "the upper end is still at " + shown(beads.front().position.z()) +
                 " m, where it was let go: nothing has come near anything");
+    // The first spring carries all beads but one, and is closed first.
+    const auto first_gap = [](const Beads<Real>& row) {
+      return row[0].position.z() - row[1].position.z();
+    };
+    require(first_gap(beads) < first_gap(hanging<Real>()) / 2,
+            "the upper two coils are still " + shown(first_gap(beads)) +
+                " m apart: it falls as if it were stiff. Their spring pulls them together");
     for (std::size_t i = 0; i + 1 < beads.size(); ++i) {
       const Real gap = beads[i].position.z() - beads[i + 1].position.z();
       const std::string which =

@@ -84,9 +84,10 @@ EXERCISE_CHECK("While the rate grows evenly about one axis, the angle is exact")
     readings.push_back(Vec3<Real>(0, rate * Real(n) / intervals + rate, 0));
   // From the rate w to 2 w in half a second: three quarters of w.
   const Real truth = rate * Real(0.75), step = rate * interval / 2;
+  const auto found = faced({}, readings, interval);
   Found("the angle of a phone that speeds up from " + shown(rate) + " to " + shown(2 * rate) +
             " rad/s in 0.5 s",
-        "rad", angle_between(Quaternion<Real>{}, faced({}, readings, interval)))
+        "rad", angle_between(Quaternion<Real>{}, found))
       .mistake(truth - step,
                "too little, by half of the growth of an interval: each turn took the reading at "
                "the interval's beginning. You also know the one at its end")
@@ -95,6 +96,10 @@ EXERCISE_CHECK("While the rate grows evenly about one axis, the angle is exact")
                "interval's end. You also know the one at its beginning")
       .mistake(2 * truth, "twice the angle: the two readings were added. Take their mean")
       .must_be(truth, roundings<Real>(intervals));
+  const auto points = [](Real by) { return Vec3<Real>(std::sin(by), 0, std::cos(by)); };
+  Found("where its screen then points", "", rotate(found, points(0)))
+      .mistake(points(-truth), "it turns backwards: about +y, z goes towards x")
+      .must_be(points(truth), roundings<Real>(intervals));
 }
 
 EXERCISE_CHECK("Half the interval, a quarter of the error") {

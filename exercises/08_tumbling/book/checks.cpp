@@ -12,8 +12,8 @@ const std::array<std::array<int, 3>, 6> orders = {
     {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
 
 template <class Real>
-Vec3<Real> moments_in(const std::array<int, 3>& order) {
-  const std::array<int, 3> ascending = {1, 2, 4};
+Vec3<Real> moments_in(const std::array<int, 3>& order,
+                      const std::array<int, 3>& ascending = {1, 2, 4}) {
   Vec3<Real> moments;
   for (int n = 0; n < 3; ++n) moments[n] = Real(ascending[std::size_t(order[std::size_t(n)])]);
   return moments;
@@ -104,7 +104,14 @@ EXERCISE_CHECK("It grows at the rate that Euler's equations give") {
             "the moment of the spin's own axis is in the denominator. The other two belong there")
         .mistake(spin / 2, "the root goes over the whole fraction")
         .must_be(truth, truth * roundings<Real>);
-    Found("the same for the spin the other way round", "1/s", growth<Real>(moments, axis, -spin))
+    // And of 2, 3, 6: (6 - 3)(3 - 2) / (2 · 6) = 1/4.
+    const auto others = moments_in<Real>(order, {2, 3, 6});
+    Found("the growth rate about the middle of the moments 2, 3 and 6 kg m²", "1/s",
+          growth(others, axis, spin))
+        .mistake(truth, "it is that of the moments 1, 2 and 4. Where do the moments come in?")
+        .must_be(spin / 2, spin * roundings<Real>);
+    Found("that of 1, 2 and 4 for the spin the other way round", "1/s",
+          growth<Real>(moments, axis, -spin))
         .mistake(-truth, "a rate of growth is positive, whichever way the body spins")
         .must_be(truth, truth * roundings<Real>);
   }

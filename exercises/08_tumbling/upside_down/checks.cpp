@@ -42,6 +42,25 @@ Top<Real> flown(const Top<Real>& top, double seconds) {
                         int(seconds * steps_a_second));
 }
 
+/// Who sets L down upside down has not flown: the flight is what the student's parts make of it.
+template <class Real>
+void require_flight(const Top<Real>& start, double seconds, const Top<Real>& end) {
+  auto top = start;
+  bool out = false;
+  for (int n = 0; n < int(seconds * steps_a_second); ++n) {
+    out = ask<bool>("booms_out", top, out);
+    top = with_booms(top, out ? reach : 0);
+    turn_by_splitting(top, Real(1) / steps_a_second);
+  }
+  require(end.angular_momentum_body == top.angular_momentum_body &&
+              end.orientation.real == top.orientation.real &&
+              end.orientation.imaginary == top.orientation.imaginary,
+          "after " + shown(seconds) + " s flown gives the angular momentum " +
+              shown(end.angular_momentum_body) +
+              " kg m²/s in body axes, and your booms_out and set_booms, step by step, " +
+              shown(top.angular_momentum_body) + ". Leave flown as it was");
+}
+
 /// What rounding makes of L meanwhile: a step turns four times and rotates L with it, 40 roundings
 /// each.
 template <class Real>
@@ -140,6 +159,7 @@ EXERCISE_CHECK("Ordered upside down, it turns over and stays so") {
     // wobble's path is four times as long as wide. -0.98 are 0.2 rad.
     require(found < Real(-0.98),
             when + ". Do the booms go out, and do they come in at the right moment to stay in?");
+    if (turns < 20) require_flight(start, seconds, end);
   }
 }
 
@@ -155,4 +175,5 @@ EXERCISE_CHECK("Seen from the world, the angular momentum has not moved") {
                "it has turned over along with the satellite. Nothing pushed: in the world L stands "
                "still")
       .must_be(before, rounding_of_L(start, seconds));
+  require_flight(start, seconds, end);
 }

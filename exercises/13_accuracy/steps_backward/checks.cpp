@@ -63,8 +63,15 @@ EXERCISE_CHECK("Their cubes add up to zero, for every number of pairs") {
   for (const int pairs : {1, 2, 3, 4, 8}) {
     const auto parts = weights<Real>(pairs);
     const double m2 = 2 * pairs;
-    double cubes = 0;
-    for (const Real part : parts) cubes += std::pow(double(part), 3);
+    double cubes = 0, sum = 0;
+    for (const Real part : parts) {
+      cubes += std::pow(double(part), 3);
+      sum += double(part);
+    }
+    require(
+        std::abs(sum - 1) < 0.5,
+        with(pairs) + "the weights sum to " + shown(sum) +
+            ". Cubes of no steps at all, and of a step back for each ahead, add up to zero too");
     const auto cubes_with = [&](double outer) {
       return m2 * std::pow(outer, 3) + std::pow(1 - m2 * outer, 3);
     };

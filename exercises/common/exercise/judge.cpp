@@ -16,6 +16,15 @@ std::vector<Check>& checks() {
 }
 
 FILE *questions = nullptr, *replies = nullptr;
+
+/// What a function was asked first, what it replied, and whether it has replied anything else
+/// since.
+struct Asked {
+  std::string question, reply;
+  bool varies = false;
+};
+std::map<std::string, Asked, std::less<>> asked;
+
 std::map<std::string, double, std::less<>> parameters;
 
 /// The next line of the worker, or nothing if it has ended; a line without end is no reply.
@@ -39,9 +48,44 @@ std::string quoted(std::string_view text) {
   return json + '"';
 }
 
+/// The question with each of its numbers a little larger, by up to 7/16384, none of them by as much
+/// as its neighbours: so what depends on ratios alone changes too. A count below 2340 stays as it
+/// is, for what follows the point is cut off.
+std::string nearby(const std::string& question) {
+  Words words(question);
+  std::string changed(words.word());
+  for (int n = 0; !words.empty(); ++n) put(changed, words.number() * (1 + (n % 7 + 1) / 16384.0));
+  return changed;
+}
+
+/// Whether the function answers otherwise when it's asked about something else; also where it does
+/// not answer, which says nothing against it.
+bool depends(const Asked& first) {
+  const std::string other = nearby(first.question);
+  if (first.varies || other == first.question) return true;
+  try {
+    const auto [kind, rest] = reply_to(other);
+    return kind + " " + rest != first.reply;
+  } catch (const Verdict&) {
+  } catch (const Unreadable&) {
+  }
+  return true;
+}
+
+/// Who has read in a verdict what must come out may return that number, whatever is asked. So where
+/// all that a check has asked of a function has one answer, it's asked once more.
+void require_dependence() {
+  const auto of_this_check = asked;
+  for (const auto& [function, first] : of_this_check)
+    require(depends(first), function +
+                                " gives the same answer, to the bit, when it is asked about "
+                                "something else. What is asked must come into it");
+}
+
 Verdict verdict_of(void (*run)()) {
   try {
     run();
+    require_dependence();
   } catch (const Verdict& verdict) {
     return verdict;
   } catch (const Unreadable& error) {
@@ -73,6 +117,11 @@ std::pair<std::string, std::string> reply_to(const std::string& question) {
   if (kind == "todo") throw Verdict{"todo", rest};
   if (kind == "unreadable") throw Unreadable(rest);
   if (kind != "value" && kind != "refused" && kind != "threw") throw Unreadable("no reply at all");
+  if (kind == "value") {
+    const auto found =
+        asked.try_emplace(question.substr(0, question.find(' ')), Asked{question, line});
+    found.first->second.varies |= found.first->second.reply != line;
+  }
   return {kind, rest};
 }
 

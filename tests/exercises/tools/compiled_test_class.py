@@ -282,6 +282,17 @@ class NothingLost(AClassOfStandIns):
         _, said = self.run_to_the_end("merge", part, code=2)
         self.assertIn("what the parts hold for t_handle is no result of grading", said)
 
+    def test_nobody_is_marked_by_other_checks(self):
+        self.hand_in_all(ada=2, bob=1)
+        self.run_to_the_end("--part", "kept", "--marks", "marks.csv")
+        with Part(self.place / "kept", read_job(self.place / "kept"), resume=True) as kept:
+            right = kept.done["ada"]
+            exercise, = right["exercises"]
+            checks = [{**check, "points": 100, "of": 100} for check in exercise["checks"]]
+            kept.add("ada", {**right, "points": 200, "of": 200, "exercises": [{**exercise, "checks": checks}]})
+        _, said = self.run_to_the_end("merge", "kept", "--marks", "new.csv", code=2)
+        self.assertEqual(said, "course: what the parts hold for ada and for bob is not of the same checks\n")
+
     def test_a_part_that_was_edited_makes_no_marks(self):
         self.hand_in_all(ada=2, bob=1)
         self.run_to_the_end("--part", "kept", "--marks", "marks.csv")

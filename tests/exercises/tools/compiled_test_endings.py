@@ -216,13 +216,27 @@ class Endings(Grading):
         self.assertEqual(sorted(self.compiled_where(lambda text: next(times, False))), ["double", "float"])
 
     def test_what_the_system_lacks_for_a_while_is_no_fault_of_a_student(self):
-        for code in (errno.ENOSPC, errno.EAGAIN, errno.ENOMEM):
+        for code in (errno.ENOSPC, errno.EAGAIN, errno.ENOMEM, errno.EACCES):
             with self.subTest(code):
                 said = f"fatal error: error writing to doubled.s: {os.strerror(code)}"
                 times = iter((True,))
                 self.assertEqual(sorted(self.compiled_where(lambda text: next(times, False), said)), ["double", "float"])
                 with self.assertRaisesRegex(GraderFailed, said):
                     self.compiled_where(lambda text: True, said)
+
+    @unittest.skipUnless(os.geteuid() == 0, "only root gives the compiler a user of its own")
+    def test_what_a_strict_umask_keeps_from_the_compiler_is_no_fault_of_a_student(self):
+        ada = self.hand_in("ada", RIGHT)
+        self.grade()  # makes what is taken away below
+        for file in (self.build / "shared" / "serve.o", self.build / "precompiled" / "exercise.hpp"):
+            with self.subTest(file.name):
+                mode = file.stat().st_mode
+                file.chmod(0o600)
+                try:
+                    self.assertIn("must be readable for everybody", self.grade(folders=[ada], code=2))
+                finally:
+                    file.chmod(mode)
+        self.assertEqual(self.graded(folders=[ada])["ada"]["points"], 3)
 
     def test_what_the_system_does_not_start_earns_nothing(self):
         worker = self.root / "worker"

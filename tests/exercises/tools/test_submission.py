@@ -9,7 +9,7 @@ import unittest.mock
 from pathlib import Path
 
 from complaint import Complaint, GraderFailed
-from submission import LARGEST, name_of, places_of, read_header, student_of
+from submission import DEEPEST_SEARCHED, LARGEST, MOST_SEARCHED, name_of, places_of, read_header, student_of
 from test_texts import InAFolder, exercise
 
 PLAIN = "#pragma once\n#include <exercise/todo.hpp>\n#include <tumble/force.hpp>\n"
@@ -31,6 +31,26 @@ class Headers(InAFolder):
                 place.mkdir(parents=True)
                 (place / "hammer.hpp").write_text(PLAIN, encoding="utf-8")
                 self.assertEqual(read_header(self.folder / below.replace("/", "_"), exercise()).text, PLAIN)
+
+    def test_what_lies_where_it_is_not_looked_for_is_named(self):
+        for number, place in enumerate(("homework/work/03_inertia/hammer/hammer.hpp", "Hammer.hpp", "hammer(12).hpp", "hammer (1).hpp")):
+            with self.subTest(place):
+                folder = self.folder / str(number)
+                (folder / place).parent.mkdir(parents=True)
+                (folder / place).write_text(PLAIN, encoding="utf-8")
+                self.assertEqual(read_header(folder, exercise()).reason,
+                                 f"hammer.hpp was not handed in; {place} may be meant, but has another name or place")
+        (folder / "a\nb").mkdir()
+        (folder / "a\nb" / "hammer.hpp").touch()
+        (folder / place).unlink()
+        self.assertIn("; a\\nb/hammer.hpp may be meant", read_header(folder, exercise()).reason)
+        deep = self.folder / "deep" / "/".join("a" * (DEEPEST_SEARCHED + 1))
+        deep.mkdir(parents=True)
+        (deep / "hammer.hpp").touch()
+        self.assertEqual(read_header(self.folder / "deep", exercise()).reason, "hammer.hpp was not handed in")
+        for each in range(MOST_SEARCHED):
+            (folder / f"{each}").touch()
+        self.assertEqual(read_header(folder, exercise()).reason, "hammer.hpp was not handed in")
 
     def test_what_stands_in_a_comment_is_not_suspicious(self):
         for line in ("// fork();", "/*\nfork();\n*/", "/* fork();"):
