@@ -94,6 +94,23 @@ int main(int argument_count, char** arguments) {
     on_all += found == ".......";
     finite_and_wrong += found[5] == '.' && found.substr(0, 4).find('.') == std::string_view::npos;
   }
+  // What the page lets its readers find.
+  const HardCase<double> needle = hard_cases<double>()[3];
+  const auto eighth_order = [&needle](double factor) {
+    return tried(stretched(needle, factor), rung_called<double>("Dormand-Prince 8"));
+  };
+  const Verdict quarter = eighth_order(0.25), eighth = eighth_order(0.125);
+  expect(quarter.fault == 'E' && eighth.fault == '.',
+         "the eighth order passes the needle with an eighth of the step, not with a quarter");
+  notebook.value("needle_whole", number("%.2f", eighth_order(1).error));
+  notebook.value("needle_quarter", number("%.1e", quarter.error));
+  notebook.value("needle_eighth", number("%.1e", eighth.error));
+  const auto tenth_order = [](double factor) {
+    const HardCase<float> minute = shortened(hard_cases<float>()[0], 3600);
+    return tried(stretched(minute, factor), rung_called<float>("splitting, Sofroniou-Spaletta"));
+  };
+  expect(tenth_order(4).error < tenth_order(1).error / 2,
+         "in float four times the step leaves the tenth order less than half of its error of L");
   notebook.value("most_turns", std::to_string(course::most_turns));
   notebook.value("rungs", std::to_string(expected.size()));
   notebook.value("on_a", std::to_string(on_a));

@@ -47,6 +47,26 @@ struct HardCase {
   Limits limits;
 };
 
+/// The case in steps `factor` times as long, over the same time.
+template <class Real>
+HardCase<Real> stretched(HardCase<Real> hard, double factor) {
+  hard.time_step = static_cast<Real>(factor * static_cast<double>(hard.time_step));
+  hard.steps = static_cast<int>(std::ceil(hard.steps / factor));
+  hard.steps_to_angle = static_cast<int>(std::ceil(hard.steps_to_angle / factor));
+  return hard;
+}
+
+/// The case watched for so many steps at most. Of a shorter way the same part is let pass.
+template <class Real>
+HardCase<Real> shortened(HardCase<Real> hard, int most) {
+  hard.steps = std::min(hard.steps, most);
+  if (hard.steps_to_angle > most) {
+    hard.limits.angle *= static_cast<double>(most) / hard.steps_to_angle;
+    hard.steps_to_angle = most;
+  }
+  return hard;
+}
+
 template <class Real>
 Verdict tried(const HardCase<Real>& hard, const TurningRung<Real>& rung) {
   return judged(watched<Real>(hard.top, rung.turn, hard.steps, hard.steps_to_angle, hard.time_step),
