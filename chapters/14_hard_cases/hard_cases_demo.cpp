@@ -1,4 +1,5 @@
 // Every rung of the ladder on every hard case: who passes, who fails, and by how much.
+#include <course/record.hpp>
 #include <course/trial.hpp>
 
 using namespace tumble;
@@ -37,11 +38,19 @@ constexpr std::array<Expected, 21> expected = {{
 }};
 //! [expected]
 
+/// A cell of the table: the worst of the three against its limit, or the step of the end.
+std::string words_of(const Verdict& verdict, const Limits& limits) {
+  if (verdict.fault == 'D') return "✗ step " + std::to_string(verdict.diverged);
+  if (limits.energy == any_error) return "✓ finite";
+  const std::string quantity = verdict.worst == 'P' ? "φ" : std::string(1, verdict.worst);
+  return (verdict.fault == '.' ? "✓ " : "✗ ") + quantity + number(" %.0e", verdict.error);
+}
+
 /// The table of one precision: on the page with numbers, on the screen with letters.
 template <class Real>
 int tabulated(const Notebook& notebook, const char* name, const char* title,
               const char* Expected::*column) {
-  const std::vector<HardCase<Real>> cases = hard_cases<Real>();
+  const std::array<HardCase<Real>, 7> cases = hard_cases<Real>();
   Table table = notebook.table(name, {"rung", cases[0].name, cases[1].name, cases[2].name,
                                       cases[3].name, cases[4].name, cases[5].name, cases[6].name});
   std::printf("\n%-30s A B C D 20 100 crawl\n", title);
@@ -51,9 +60,9 @@ int tabulated(const Notebook& notebook, const char* name, const char* title,
     std::array<std::string, 7> cells;
     std::printf("%-30s", std::string(rung.name).c_str());
     for (std::size_t n = 0; n < cells.size(); ++n) {
-      const Verdict verdict = cases[n].trial(rung);
+      const Verdict verdict = tried(cases[n], rung);
       found += verdict.fault;
-      cells[n] = (verdict.fault == '.' ? "✓ " : "✗ ") + verdict.number;
+      cells[n] = words_of(verdict, cases[n].limits);
       std::printf("%*c", n < 5 ? 2 : 4, verdict.fault);
     }
     std::printf("\n");
@@ -85,6 +94,23 @@ int main(int argument_count, char** arguments) {
     on_all += found == ".......";
     finite_and_wrong += found[5] == '.' && found.substr(0, 4).find('.') == std::string_view::npos;
   }
+  // What the page lets its readers find.
+  const HardCase<double> needle = hard_cases<double>()[3];
+  const auto eighth_order = [&needle](double factor) {
+    return tried(stretched(needle, factor), rung_called<double>("Dormand-Prince 8"));
+  };
+  const Verdict quarter = eighth_order(0.25), eighth = eighth_order(0.125);
+  expect(quarter.fault == 'E' && eighth.fault == '.',
+         "the eighth order passes the needle with an eighth of the step, not with a quarter");
+  notebook.value("needle_whole", number("%.2f", eighth_order(1).error));
+  notebook.value("needle_quarter", number("%.1e", quarter.error));
+  notebook.value("needle_eighth", number("%.1e", eighth.error));
+  const auto tenth_order = [](double factor) {
+    const HardCase<float> minute = shortened(hard_cases<float>()[0], 3600);
+    return tried(stretched(minute, factor), rung_called<float>("splitting, Sofroniou-Spaletta"));
+  };
+  expect(tenth_order(4).error < tenth_order(1).error / 2,
+         "in float four times the step leaves the tenth order less than half of its error of L");
   notebook.value("most_turns", std::to_string(course::most_turns));
   notebook.value("rungs", std::to_string(expected.size()));
   notebook.value("on_a", std::to_string(on_a));
