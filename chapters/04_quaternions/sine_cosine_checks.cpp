@@ -112,7 +112,8 @@ TEST_CASE_TEMPLATE("Each coefficient of both series is 1/n! rounded once, whatev
       const Real n = static_cast<Real>(factorial);
       CHECK(static_cast<std::uint64_t>(n) == factorial);
       CHECK(std::abs(std::fma(sign * coefficient, n, Real(-1))) <= n * half_a_unit);
-      const auto next = static_cast<std::uint64_t>(2 * term + first + 1);
+      const std::uint64_t next =
+          2 * static_cast<std::uint64_t>(term) + static_cast<std::uint64_t>(first) + 1;
       factorial *= next * (next + 1);
     }
   }
