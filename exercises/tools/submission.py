@@ -87,7 +87,10 @@ def _bytes_of(folder, place):
     finally:
         os.close(above)
     try:
-        if not stat.S_ISREG(os.fstat(found).st_mode):
+        mode = os.fstat(found).st_mode
+        if stat.S_ISLNK(mode):
+            raise Complaint(f"{way} is a symbolic link; hand in the file itself")
+        if not stat.S_ISREG(mode):
             raise Complaint(f"{place.name} is no file")
         # Whoever holds a lease on a file has it broken by this, and the file is opened when the system says so, 45 s later at most
         # by default. Nothing but a plain file is opened so: a pipe or a device may block for ever.

@@ -99,6 +99,8 @@ class Headers(InAFolder):
                 place.mkdir()
                 make(place / "hammer.hpp")
                 self.assertEqual(read_header(place, exercise()).reason, "hammer.hpp is no file")
+        (self.folder / "hammer.hpp").symlink_to(self.folder / "pipe" / "hammer.hpp")
+        self.assertEqual(read_header(self.folder, exercise()).reason, "hammer.hpp is a symbolic link; hand in the file itself")
 
     def test_a_lease_on_a_file_keeps_nobody_from_reading_it(self):
         """A student's process may hold one, and is asked to give it back; whoever would not wait is told to come again."""
