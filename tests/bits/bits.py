@@ -46,15 +46,15 @@ def main():
         return 0
     known = {tuple(line.split("\t")[:2]): line.split("\t")[2] for line in Path(expected).read_text().splitlines()}
     others = [key for key in known.keys() | found.keys() if known.get(key) != found.get(key)]
-    if platform.libc_ver() != exact_by:
-        for what, precision in sorted(key for key in others if key[0].startswith("exact ")):
-            print(f"{what} in {precision} has other bits here than with {' '.join(exact_by)}")
-        others = [key for key in others if not key[0].startswith("exact ")]
+    of_the_library = [key for key in others if key[0].startswith("exact ") and platform.libc_ver() != exact_by]
     for what, precision in sorted(others):
+        if (what, precision) in of_the_library:
+            print(f"{what} in {precision} has other bits here than with {' '.join(exact_by)}")
+            continue
         print(f"error: {what} in {precision}: {found.get((what, precision), 'not run')}, "
               f"and everywhere else {known.get((what, precision), 'not known')}")
     print(f"{len(found) - len(others)} of {len(found)} motions end with the same bits as everywhere")
-    return 1 if others else 0
+    return 1 if len(others) > len(of_the_library) else 0
 
 
 if __name__ == "__main__":
