@@ -19,10 +19,10 @@ void tumble::course::run_live(Live& live) {
   Particled ball = make_particle(mass, Vec3d::Zero(), velocity);
   const int steps = static_cast<int>(2 / h);
   for (int n = 0; n <= steps; ++n) {
-    time.push_back(n * h);
+    const double t = n * h;
+    time.push_back(t);
     distances.push_back(ball.position.x());
     heights.push_back(ball.position.z());
-    const double t = n * h;
     below.push_back(t * velocity.z() + t * t / 2 * gravity.z() - ball.position.z());
     predicted.push_back(-gravity.z() * h * t / 2);
     if (way == 0)

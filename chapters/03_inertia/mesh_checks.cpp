@@ -161,7 +161,7 @@ TEST_CASE_TEMPLATE(
     for (const auto& [i, j, k] : mesh.triangles) {
       const Vec3<Real> a = mesh.vertices[i] - from, b = mesh.vertices[j] - from,
                        c = mesh.vertices[k] - from;
-      if (a.dot(b.cross(c)) < 0) ++count;
+      if (dot(a, b.cross(c)) < 0) ++count;
     }
     return count;
   };

@@ -23,14 +23,10 @@ Topd in_double(const Top<Real>& top) {
           .inverse_moments = top.inverse_moments.template cast<double>()};
 }
 
-double length(const Vec3d& v) {
-  return std::sqrt(v.x() * v.x() + v.y() * v.y() + v.z() * v.z());
-}
-
 /// The length of the chord between two orientations: their angle, but for its third power over 24.
 /// The angle itself would need a library's arc tangent.
 double chord_between(const Quaternion<double>& p, const Quaternion<double>& q) {
-  return 2 * length((conjugate(p) * q).imaginary);
+  return 2 * (conjugate(p) * q).imaginary.norm();
 }
 
 /// Turns a top by the tenth order, so finely that it is right to a few roundings.
@@ -52,8 +48,8 @@ void fly(course::Live& live, std::size_t which, std::size_t rung, double factor)
   Top<Real> top = hard.top;
   const Topd start = in_double(top);
   Topd exact = start;
-  const double energy = kinetic_energy(start), size = length(angular_momentum_world(start));
-  const double fastest = length(angular_velocity_body(start));
+  const double energy = kinetic_energy(start), size = angular_momentum_world(start).norm();
+  const double fastest = angular_velocity_body(start).norm();
   const Vec3d L = angular_momentum_world(start);
   course::Motion motion;
   // A point for each of the first steps, then for ever more of them: the largest error since the
@@ -66,7 +62,7 @@ void fly(course::Live& live, std::size_t which, std::size_t rung, double factor)
     const double ratio = kinetic_energy(now) / energy;
     const bool diverges = !(ratio < most_energy);
     worst_energy = std::max(worst_energy, diverges ? most_energy : std::abs(ratio - 1));
-    worst_momentum = std::max(worst_momentum, length(angular_momentum_world(now) - L) / size);
+    worst_momentum = std::max(worst_momentum, (angular_momentum_world(now) - L).norm() / size);
     if (n < next && n < hard.steps && n != hard.steps_to_angle && !diverges) continue;
     next = n + 1 + n / 50;
     time.push_back(n * double(h));
