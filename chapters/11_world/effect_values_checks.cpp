@@ -25,15 +25,6 @@ BodyState<Real> state_of(const RigidBody<Real>& body) {
   return {body.centre, body.top};
 }
 
-/// A body of 1 kg at rest.
-template <class Real>
-RigidBody<Real> still_body(const Vec3<Real>& inverse_moments) {
-  RigidBody<Real> body;
-  body.centre = make_particle<Real>(1);
-  body.top.inverse_moments = inverse_moments;
-  return body;
-}
-
 }  // namespace
 
 TEST_CASE_TEMPLATE("Each value of each effect is refused where it is no number", Real,
@@ -177,64 +168,6 @@ TEST_CASE_TEMPLATE("The turn that was too far is told as |ω| h", Real, EVERY_PR
   CHECK(turn_too_far<Real>(top, Real(0.5)).find("6.5 rad in this step") == 0);
 }
 
-TEST_CASE_TEMPLATE("Springs and dampers at either end of a spring add to what limits the step",
-                   Real, EVERY_PRECISION) {
-  // Two points of 1 kg and 4 kg, joined, and each held by a spring of its own. The joint's bound is
-  // √k (w_a Σ_a √k + w_b Σ_b √k) = 3 (1 (3 + 4) + (3 + 1)/4) = 24 for the stiffnesses 9, 16 and 1,
-  // and for the dampers of 4, 1 and 9 it is 2 (1 (2 + 1) + (2 + 3)/4) = 8.5.
-  World<Real> world(steps_per_second(1));
-  const BodyHandle a = world.add("a", make_particle<Real>(1, {0, 0, 0}));
-  const BodyHandle b = world.add("b", make_particle<Real>(4, {0, 0, 1}));
-  world.add(SpringBetween<Real>{.spring = {.stiffness = 9, .damping = 4}}, {a, b});
-  world.add(SpringToPoint<Real>{.spring = {.stiffness = 16, .damping = 1}}, {a});
-  world.add(SpringToPoint<Real>{.spring = {.stiffness = 1, .damping = 9}}, {b});
-  const SpringLimit<Real> limit = world.spring_limit();
-  // Those of the others are 4 · 1 · 7 = 28 with 1 · 3, and 1 · 4/4 with 3 · 5/4: of the three, the
-  // joint damps the most and would limit the step to h. But the springs are in other proportions
-  // than the dampers, so their strengths h² k + 2 h c are bounded once more.
-  const Real h = largest_stable_time_step<Real>(24, Real(8.5), 1);
-  const Real joint = std::sqrt(9 * h * h + 8 * h), left = std::sqrt(16 * h * h + 2 * h),
-             right = std::sqrt(h * h + 18 * h);
-  const Real bound = joint * (joint + left + (joint + right) / 4);
-  CHECK(bound > left * (joint + left));
-  CHECK(bound > right * (joint + right) / 4);
-  const Real expected = h * 4 / bound;
-  CHECK(limit.entry == 0);
-  CHECK(std::abs(limit.time_step - expected) <= 64 * unit_roundoff<Real> * expected);
-  // The truth is the larger eigenvalue of h² K + 2 h C, with two coordinates in units of √m.
-  const auto strongest = [](Real step) {
-    const auto both = [step](Real k, Real c) { return step * step * k + 2 * step * c; };
-    const Real first = both(25, 5), second = both(Real(2.5), Real(3.25)),
-               joins = both(Real(4.5), 2);
-    return (first + second) / 2 + std::hypot((first - second) / 2, joins);
-  };
-  CHECK(strongest(limit.time_step) < 4);
-  CHECK(strongest(limit.time_step) > 3);
-}
-
-TEST_CASE_TEMPLATE("A spring held far from the centre of either body limits the step the more",
-                   Real, EVERY_PRECISION) {
-  // A sphere of 1 kg and radius 1 m turns with an inverse moment of 5/2: held at arm r it moves
-  // with the inverse mass 1 + 5/2 r².
-  const auto limit = [](Real arm_first, Real arm_second) {
-    World<Real> world(steps_per_second(1));
-    const auto ball = [](Real x) {
-      return make_rigid_body<Real>("ball", mass_properties(Sphere<Real>{1}, 1), {{x, 0, 0}}).body;
-    };
-    const BodyHandle a = world.add("a", ball(0)), b = world.add("b", ball(4));
-    world.add(SpringBetween<Real>{.spring = {.stiffness = 1},
-                                  .attachment_first = {0, arm_first, 0},
-                                  .attachment_second = {0, arm_second, 0}},
-              {a, b});
-    return world.spring_limit().time_step;
-  };
-  for (const auto& [first, second] : {std::pair<Real, Real>(1, 2), std::pair<Real, Real>(2, 0)}) {
-    const Real sum = 1 + Real(2.5) * first * first + 1 + Real(2.5) * second * second;
-    const Real expected = largest_stable_time_step<Real>(sum, 0, 1);
-    CHECK(std::abs(limit(first, second) - expected) <= 32 * unit_roundoff<Real> * expected);
-  }
-}
-
 TEST_CASE_TEMPLATE(
     "What is not said of an effect is nothing, but for water, the Earth and air at rest", Real,
     EVERY_PRECISION) {
@@ -253,18 +186,4 @@ TEST_CASE_TEMPLATE("Why an effect is skipped can be asked of the effect itself",
   CHECK(why_skipped<Real>(Gravity<Real>{}, Facts{.is_static = true, .can_turn = true}) ==
         "nothing can move them");
   CHECK(why_skipped<Real>(Gravity<Real>{{0, 0, 0}}, Facts{}) == "gravity is zero");
-}
-
-TEST_CASE_TEMPLATE("The arm at either end counts for the body at that end", Real, EVERY_PRECISION) {
-  RigidBody<Real> light = still_body<Real>({4, 4, 4}), heavy = still_body<Real>({0, 0, 0});
-  for (const bool at_first : {true, false}) {
-    World<Real> world;
-    const BodyHandle one = world.add("one", light), other = world.add("other", heavy);
-    SpringBetween<Real> spring{.spring = {.stiffness = 1}};
-    (at_first ? spring.attachment_first : spring.attachment_second) = {1, 0, 0};
-    world.add(spring, at_first ? std::vector{one, other} : std::vector{other, one});
-    // 1/m + arm²/I is 1 + 4 at the one end and 1 at the other.
-    CHECK(std::abs(world.spring_limit().time_step - 2 / std::sqrt(Real(6))) <=
-          8 * unit_roundoff<Real>);
-  }
 }

@@ -205,7 +205,7 @@ TEST_CASE("Below a scheme's limit a spring's swing stays bounded, and a twentiet
                   {world.handle_at(0)});
         return world;
       };
-      const double limit = world_with(1).spring_limit().time_step;
+      const double limit = world_with(1).step_limit().time_step;
       const auto largest_after = [&](double times_the_limit) {
         World<double> world = world_with(times_the_limit * limit * 100);
         CHECK(world.warnings().empty() == (times_the_limit < 1));

@@ -29,10 +29,7 @@ std::string why_first_order(const AnyEffect<Real>& effect) {
   if (traits.phase == Phase::impulse || traits.phase == Phase::damping ||
       traits.phase == Phase::drift)
     return "'" + traits.name + "' acts apart from the kicks";
-  const bool reads_speed = is_spring(effect)
-                               ? traits.spring_terms.damping != 0
-                               : traits.reads.has_any(quantity::velocity | quantity::spin);
-  return reads_speed ? "'" + traits.name + "' depends on a velocity or a spin" : "";
+  return traits.depends_on_speed ? "'" + traits.name + "' depends on a velocity or a spin" : "";
 }
 //! [limit_of_effect]
 

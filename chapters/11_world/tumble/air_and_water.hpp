@@ -83,6 +83,11 @@ struct QuadraticDrag {
   Vec3<Real> force(const Particle<Real>& centre, Real) const {
     return quadratic_drag(coefficient, centre.velocity, wind);
   }
+  /// Of F = −c |u| u, where u is the velocity through the air, a small change δ of u makes −c (|u|
+  /// δ + u (u·δ)/|u|): along u that is 2 c |u| times δ, and across it half as much.
+  Response<Real> response(const BodyState<Real>& body) const {
+    return {.damping = 2 * coefficient * (body.centre.velocity - wind).norm()};
+  }
   template <class Wide>
   QuadraticDrag<Wide> widened() const {
     return {coefficient, wind.template cast<Wide>()};
@@ -152,6 +157,10 @@ struct Buoyancy {
     const Real depth = select(below < 0, Real(0), select(below > 2 * radius, 2 * radius, below));
     const Real volume = std::numbers::pi_v<Real> * depth * depth * (radius - depth / 3);
     return {0, 0, density * volume * gravity};
+  }
+  /// ρ g times the area that the surface cuts from the ball, at most that of a great circle.
+  Response<Real> response(const BodyState<Real>&) const {
+    return {.stiffness = density * gravity * std::numbers::pi_v<Real> * radius * radius};
   }
   template <class Wide>
   Buoyancy<Wide> widened() const {

@@ -9,15 +9,6 @@
 
 namespace tumble {
 
-/// Those numbers of a spring that limit the time step.
-template <class Real>
-struct SpringTerms {
-  Real stiffness = 0;   ///< N/m
-  Real damping = 0;     ///< N s/m
-  Real arm_first = 0;   ///< how far from the centre of mass it holds the (first) body, m
-  Real arm_second = 0;  ///< and the second
-};
-
 /// What a world knows of an effect without asking it about a body.
 template <class Real>
 struct EffectTraits {
@@ -28,8 +19,9 @@ struct EffectTraits {
   bool needs_top = false;  ///< the (first) body must not be a point
   bool needs_second_top = false;
   bool stores_energy = false;
-  bool finds_pairs = false;             ///< it finds the pairs that it joins itself, in each step
-  SpringTerms<Real> spring_terms = {};  ///< without stiffness if it is not a spring
+  bool finds_pairs = false;       ///< it finds the pairs that it joins itself, in each step
+  bool has_response = false;      ///< it can limit the time step
+  bool depends_on_speed = false;  ///< what it gives depends on a velocity or a spin
   bool joins_two() const { return sees == Sees::pair; }
   bool visits_tops() const { return sees == Sees::top; }
 };
@@ -52,6 +44,9 @@ class AnyEffect {
   /// The energy (J) that the effect stores for a body, or for two, where it knows one.
   virtual Real potential_energy(const BodyState<Real>& first,
                                 const BodyState<Real>& second) const = 0;
+  /// How it answers what the body does, or the two; empty if it does not say.
+  virtual Response<Real> response(const BodyState<Real>& first,
+                                  const BodyState<Real>& second) const = 0;
   //! [any_effect]
 
  protected:
@@ -60,13 +55,6 @@ class AnyEffect {
  private:
   EffectTraits<Real> traits_;
 };
-
-/// True if the effect has terms of a spring.
-template <class Real>
-bool is_spring(const AnyEffect<Real>& effect) {
-  const SpringTerms<Real>& terms = effect.traits().spring_terms;
-  return terms.stiffness != 0 || terms.damping != 0;
-}
 
 /// Which of the quantities of its form the effect writes: a spring at the centre gives no torque.
 template <class Real, class Effect>
@@ -144,6 +132,16 @@ class EffectOf : public AnyEffect<Real> {
       return 0;
   }
 
+  Response<Real> response([[maybe_unused]] const BodyState<Real>& first,
+                          [[maybe_unused]] const BodyState<Real>& second) const override {
+    if constexpr (requires { effect_.response(first); })
+      return effect_.response(first);
+    else if constexpr (requires { effect_.response(first, second); })
+      return effect_.response(first, second);
+    else
+      return {};
+  }
+
  private:
   void run_on(Bodies<Real>& bodies, const BodyPair& pair, const Moment<Real>& moment) const {
     Top<Real> none, second_none;
@@ -174,7 +172,15 @@ class EffectOf : public AnyEffect<Real> {
     };
     traits.stores_energy = of_one || of_two;
     traits.finds_pairs = FindsPairs<Effect, Real>;
-    if constexpr (requires { effect.spring_terms(); }) traits.spring_terms = effect.spring_terms();
+    traits.has_response = requires(const BodyState<Real>& body) {
+      effect.response(body);
+    }
+    || requires(const BodyState<Real>& body) {
+      effect.response(body, body);
+    };
+    traits.depends_on_speed = traits.reads.has_any(quantity::velocity | quantity::spin);
+    if constexpr (requires { effect.depends_on_speed(); })
+      traits.depends_on_speed = effect.depends_on_speed();
     return traits;
   }
 

@@ -128,9 +128,10 @@ class Planner : public PlanGroups<Real> {
   }
 
   /// True if an effect that is meant for this body can limit the step.
-  bool holds_spring(BodyIndex body) {
+  bool is_limiting(BodyIndex body) {
     bool found = false;
-    for_each_entry_of(body, [&](const Entry<Real>& entry) { found |= is_spring(*entry.effect); });
+    for_each_entry_of(
+        body, [&](const Entry<Real>& entry) { found |= entry.effect->traits().has_response; });
     return found;
   }
 

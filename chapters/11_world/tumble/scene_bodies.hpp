@@ -28,7 +28,7 @@ class SceneBodies {
   void remove(BodyHandle body) {
     const BodyIndex index = bodies_.index_of(body);
     news_.note("'" + name_of(body) + "' was removed");
-    springs_changed_ |= planner_.holds_spring(index);
+    limit_changed_ |= planner_.is_limiting(index);
     planner_.forget_body(body, bodies_);
     bodies_.remove(body);
     planner_.join_again(index, bodies_);
@@ -63,7 +63,7 @@ class SceneBodies {
     check_body(name_of(body), by.top);
     require_top(body);
     news_.note("'" + name_of(body) + "' was replaced");
-    springs_changed_ |= planner_.holds_spring(bodies_.index_of(body));
+    limit_changed_ |= planner_.is_limiting(bodies_.index_of(body));
     bodies_.set(bodies_.index_of(body), by);
     planner_.change_body(bodies_.index_of(body), bodies_);
   }
@@ -124,13 +124,13 @@ class SceneBodies {
   NamedBodies<Real, Keeping> bodies_;
   Planner<Real> planner_;
   News news_;
-  bool springs_changed_ = false;
+  bool limit_changed_ = false;
 
  private:
   BodyHandle came(const std::string& name, BodyHandle body) {
     news_.note("'" + name + "' came");
     planner_.add_body(bodies_);
-    springs_changed_ |= planner_.holds_spring(bodies_.index_of(body));
+    limit_changed_ |= planner_.is_limiting(bodies_.index_of(body));
     return note_motion(body);
   }
 

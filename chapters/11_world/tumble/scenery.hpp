@@ -36,7 +36,7 @@ class Scenery : public SceneBodies<Real, Keeping> {
   void remove(EffectHandle effect) {
     const Entry<Real>& entry = entry_of(effect);
     news_.note("'" + entry.effect->name() + "' was removed");
-    springs_changed_ |= is_spring(*entry.effect);
+    limit_changed_ |= entry.effect->traits().has_response;
     planner_.remove_effect(effect.number, bodies_);
   }
 
@@ -58,7 +58,7 @@ class Scenery : public SceneBodies<Real, Keeping> {
     news_.note("'" + erased->name() + "' was changed");
     for (std::size_t i = 0; const BodyHandle body : entry_of(handle).targets)
       require_top_for(*erased, body, i++);
-    springs_changed_ |= is_spring(*erased);
+    limit_changed_ |= erased->traits().has_response;
     planner_.replace_effect(handle.number, std::move(erased), bodies_);
   }
 
@@ -73,7 +73,7 @@ class Scenery : public SceneBodies<Real, Keeping> {
   /// From now on all bodies are stepped by `scheme`.
   void step_by(Scheme scheme) {
     news_.note("the scheme " + std::string(tumble::name_of(scheme)) + " was chosen");
-    springs_changed_ = true;
+    limit_changed_ = true;
     planner_.step_by(scheme);
   }
 
@@ -85,7 +85,7 @@ class Scenery : public SceneBodies<Real, Keeping> {
 
  protected:
   using Base::Base;
-  using Base::planner_, Base::bodies_, Base::news_, Base::springs_changed_, Base::time_step_;
+  using Base::planner_, Base::bodies_, Base::news_, Base::limit_changed_, Base::time_step_;
 
  private:
   const Entry<Real>& entry_of(EffectHandle handle) const {
@@ -127,7 +127,7 @@ class Scenery : public SceneBodies<Real, Keeping> {
         throw std::invalid_argument("'" + name + "' was given '" + name_of(bodies[i]) + "' twice");
     }
     news_.note("'" + name + "' came");
-    springs_changed_ |= is_spring(*erased);
+    limit_changed_ |= erased->traits().has_response;
     const EffectHandle handle{++last_effect_, bodies_.family()};
     planner_.add_effect({handle, std::move(erased), everyone, bodies, {}}, bodies_);
     return handle;

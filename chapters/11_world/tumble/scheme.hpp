@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <string_view>
 #include <tumble/terms.hpp>
 #include <vector>
@@ -81,5 +82,33 @@ std::vector<Portion<Real>> portions_of(Scheme scheme) {
   return portions;
 }
 //! [portions_of]
+
+/// How far (rad) a swing without damping may come in a step, w h, while a scheme keeps it from
+/// growing without bound.
+///
+/// Verlet's bound is Euler's. With D for half a drift and K for a kick, read from left to right, n
+/// steps of Verlet's are (D K D)ⁿ = D (K D D)ⁿ D⁻¹, and K D D is Euler's step: the one grows if the
+/// other does. Suzuki's is found by trial, at each hundredth. A step of it is a matrix of
+/// determinant 1 that turns the position x and h v into the next ones, and these stay bounded if
+/// its trace lies between −2 and 2.
+//! [largest_stable_angle]
+inline double largest_stable_angle(Scheme scheme) {
+  if (scheme != Scheme::suzuki) return 2;
+  const auto portions = portions_of<double>(scheme);
+  const auto trace = [&](double angle) {
+    std::array<std::array<double, 2>, 2> columns = {{{1, 0}, {0, 1}}};  // x and h v, from 1 and 0
+    for (const Portion<double>& portion : portions)
+      for (auto& [x, hv] : columns)
+        if (portion.stroke == Stroke::kick)
+          hv -= portion.lasts * angle * angle * x;
+        else if (portion.stroke == Stroke::drift)
+          x += portion.lasts * hv;
+    return columns[0][0] + columns[1][1];
+  };
+  int n = 0;
+  while (std::abs(trace(0.01 * (n + 1))) < 2) ++n;
+  return 0.01 * n;
+}
+//! [largest_stable_angle]
 
 }  // namespace tumble

@@ -74,8 +74,12 @@ struct SpringToPoint {
     require_finite("attachment of a spring", attachment, "m");
   }
   bool needs_top() const { return attachment != Vec3<Real>::Zero(); }
-  SpringTerms<Real> spring_terms() const {
-    return {spring.stiffness, spring.damping, attachment.norm(), 0};
+  bool depends_on_speed() const { return spring.damping != 0; }
+  Response<Real> response(const BodyState<Real>& body) const {
+    return {.stiffness = spring.stiffness,
+            .damping = spring.damping,
+            .arm_first = arm_of(body, attachment),
+            .force = push(body, 0).force};
   }
   bool gives_torque() const { return needs_top(); }
   std::string_view why_skipped(const Facts&) const {
@@ -116,8 +120,13 @@ struct SpringBetween {
   }
   bool needs_top() const { return attachment_first != Vec3<Real>::Zero(); }
   bool needs_second_top() const { return attachment_second != Vec3<Real>::Zero(); }
-  SpringTerms<Real> spring_terms() const {
-    return {spring.stiffness, spring.damping, attachment_first.norm(), attachment_second.norm()};
+  bool depends_on_speed() const { return spring.damping != 0; }
+  Response<Real> response(const BodyState<Real>& first, const BodyState<Real>& second) const {
+    return {.stiffness = spring.stiffness,
+            .damping = spring.damping,
+            .arm_first = arm_of(first, attachment_first),
+            .arm_second = arm_of(second, attachment_second),
+            .force = push(first, second, 0).force_on_first};
   }
   bool gives_torque() const { return needs_top() || needs_second_top(); }
   std::string_view why_skipped() const {

@@ -57,6 +57,19 @@ struct PairBlow {
   Vec3<Real> turn_on_second = Vec3<Real>::Zero();
 };
 
+/// How an effect answers small changes of where a body is and how fast it moves: what limits the
+/// time step. An effect that has response() for a body, or for two, is taken into account.
+//! [response]
+template <class Real>
+struct Response {
+  Real stiffness = 0;                          ///< at most, N/m
+  Real damping = 0;                            ///< at most, N s/m
+  Vec3<Real> arm_first = Vec3<Real>::Zero();   ///< from the (first) body's centre, m, world axes
+  Vec3<Real> arm_second = Vec3<Real>::Zero();  ///< from the second's
+  Vec3<Real> force = Vec3<Real>::Zero();       ///< on the first at that arm, N, world axes
+};
+//! [response]
+
 /// Two bodies that an effect joins.
 struct BodyPair {
   BodyIndex first, second;

@@ -8,8 +8,8 @@
 #include <tumble/one_by_one.hpp>
 #include <tumble/other_runs.hpp>
 #include <tumble/scenery.hpp>
-#include <tumble/spring_limits.hpp>
 #include <tumble/step_clock.hpp>
+#include <tumble/step_limits.hpp>
 
 namespace tumble {
 
@@ -66,19 +66,18 @@ class World : public Scenery<Real, Keeping> {
 
   /// What each step does, as a table. It is made when one asks; what it tells of is always right.
   Plan plan() const { return {rows_of(planner_, bodies_), accuracy_of(work()), warnings()}; }
-  /// What may go wrong, such as a step too long for a spring.
+  /// What may go wrong as the bodies are now, such as a step too long for a spring.
   std::vector<std::string> warnings() const {
-    const SpringLimit<Real> limit = spring_limit();
+    const StepLimit<Real> limit = step_limit();
     if (time_step_ <= limit.time_step) return {};
-    const Entry<Real>& entry = work().effects[limit.entry];
-    return {"'" + entry.effect->name() + "' on '" +
-            bodies_.name_of(entry.targets.empty() ? 0 : bodies_.index_of(entry.targets[0])) +
+    const std::string& name = work().effects[limit.entry].effect->name();
+    return {"'" + name + "' on '" + bodies_.name_of(limit.body) +
             "' may gain energy without bound: the time step is " + text_of(time_step_) +
             " s, and only up to " + text_of(limit.time_step) + " s can this be excluded"};
   }
 
-  /// Up to which step the springs can't feed on themselves.
-  SpringLimit<Real> spring_limit() const { return tumble::spring_limit(work(), bodies_); }
+  /// Up to which step springs, dampers and drag can't feed on themselves, as the bodies are now.
+  StepLimit<Real> step_limit() const { return tumble::step_limit(work(), bodies_); }
 
   /// What has changed the plan since the world began, a sentence each; the last hundred of them.
   std::vector<std::string> news() const {
@@ -122,7 +121,7 @@ class World : public Scenery<Real, Keeping> {
   /// Tells of what has changed since the last step.
   void tell_changes() {
     news_.tell(work(), bodies_.size(), ticks_);
-    if (!std::exchange(this->springs_changed_, false)) return;
+    if (!std::exchange(this->limit_changed_, false)) return;
     for (const std::string& warning : warnings())
       if (tell_)
         tell_(warning);
