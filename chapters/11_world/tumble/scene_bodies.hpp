@@ -42,6 +42,13 @@ class SceneBodies {
   const std::string& name_of(BodyHandle body) const {
     return bodies_.name_of(bodies_.index_of(body));
   }
+  /// All bodies, in the order of the arrays.
+  std::vector<BodyHandle> handles() const {
+    std::vector<BodyHandle> all;
+    for (BodyIndex index = 0; index < bodies_.size(); ++index)
+      all.push_back(bodies_.handle_at(index));
+    return all;
+  }
   /// The body with that place in the arrays, and the place of a body.
   BodyHandle handle_at(BodyIndex index) const { return bodies_.handle_at(index); }
   BodyIndex index_of(BodyHandle body) const { return bodies_.index_of(body); }

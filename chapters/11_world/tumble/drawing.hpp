@@ -1,0 +1,68 @@
+/// @file
+/// What to draw of a world between two steps.
+#pragma once
+
+#include <tumble/interpolation.hpp>
+#include <tumble/world.hpp>
+
+namespace tumble {
+
+/// Where the models of a world's bodies are drawn, at any time between its last two steps: what
+/// chapter 10's interpolation needs, kept by handle.
+template <class Real>
+class Drawing {
+ public:
+  /// Notes where all bodies are. To be called before the first step and after each.
+  template <class Keeping>
+  void note(const World<Real, Keeping>& world) {
+    for (const BodyHandle handle : world.handles()) {
+      Drawn& drawn = drawn_of(handle);
+      const Pose<Real> now = pose_of(world.body(handle));
+      drawn.before = drawn.is_noted ? drawn.now : now;
+      drawn.now = now;
+      drawn.is_noted = true;
+    }
+  }
+
+  /// The body has a model whose axes are not the body's: `model_in_body` is what make_rigid_body()
+  /// returns.
+  void set_model(BodyHandle body, const Pose<Real>& model_in_body) {
+    drawn_of(body).model_in_body = model_in_body;
+  }
+
+  /// The body is about to be put elsewhere: it is not drawn on the way there.
+  void cut(BodyHandle body) { drawn_of(body).is_noted = false; }
+
+  /// The pose of the model's axes in the world, at `fraction` (0 to 1) of the way from the step
+  /// before the last to the last. Between, its centre of mass keeps to a straight line, as that of
+  /// a free body does; its origin need not.
+  /// @throws std::out_of_range if the body has not been noted.
+  Pose<Real> pose(BodyHandle body, Same<Real> fraction) const {
+    const auto found = drawn_.find(body.slot);
+    if (found == drawn_.end() || found->second.handle != body || !found->second.is_noted)
+      throw std::out_of_range("body " + std::to_string(body.slot) + ", generation " +
+                              std::to_string(body.generation) +
+                              ", can't be drawn: note() has not seen it");
+    const Drawn& drawn = found->second;
+    return composed(interpolated(drawn.before, drawn.now, fraction), drawn.model_in_body);
+  }
+
+ private:
+  struct Drawn {
+    BodyHandle handle;
+    Pose<Real> before = {}, now = {};  // of the body axes
+    Pose<Real> model_in_body = {};
+    bool is_noted = false;
+  };
+
+  /// A slot is used again when its body is gone; then all begins anew.
+  Drawn& drawn_of(BodyHandle body) {
+    Drawn& drawn = drawn_[body.slot];
+    if (drawn.handle != body) drawn = {.handle = body};
+    return drawn;
+  }
+
+  std::unordered_map<std::uint32_t, Drawn> drawn_;
+};
+
+}  // namespace tumble
