@@ -30,7 +30,6 @@ bool is_near(const Pose<Real>& a, const Pose<Real>& b) {
 
 }  // namespace
 
-//! [drawn_by_handle]
 TEST_CASE_TEMPLATE("A model is drawn by its handle, on the way between the last two steps", Real,
                    EVERY_PRECISION) {
   World<Real> world(steps_per_second(20));
@@ -60,7 +59,6 @@ TEST_CASE_TEMPLATE("A model is drawn by its handle, on the way between the last 
           8 * unit_roundoff<Real>);
   }
 }
-//! [drawn_by_handle]
 
 TEST_CASE("Who is put elsewhere is not drawn on the way, and a slot's new body starts anew") {
   World<double> world(steps_per_second(1));

@@ -91,7 +91,6 @@ TEST_CASE_TEMPLATE("A spring that is too stiff for the step is announced, and it
   CHECK(stiff.body(stiff.find("ball")).centre.position.norm() > 5);
 }
 
-//! [mixed_springs]
 TEST_CASE_TEMPLATE("The limit of springs holds for springs and dampers in any proportion", Real,
                    EVERY_PRECISION) {
   // One point between two walls or three, on a line, with springs between neighbours.
@@ -160,7 +159,6 @@ TEST_CASE_TEMPLATE("The limit of springs holds for springs and dampers in any pr
   CHECK(pair(Real(1.5)).second > 1);
   CHECK(pair(Real(0.9)).second < Real(0.001));
 }
-//! [mixed_springs]
 
 TEST_CASE_TEMPLATE("A mass ratio of 10^9 on a stiff spring is announced", Real, EVERY_PRECISION) {
   World<Real> world(steps_per_second(60));
@@ -288,7 +286,6 @@ TEST_CASE("What resists a small turn is the change of the torque") {
   CHECK(both == Mat3d::Zero());
 }
 
-//! [one_spring]
 TEST_CASE("One spring is stable up to its limit in every direction, and unstable above in one") {
   Dice dice(8);
   for (int n = 0; n < 40; ++n) {
@@ -302,9 +299,7 @@ TEST_CASE("One spring is stable up to its limit in every direction, and unstable
     CHECK(growth_on_one_spring(body, arm, dice.vector<double>().normalized(), 0.99) <= 1.99 / 0.01);
   }
 }
-//! [one_spring]
 
-//! [tension]
 TEST_CASE_TEMPLATE("A spring under tension limits the step by what it does to a turn", Real,
                    EVERY_PRECISION) {
   // Two springs pull a box of 1 kg apart along y with F = 70 N/m · 9.8 m = 686 N, at arms of a =
@@ -349,7 +344,6 @@ TEST_CASE_TEMPLATE("A spring under tension limits the step by what it does to a 
   CHECK(limit < 2 / w);
   CHECK(limit > Real(0.97) * 2 / w);
 }
-//! [tension]
 
 TEST_CASE("A chain of boxes under tension is stable below its limit, whatever its boxes") {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -419,7 +413,6 @@ TEST_CASE("A chain of boxes under tension is stable below its limit, whatever it
   }
 }
 
-//! [drag]
 TEST_CASE_TEMPLATE("Below the limit drag only slows, and beyond twice the limit it explodes", Real,
                    EVERY_PRECISION) {
   Dice dice(9);
@@ -454,7 +447,6 @@ TEST_CASE_TEMPLATE("Below the limit drag only slows, and beyond twice the limit 
     }
   }
 }
-//! [drag]
 
 TEST_CASE("Where drag balances weight, the speed settles below the limit and hunts above") {
   // κ = h c/m and v = −√(m g/c): a small change of v is multiplied by 1 − 2 κ |v|, which is −1
