@@ -21,10 +21,19 @@ template <class Real>
 Real largest_inverse_mass_at(const RigidBody<Real>& body, const Vec3<Same<Real>>& arm) {
   const Real length = arm.norm();
   if (length == 0) return body.centre.inverse_mass;
-  const Vec3<Real> e = (arm / length).unitOrthogonal(), f = (arm / length).cross(e);
-  const Vec3<Real> J_e = body.top.inverse_moments.cwiseProduct(e);
-  const Vec3<Real> J_f = body.top.inverse_moments.cwiseProduct(f);
-  const Real A = dot(e, J_e), B = dot(f, J_f), C = dot(e, J_f);
+  const Vec3<Real> n = arm / length;
+  int least = 0;  // the axis that the arm is farthest from
+  for (const int axis : {1, 2})
+    if (std::abs(n[axis]) < std::abs(n[least])) least = axis;
+  Vec3<Real> e = n.cross(Vec3<Real>::Unit(least));
+  e /= e.norm();
+  const Vec3<Real> f = n.cross(e), &J = body.top.inverse_moments;
+  Real A = 0, B = 0, C = 0;
+  for (int i = 0; i < 3; ++i) {
+    A += J[i] * e[i] * e[i];
+    B += J[i] * f[i] * f[i];
+    C += J[i] * e[i] * f[i];
+  }
   return body.centre.inverse_mass + length * length * ((A + B) / 2 + std::hypot((A - B) / 2, C));
 }
 //! [largest_inverse_mass_at]
@@ -39,8 +48,12 @@ Real largest_inverse_mass_at(const RigidBody<Real>& body, const Vec3<Same<Real>>
 //! [turning_stiffness]
 template <class Real>
 Mat3<Real> turning_stiffness(const Vec3<Real>& arm, const Vec3<Same<Real>>& force) {
-  return dot(arm, force) * Mat3<Real>::Identity() -
-         (arm * force.transpose() + force * arm.transpose()) / 2;
+  Mat3<Real> stiffness;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      stiffness(i, j) =
+          (i == j ? dot(arm, force) : Real(0)) - (arm[i] * force[j] + force[i] * arm[j]) / 2;
+  return stiffness;
 }
 //! [turning_stiffness]
 
@@ -50,9 +63,11 @@ Mat3<Real> turning_stiffness(const Vec3<Real>& arm, const Vec3<Same<Real>>& forc
 /// That is the largest eigenvalue of √J K √J, where J holds the inverse moments.
 template <class Real>
 Real largest_turning_rate_squared(const RigidBody<Real>& body, const Mat3<Same<Real>>& stiffness) {
-  const Vec3<Real> root = body.top.inverse_moments.cwiseSqrt();
-  const Mat3<Real> scaled = root.asDiagonal() * stiffness * root.asDiagonal();
-  if (!scaled.allFinite()) return std::numeric_limits<Real>::infinity();
+  const Vec3<Real>& J = body.top.inverse_moments;
+  Mat3<Real> scaled;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) scaled(i, j) = std::sqrt(J[i]) * stiffness(i, j) * std::sqrt(J[j]);
+  if (!is_finite(scaled)) return std::numeric_limits<Real>::infinity();
   return std::max(Real(0), principal_axes<Real>(scaled).moments.z());
 }
 

@@ -6,7 +6,6 @@
 #include <tumble/held_points.hpp>
 #include <tumble/semi_implicit_euler.hpp>
 #include <tumble/work.hpp>
-#include <unordered_map>
 #include <vector>
 
 namespace tumble {
@@ -50,7 +49,9 @@ class Responses {
           hold(second, bodies[k + 1], response, response.arm_second, -response.force);
       }
     }
-    for (const auto& [body, turning] : turnings_) {
+    for (BodyIndex body = 0; body < turnings_.size(); ++body) {
+      const Turning& turning = turnings_[body];
+      if (turning.most == 0) continue;
       const Real rate = largest_turning_rate_squared<Real>(roster.body(body), turning.stiffness);
       if (rate > turning_) turning_ = rate, turning_hold_ = turning.hold;
     }
@@ -59,8 +60,7 @@ class Responses {
   /// See step_limit(). @return that of semi-implicit Euler
   StepLimit<Real> limit() const {
     StepLimit<Real> limit;
-    const std::vector<Real> stiffness = rows([](const End&end) { return end.stiffness; }),
-                            damping = rows([](const End&end) { return end.damping; });
+    const std::vector<Real> stiffness = rows(1, 1, 0), damping = rows(0, 0, 1);
     const Real most = std::numeric_limits<Real>::max();  // in place of infinite and NaN
     const auto bounded = [most](Real value) { return value <= most ? value : most; };
     for (std::size_t i = 0; i < holds_.size(); ++i) {
@@ -70,22 +70,20 @@ class Responses {
     }
     if (!std::isfinite(limit.time_step)) return limit;
     const Real h = limit.time_step;
-    if (is_damped()) {
-      const std::vector<Real> together =
-          rows([h](const End& end) { return h * end.stiffness * h + 2 * h * end.damping; });
-      const auto hardest = std::max_element(together.begin(), together.end());
-      const Real pull = *hardest + h * turning_ * h;
+    if (is_damped_) {
+      const std::vector<Real> together = rows(h, h, 2 * h);
+      std::size_t hardest = 0;
+      for (std::size_t i = 1; i < together.size(); ++i)
+        if (together[i] > together[hardest]) hardest = i;
+      const Real pull = together[hardest] + h * turning_ * h;
       if (pull > 4 * (1 + 64 * std::numeric_limits<Real>::epsilon()))  // by more than rounding
-        limit =
-            limited_by(holds_[static_cast<std::size_t>(hardest - together.begin())], h * 4 / pull);
+        limit = limited_by(holds_[hardest], h * 4 / pull);
     }
     const bool turns_most = limit.time_step * turning_ * limit.time_step > 2;
     return turns_most ? limited_by(holds_[turning_hold_], limit.time_step) : limit;
   }
 
-  bool is_damped() const {
-    return std::any_of(ends_.begin(), ends_.end(), [](const End& end) { return end.damping != 0; });
-  }
+  bool is_damped() const { return is_damped_; }
 
  private:
   struct End {
@@ -113,23 +111,27 @@ class Responses {
                      force_body = rotate_back<Real>(body.top.orientation, force);
     ends_.push_back({response.stiffness, response.damping,
                      largest_inverse_mass_at<Real>(body, arm_body), index});
+    is_damped_ |= response.damping != 0;
     const Real part = arm.norm() * force.norm();
     if (part == 0) return;
+    turnings_.resize(body_count_);
     Turning& turning = turnings_[index];
     turning.stiffness += turning_stiffness<Real>(arm_body, force_body);
-    if (part > turning.most) turning.most = part, turning.hold = holds_.size() - 1;
+    if (!(part <= turning.most)) turning.most = part, turning.hold = holds_.size() - 1;
   }
 
-  /// √s (w_a Σ_a √s + w_b Σ_b √s) of each hold, for the strength s of its ends.
-  template <class Strength>
-  std::vector<Real> rows(const Strength& strength) const {
-    std::vector<Real> sums(body_count_, Real(0)), result;
-    for (const End& end : ends_) sums[end.body] += std::sqrt(strength(end));
-    auto end = ends_.begin();
+  /// √s (w_a Σ_a √s + w_b Σ_b √s) of each hold, for the strengths s = a k b + d c of its ends.
+  std::vector<Real> rows(Real a, Real b, Real d) const {
+    std::vector<Real> roots, sums(body_count_, Real(0)), result;
+    for (const End& end : ends_) {
+      roots.push_back(std::sqrt(a * end.stiffness * b + d * end.damping));
+      sums[end.body] += roots.back();
+    }
+    std::size_t end = 0;
     for (const Hold& hold : holds_) {
       Real row = 0;
-      for (const auto last = end + static_cast<std::ptrdiff_t>(hold.end_count); end != last; ++end)
-        row += std::sqrt(strength(*end)) * end->inverse_mass * sums[end->body];
+      for (const std::size_t last = end + hold.end_count; end != last; ++end)
+        row += roots[end] * ends_[end].inverse_mass * sums[ends_[end].body];
       result.push_back(row);
     }
     return result;
@@ -137,9 +139,10 @@ class Responses {
 
   std::size_t body_count_;
   std::vector<Hold> holds_;
-  std::vector<End> ends_;  // of the first hold, one or two, then of the second, ...
-  std::unordered_map<BodyIndex, Turning> turnings_;
-  Real turning_ = 0;  // the largest of the squared rates, 1/s²
+  std::vector<End> ends_;          // of the first hold, one or two, then of the second, ...
+  std::vector<Turning> turnings_;  // of each body; none if no hold has an arm and a force
+  bool is_damped_ = false;
+  Real turning_ = 0;               // the largest of the squared rates, 1/s²
   std::size_t turning_hold_ = 0;
 };
 
