@@ -39,6 +39,11 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LES
   # AVX-512 leaves undefined on purpose for forgotten ones (GCC bug 105593).
   target_compile_options(tumble_flags INTERFACE -Wno-stringop-overflow -Wno-restrict -Wno-maybe-uninitialized)
 endif()
+if(TUMBLE_NATIVE AND CMAKE_CXX_COMPILER_ID STREQUAL Clang AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 18)
+  # Of a processor that has AVX10.1 clang first reports the narrower kind, and then complains that it can't be had
+  # beside AVX-512 (llvm-project 132542).
+  target_compile_options(tumble_flags INTERFACE -Wno-invalid-feature-combination)
+endif()
 if(CMAKE_CXX_COMPILER_LAUNCHER)
   target_compile_options(tumble_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>
     $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)

@@ -25,6 +25,27 @@ function with_places(said, file, page) {
     .replaceAll(file, page.path);
 }
 
+/** What Doxygen's versions write in different ways becomes what the oldest of them writes: 1.9.4. `file` is the page's own name. */
+function in_the_old_way(html, file) {
+  return html
+    .replace(/<tr class="memitem:(\w*)(?: template)?"(?: id="\w*")?>/g, '<tr class="memitem:$1">')
+    .replace(/<h2 id="header-[\w-]*" class="groupheader">/g, '<h2 class="groupheader">')
+    .replace(/<a name="doc-[\w-]*" id="doc-[\w-]*"><\/a>(?=<h2 class="groupheader">)/g, '')
+    .replace(/<td class="paramname"><span class="paramname">(<em>\w*<\/em>)<\/span>/g, '<td class="paramname">$1')
+    .replace(/ href="#(a[0-9a-f]{32})"/g, ` href="${file}#$1"`) // a member on the same page
+    .replace(/<a href="doxygen_crawl\.html"\s*\/?>(?:<\/a>)?/g, '');
+}
+
+/** The names of the members that have a description, by the address of it. */
+const names_in = (html, file) =>
+  [...html.matchAll(/<a id="(\w+)" name="\w+"><\/a>\n<h2 class="memtitle"><span class="permalink">.*?<\/span>([\w~]+)/g)]
+    .map(([, id, name]) => [`${file}#${id}`, name]);
+
+/** Without links from a word to a member of another name: 1.9.8 leads from Real, class and using to whatever it knows. */
+const without_false_links = (html, names) =>
+  html.replace(/<a class="[^"]*" href="(\w+\.html#\w+)">(\w+)<\/a>/g, (link, place, word) =>
+    names.has(place) && names.get(place) !== word ? word : link);
+
 /**
  * {file: {title, contents}}; a warning of Doxygen stops the book. One that has gaps lacks what its pages refer to, and so it
  * is not stopped.
@@ -44,15 +65,17 @@ export function run_doxygen({doxygen, doxyfile, source, work}, pages, {with_gaps
     throw new BookError(`Doxygen is not content:\n${warnings || `exit status ${run.status}`}`);
 
   const html = join(output, 'html');
+  const written = readdirSync(html)
+    .filter(name => name.endsWith('.html') && name !== 'doxygen_crawl.html')
+    .map(name => [name, in_the_old_way(readFileSync(join(html, name), 'utf8'), name)]);
+  const names = new Map(written.flatMap(([name, text]) => names_in(text, name)));
   return Object.fromEntries(
-    readdirSync(html)
-      .filter(name => name.endsWith('.html'))
-      .map(name => {
-        const text = readFileSync(join(html, name), 'utf8');
-        const title = unescape(text.slice(text.indexOf(marker) + marker.length, text.indexOf('-->')));
-        const start = text.indexOf('<div class="contents">'),
-          end = text.lastIndexOf('</div><!-- contents -->');
-        return [name, {title, contents: start < 0 ? '' : text.slice(start + '<div class="contents">'.length, end)}];
-      }),
+    written.map(([name, text]) => {
+      const title = unescape(text.slice(text.indexOf(marker) + marker.length, text.indexOf('-->')));
+      const start = text.indexOf('<div class="contents">'),
+        end = text.lastIndexOf('</div><!-- contents -->');
+      const contents = start < 0 ? '' : text.slice(start + '<div class="contents">'.length, end);
+      return [name, {title, contents: without_false_links(contents, names)}];
+    }),
   );
 }

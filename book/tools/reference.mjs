@@ -10,7 +10,7 @@ function rows_of(html) {
   const rows = [];
   for (const [, list] of html.matchAll(/<table class="memberdecls">([\s\S]*?)<\/table>/g)) {
     const kind = /<a id="([\w-]+)"/.exec(list)?.[1] ?? '';
-    for (const [, id, row] of list.matchAll(/<tr class="memitem:(\w*)">([\s\S]*?)<\/tr>(?=\n<tr class="(?:memdesc|separator|memitem:\w*"><td class="mem(?:Templ)?Item))/g)) {
+    for (const [, id, row] of list.matchAll(/<tr class="memitem:(\w*)">([\s\S]*?)<\/tr>(?=\s*$|\n<tr class="(?:memdesc|separator|memitem))/g)) {
       if (/class="memTemplParams"/.test(row)) continue;
       const left = /<td class="mem(?:Templ)?ItemLeft"[^>]*>([\s\S]*?)<\/td>/.exec(row)?.[1] ?? '';
       const right = /<td class="mem(?:Templ)?ItemRight"[^>]*>([\s\S]*?)<\/td>/.exec(row)?.[1] ?? '';

@@ -51,7 +51,7 @@ void tumble::course::run_live(Live& live) {
     add_angular_momentum(turned.top, torque);
     mistaken.top.angular_momentum_body += torque;
     rolled.push_back(roll);
-    rights.push_back(angular_velocity_world(turned.top).dot(torque));
-    wrongs.push_back(angular_velocity_world(mistaken.top).dot(torque));
+    rights.push_back(dot(angular_velocity_world(turned.top), torque));
+    wrongs.push_back(dot(angular_velocity_world(mistaken.top), torque));
   }
 }

@@ -45,7 +45,7 @@ void draw_curves(course::Live& live, const Vec3d& inverse, const Vec3d& start) {
   for (const double sign : {1.0, -1.0}) border.add(course::separatrix(inverse, sign, 64));
   // The loop of this throw; none where L lies on an axis or on the border.
   Curves own(live, "own");
-  const double level = start.dot(inverse.cwiseProduct(start));
+  const double level = dot(start, inverse.cwiseProduct(start));
   const int around = level > inverse[1] ? 0 : 2;
   if (level != inverse[1] && level != inverse[around])
     own.add(course::polhode(inverse, level, around, 128), start[around] < 0 ? -1 : 1);

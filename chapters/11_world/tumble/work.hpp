@@ -28,6 +28,7 @@ struct Input {
   Push<Real> push;
 };
 
+/// What the steps of a world go through: what the planner has made of the scene.
 //! [work]
 template <class Real>
 struct Work {

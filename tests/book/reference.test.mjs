@@ -1,0 +1,45 @@
+// The reference has whatever the headers document, whichever version of Doxygen wrote it: read from the sources as lines.
+import assert from 'node:assert/strict';
+import {existsSync, readdirSync, readFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {test} from 'node:test';
+
+const book = process.env.TUMBLE_BOOK,
+  source = process.env.TUMBLE_SOURCE;
+
+const headers = ['common', ...readdirSync(join(source, 'chapters')).map(name => join('chapters', name))]
+  .map(folder => join(folder, 'tumble'))
+  .filter(folder => existsSync(join(source, folder)))
+  .flatMap(folder => readdirSync(join(source, folder)).filter(name => name.endsWith('.hpp')).map(name => join(folder, name)));
+
+/** The names of fields that have a note, and of functions that stand at the margin under a comment, in what is not left out. */
+function documented(text) {
+  // A type with __attribute__ in it Doxygen does not read.
+  const shown = text.replace(/^ *Lanes lanes;.*$/gm, '').replace(/\/\/\/ @cond[\s\S]*?\/\/\/ @endcond/g, '').replace(/^namespace detail \{[\s\S]*?^\}/gm, '').replace(/^ (?:private|protected):[\s\S]*?^\};/gm, '');
+  const fields = [...shown.matchAll(/^ +(?:const )?[\w:]+(?:<.*>)? (\w+)(?: = [^;]*)?; +\/\/\/</gm)].map(match => match[1]);
+  const functions = [...shown.matchAll(/^\/\/\/.*\n(?:\/\/!.*\n)?(?:template <.*>\n)?(?:inline |constexpr )*[\w:]+(?:<[\w:, <>]*>)? (\w+)\(/gm)].map(match => match[1]);
+  return {fields, functions};
+}
+
+test('Each field and each function that a header documents stands in the reference, on the page of that header.', () => {
+  let fields = 0,
+    functions = 0;
+  const absent = [];
+  for (const path of headers) {
+    const file = `${path.split('/').at(-1).replaceAll('_', '__').replace('.hpp', '_8hpp.html')}`;
+    if (!existsSync(join(book, file))) {
+      absent.push(`${path}: no page ${file}`);
+      continue;
+    }
+    const page = readFileSync(join(book, file), 'utf8');
+    const rows = [...page.matchAll(/<tr id="[^"]*"><td><code>(.*?)<\/code>/g)].map(match => match[1].replace(/<[^>]*>/g, '').replace(/ = .*/, ''));
+    const named = [...page.matchAll(/<h[23][^>]*>([\w~]+)<\/h[23]>/g)].map(match => match[1]);
+    const told = documented(readFileSync(join(source, path), 'utf8'));
+    absent.push(...told.fields.filter(name => !rows.includes(name)).map(name => `${path}: the field ${name}`));
+    absent.push(...told.functions.filter(name => !named.includes(name)).map(name => `${path}: the function ${name}`));
+    fields += told.fields.length;
+    functions += told.functions.length;
+  }
+  assert.deepEqual(absent, []);
+  assert.ok(fields > 200 && functions > 200, `${fields} fields and ${functions} functions were found in the sources`);
+});
