@@ -351,7 +351,7 @@ TEST_CASE(
     return world.bodies().centres[0].position.z();
   };
   const double end = state_after(Scheme::suzuki, 20'000);
-  // The mean of three halvings: in which step the ball comes out varies.
+  // The mean of three times half the step: in which step the ball comes out varies.
   const double coarse = std::abs(state_after(Scheme::verlet, 100) - end);
   const double fine = std::abs(state_after(Scheme::verlet, 800) - end);
   CAPTURE(coarse);

@@ -222,6 +222,27 @@ TEST_CASE_TEMPLATE("A push at a point acts in one step alone, like an effect tha
 }
 //! [input]
 
+TEST_CASE_TEMPLATE("A push stays with its body while others are removed, and goes with its own",
+                   Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(1));
+  std::vector<BodyHandle> bodies;
+  for (int n = 0; n < 4; ++n)
+    bodies.push_back(world.add("body " + std::to_string(n), make_particle<Real>(1)));
+  for (const BodyHandle body : {bodies[0], bodies[3], bodies[0]})
+    world.push_at(body, {1, 0, 0}, {0, 0, 0});
+  world.remove(bodies[0]);  // the last one gets its place
+  world.step();
+  CHECK(world.body(bodies[1]).centre.velocity.x() == 0);
+  CHECK(world.body(bodies[2]).centre.velocity.x() == 0);
+  CHECK(world.body(bodies[3]).centre.velocity.x() == 1);
+  for (const Particle<Real>& centre : world.bodies().centres) CHECK(centre.force.x() == 0);
+  world.push_at(bodies[2], {1, 0, 0}, {0, 0, 0});
+  world.remove(bodies[2]);
+  world.step();
+  CHECK(world.body(bodies[1]).centre.velocity.x() == 0);
+  CHECK(world.body(bodies[3]).centre.velocity.x() == 1);
+}
+
 TEST_CASE_TEMPLATE("A push that is given before a step that fails is given again in the next", Real,
                    EVERY_PRECISION) {
   World<Real> world(steps_per_second(1));

@@ -1,5 +1,6 @@
 // Where the rungs that claim no bound stop, and what they say.
 #include <course/bad_vectors.hpp>
+#include <course/random_quaternion.hpp>
 #include <course/tumbling_problems.hpp>
 #include <tumble/guarded_turn.hpp>
 

@@ -53,8 +53,9 @@ TEST_CASE_TEMPLATE("Down to the slowest speed the turn of a box makes no number 
 
 //! [step]
 TEST_CASE_TEMPLATE(
-    "In a step of no time no force or push moves a body; a negative one, or one over an hour, is refused", Real,
-    EVERY_PRECISION) {
+    "In a step of no time no force or push moves a body; a negative one, or one over an hour, is "
+    "refused",
+    Real, EVERY_PRECISION) {
   World<Real> still(StepLength{.numerator = 0, .denominator = 1});
   const BodyHandle body =
       still.add("brick", make_rigid_body<Real>("brick", mass_properties(Box<Real>{{1, 2, 3}}, 2),
