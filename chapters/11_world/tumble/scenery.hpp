@@ -59,7 +59,7 @@ class Scenery : public SceneBodies<Real, Keeping> {
     news_.note("'" + erased->name() + "' was changed");
     for (std::size_t i = 0; const BodyHandle body : entry_of(handle).targets)
       require_top_for(*erased, body, i++);
-    springs_changed_ |= is_spring(*erased);
+    springs_changed_ |= is_spring(*entry_of(handle).effect) || is_spring(*erased);
     planner_.replace_effect(handle.number, std::move(erased), bodies_);
   }
 
