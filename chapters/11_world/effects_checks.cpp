@@ -276,6 +276,23 @@ TEST_CASE_TEMPLATE("In still air the Magnus force does no work, and in a wind it
   CHECK(std::abs(power({0, 0, 3}) + 12) <= 64 * unit_roundoff<Real>);  // ½ 4 y × (2 x − 3 z) · 2 x
 }
 
+TEST_CASE_TEMPLATE(
+    "A kick by the Magnus force goes along the tangent of the turn: v² grows by (S ω h/m)² of "
+    "itself",
+    Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(16));
+  const BodyHandle ball = world.add("ball", ball_body<Real>({0, 0, 0}, {2, 0, 0}, {0, 4, 0}));
+  world.add(Magnus<Real>{.strength = Real(0.5)});
+  const Real part = Real(0.5) * 4 / 16 / 2;  // of a ball of 2 kg
+  Real expected = 4;
+  for (int n = 1; n <= 100; ++n) {
+    world.step();
+    expected *= 1 + part * part;
+    CHECK(std::abs(world.body(ball).centre.velocity.squaredNorm() / expected - 1) <=
+          Real(n) * 16 * unit_roundoff<Real>);
+  }
+}
+
 //! [buoyancy_volume]
 TEST_CASE_TEMPLATE("A ball is lifted by the weight of what it displaces, at every depth", Real,
                    EVERY_PRECISION) {
