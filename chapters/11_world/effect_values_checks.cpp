@@ -53,7 +53,8 @@ TEST_CASE_TEMPLATE("Each value of each effect is refused where it is no number",
   CHECK(complaint_of([] { Thruster<Real>{.from = 2, .until = 2}.check(); }) == "nothing thrown");
 }
 
-TEST_CASE_TEMPLATE("An effect is needed unless a value of its own is zero", Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("A body that moves and turns needs an effect unless a value of that is zero",
+                   Real, EVERY_PRECISION) {
   const Facts facts{.moves = true, .turns = true};
   const auto needed = [&](const auto& effect) { return effect.why_skipped(facts).empty(); };
   CHECK(needed(LinearDamping<Real>{.rate = 1}));

@@ -210,6 +210,35 @@ TEST_CASE_TEMPLATE(
 }
 
 TEST_CASE_TEMPLATE(
+    "By Verlet a thruster burns in the steps in whose middle it burns, and by Suzuki in each kick "
+    "by itself, the backward one too",
+    Real, EVERY_PRECISION) {
+  const auto steps_burnt = [](Scheme scheme, Real from, Real until) {
+    World<Real> world(steps_per_second(1));
+    world.step_by(scheme);
+    const BodyHandle ball = world.add("ball", ball_body<Real>({0, 0, 0}, {0, 0, 0}, {0, 0, 0}));
+    world.add(Thruster<Real>{.force_body = {0, 2, 0}, .from = from, .until = until}, {ball});
+    for (int n = 0; n < 4; ++n) world.step();
+    return world.body(ball).centre.velocity.y();  // a metre per second for each step
+  };
+  CHECK(steps_burnt(Scheme::verlet, 0, Real(0.49)) == 0);
+  CHECK(steps_burnt(Scheme::verlet, Real(1.49), Real(1.51)) == 1);
+  // Suzuki's five kicks come at 0.21, 0.62, 0.5, 0.38 and 0.79 of a step.
+  const Real p = 1 / (4 - std::cbrt(Real(4))), rounding = 16 * unit_roundoff<Real>;
+  CHECK(std::abs(steps_burnt(Scheme::suzuki, 1, Real(1.3)) - p) <= rounding);
+  CHECK(std::abs(steps_burnt(Scheme::suzuki, Real(1.45), Real(1.55)) - (1 - 4 * p)) <= rounding);
+  // By every scheme what is given differs from what should be by a step's worth at most.
+  Dice dice(5);
+  for (const Scheme scheme : {Scheme::semi_implicit_euler, Scheme::verlet, Scheme::suzuki})
+    for (int n = 0; n < 100; ++n) {
+      const Real from = 1 + dice.real<Real>(), until = from + 1 + dice.real<Real>();
+      CAPTURE(from);
+      CAPTURE(until);
+      CHECK(std::abs(steps_burnt(scheme, from, until) - (until - from)) <= 1 + rounding);
+    }
+}
+
+TEST_CASE_TEMPLATE(
     "The Magnus force is perpendicular to the spin and to the path through the air: topspin dips",
     Real, EVERY_PRECISION) {
   const Magnus<Real> magnus{.strength = Real(0.5), .wind = {0, 0, 0}};
@@ -245,6 +274,23 @@ TEST_CASE_TEMPLATE("In still air the Magnus force does no work, and in a wind it
   };
   CHECK(power({0, 0, 0}) == 0);
   CHECK(std::abs(power({0, 0, 3}) + 12) <= 64 * unit_roundoff<Real>);  // ½ 4 y × (2 x − 3 z) · 2 x
+}
+
+TEST_CASE_TEMPLATE(
+    "A kick by the Magnus force goes along the tangent of the turn: v² grows by (S ω h/m)² of "
+    "itself",
+    Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(16));
+  const BodyHandle ball = world.add("ball", ball_body<Real>({0, 0, 0}, {2, 0, 0}, {0, 4, 0}));
+  world.add(Magnus<Real>{.strength = Real(0.5)});
+  const Real part = Real(0.5) * 4 / 16 / 2;  // of a ball of 2 kg
+  Real expected = 4;
+  for (int n = 1; n <= 100; ++n) {
+    world.step();
+    expected *= 1 + part * part;
+    CHECK(std::abs(world.body(ball).centre.velocity.squaredNorm() / expected - 1) <=
+          Real(n) * 16 * unit_roundoff<Real>);
+  }
 }
 
 //! [buoyancy_volume]

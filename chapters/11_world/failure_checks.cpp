@@ -63,6 +63,16 @@ struct Spoiler {
   }
 };
 
+/// Doubles the velocity, in the phase of the forces.
+template <class Real>
+struct Doubler {
+  static constexpr Phase phase = Phase::force;
+  static constexpr std::string_view name = "doubler";
+  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>&) const {
+    return 2 * centre.velocity;
+  }
+};
+
 /// A torque as large as a number can be.
 template <class Real>
 struct Twist {
@@ -239,6 +249,13 @@ TEST_CASE_TEMPLATE("A speed and a spin that lead too far are told as the kick ha
   world.add(GravityAsAcceleration<Real>{{0, 0, -2}});
   CHECK(std::string(failure_of(world).what())
             .find("with a velocity of (" + text_of(most<Real> / 4) + ", 0, -2) m/s the step") !=
+        std::string::npos);
+  // What writes a velocity among the forces has done so once, too.
+  World<Real> doubled(steps_per_second(1));
+  doubled.add("ball", make_particle<Real>(1, {most<Real>, 0, 0}, {most<Real> / 16, 0, 0}));
+  doubled.add(Doubler<Real>{});
+  CHECK(std::string(failure_of(doubled).what())
+            .find("with a velocity of (" + text_of(most<Real> / 8) + ", 0, 0) m/s the step") !=
         std::string::npos);
   World<Real> turning(steps_per_second(1));
   RigidBody<Real> body;

@@ -17,10 +17,10 @@ struct Upwards {
 };
 
 /// Adds 1 m/s² to the velocity with its own hands.
-template <class Real>
+template <class Real, Phase when>
 struct OwnKick {
   static constexpr std::string_view name = "own kick";
-  static constexpr Phase phase = Phase::kick;
+  static constexpr Phase phase = when;
   Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>& moment) const {
     return centre.velocity + Vec3<Real>(moment.time_step, 0, 0);
   }
@@ -150,7 +150,16 @@ TEST_CASE_TEMPLATE(
   // Numbers below 128, a dozen roundings of them in each step.
   const double rounding = 64 * 12 * 128 * static_cast<double>(unit_roundoff<Real>);
   CHECK(unexplained(Upwards<Real>{}) <= rounding);
-  CHECK(unexplained(OwnKick<Real>{}) <= rounding);
+  const auto own_kick_in = [&]<Phase phase>(std::integral_constant<Phase, phase>) {
+    CAPTURE(int(phase));
+    CHECK(unexplained(OwnKick<Real, phase>{}) <= rounding);
+    CHECK(unexplained(Upwards<Real>{}, OwnKick<Real, phase>{}, Upwards<Real>{}) <= rounding);
+  };
+  own_kick_in(std::integral_constant<Phase, Phase::force>());
+  own_kick_in(std::integral_constant<Phase, Phase::kick>());
+  own_kick_in(std::integral_constant<Phase, Phase::impulse>());
+  own_kick_in(std::integral_constant<Phase, Phase::damping>());
+  own_kick_in(std::integral_constant<Phase, Phase::drift>());
   const GravityAsAcceleration<Real> sideways{.gravity = {-8, 0, 0}};
   CHECK(unexplained(Coriolis<Real>{}) <= rounding);
   CHECK(unexplained(sideways, Coriolis<Real>{}) <= rounding);

@@ -70,6 +70,19 @@ struct Touch : Named {
   }
 };
 
+/// A force that would be given when the sums have been used up, and a blow before the kick.
+struct LateForce : Named {
+  static constexpr Phase phase = Phase::damping;
+  Vec3d force(const Particle<double>&, double) const { return {1, 0, 0}; }
+};
+struct EarlyBlow : Named {
+  static constexpr Phase phase = Phase::force;
+  PairBlow<double> blow(const BodyState<double>&, const BodyState<double>&,
+                        const Moment<double>&) const {
+    return {};
+  }
+};
+
 /// A joint in which the place of the first body alone stores energy.
 template <class Real>
 struct OneSided : Named {
@@ -80,6 +93,16 @@ struct OneSided : Named {
 };
 
 }  // namespace
+
+TEST_CASE(
+    "A force, a torque or a blow can't name its phase, nor one that finds its pairs its bodies") {
+  CHECK(!ActsInItsPhase<LateForce, double>);
+  CHECK(!ActsInItsPhase<EarlyBlow, double>);
+  CHECK(ActsInItsPhase<Elsewhere<double>, double>);
+  CHECK(ActsInItsPhase<TorqueOnBody<double>, double>);
+  CHECK(!EffectForSome<Touch<double>, double>);
+  CHECK(EffectForSome<OneSided<double>, double>);
+}
 
 TEST_CASE_TEMPLATE("A place or an orientation that an effect gives is where the body is then", Real,
                    EVERY_PRECISION) {

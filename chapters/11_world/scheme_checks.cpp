@@ -284,6 +284,81 @@ TEST_CASE("An effect that fails in the middle of a step is named, and the step i
   }
 }
 
+/// A speed of t² m/s after t seconds, set with the kicks or at the end of each step.
+template <Phase when>
+struct Motor {
+  static constexpr std::string_view name = "motor";
+  static constexpr Quantities reads = quantity::time;
+  static constexpr Phase phase = when;
+  Vec3d velocity(const Particle<double>&, const Moment<double>& at) const {
+    return {at.time * at.time, 0, 0};
+  }
+};
+/// A place of t² m after t seconds, set with the kicks.
+struct Rail {
+  static constexpr std::string_view name = "rail";
+  static constexpr Quantities reads = quantity::time;
+  Vec3d position(const Particle<double>&, const Moment<double>& at) const {
+    return {at.time * at.time, 0, 0};
+  }
+};
+
+TEST_CASE(
+    "What sets a velocity or a place itself leaves a step of first order, and the plan says so") {
+  const auto order_of_motion = [](const auto& effect, Scheme scheme) {
+    std::array<double, 2> errors{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      const int steps = i == 0 ? 256 : 512;
+      World<double> world(steps_per_second(steps));
+      world.step_by(scheme);
+      world.add("thing", make_particle<double>(1));
+      world.add(effect);
+      CHECK(world.plan().accuracy.order == 1);
+      const bool is_limited = scheme != Scheme::semi_implicit_euler;
+      CHECK(world.plan().accuracy.limits.size() == (is_limited ? 1 : 0));
+      for (int n = 0; n < steps; ++n) world.step();
+      const Particle<double>& thing = world.bodies().centres[0];
+      if constexpr (requires { effect.velocity(thing, Moment<double>{}); })
+        errors[i] = std::abs(thing.position.x() - 1 / 3.0) + std::abs(thing.velocity.x() - 1);
+      else
+        errors[i] = std::abs(thing.position.x() - 1);
+    }
+    return std::lround(std::log2(errors[0] / errors[1]));
+  };
+  for (const Scheme scheme : every_scheme) {
+    CAPTURE(name_of(scheme));
+    CHECK(order_of_motion(Motor<Phase::kick>{}, scheme) == 1);
+    CHECK(order_of_motion(Motor<Phase::force>{}, scheme) == 1);
+    CHECK(order_of_motion(Motor<Phase::drift>{}, scheme) == 1);
+    CHECK(order_of_motion(Rail{}, scheme) == 1);
+  }
+}
+
+TEST_CASE(
+    "A ball that leaves the water costs Verlet no order: the force and its slope do not jump") {
+  const auto state_after = [](Scheme scheme, int steps) {
+    World<double> world(steps_per_second(steps));
+    world.step_by(scheme);
+    world.add("ball", make_particle<double>(300, {0, 0, -0.8}));
+    world.add(Gravity<double>{});
+    world.add(Buoyancy<double>{.radius = 0.5});
+    bool has_been_out = false;
+    for (int n = 0; n < steps; ++n) {
+      world.step();
+      has_been_out |= world.bodies().centres[0].position.z() > 0.5;
+    }
+    CHECK(has_been_out);
+    return world.bodies().centres[0].position.z();
+  };
+  const double end = state_after(Scheme::suzuki, 20'000);
+  // The mean of three times half the step: in which step the ball comes out varies.
+  const double coarse = std::abs(state_after(Scheme::verlet, 100) - end);
+  const double fine = std::abs(state_after(Scheme::verlet, 800) - end);
+  CAPTURE(coarse);
+  CAPTURE(fine);
+  CHECK(std::lround(std::log2(coarse / fine) / 3) == 2);
+}
+
 /// A rule that says it is of second order, and not that it is symmetric.
 struct Lopsided {
   static constexpr std::string_view name = "lopsided";

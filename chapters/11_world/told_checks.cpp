@@ -97,8 +97,8 @@ TEST_CASE_TEMPLATE("News name the pass, whom it visits of those it is meant for,
   CHECK(world.news().back().find("('gravity' was removed, 'd' was removed)") != std::string::npos);
 }
 
-TEST_CASE_TEMPLATE("Whatever changes a spring is warned of anew, and nothing else is", Real,
-                   EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("Whatever changes a spring or the scheme is warned of anew, and nothing else is",
+                   Real, EVERY_PRECISION) {
   World<Real> world(steps_per_second(1));
   std::vector<std::string> told;
   world.on_warning([&](const std::string& warning) { told.push_back(warning); });
@@ -118,6 +118,15 @@ TEST_CASE_TEMPLATE("Whatever changes a spring is warned of anew, and nothing els
   world.replace(box, box_body<Real>({0, 0, 0}));
   tells(1);
   world.change(held, SpringToPoint<Real>{.spring = {.stiffness = 600}});
+  tells(1);
+  const EffectHandle loose =
+      world.add(SpringToPoint<Real>{.spring = {.stiffness = Real(0.01)}}, {box});
+  tells(1);
+  world.change(loose, SpringToPoint<Real>{});  // no spring any more
+  tells(1);
+  world.remove(loose);
+  tells(0);
+  world.step_by(Scheme::verlet);
   tells(1);
   world.add(SpringBetween<Real>{.spring = {.stiffness = 500, .rest_length = 9}}, {end, box});
   tells(1);
@@ -168,6 +177,7 @@ TEST_CASE("A warning that nobody asked for goes to standard error") {
 
 TEST_CASE("A row of a plan counts those that the effect is meant for, and each reason") {
   World<double> world;
+  for (const PlanRow& row : world.plan().rows) CHECK(row.reason == "there is no body");
   const BodyHandle wall = world.add("wall", make_static_particle<double>({0, 0, 0}));
   world.add("nail", make_static_body<double>("nail", {}));
   const BodyHandle point = world.add("point", make_particle<double>(1));

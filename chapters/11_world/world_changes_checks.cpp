@@ -39,7 +39,35 @@ TEST_CASE_TEMPLATE("A body that makes no sense is refused, on its own or in plac
   refused([&](auto& body) { body.top.angular_momentum_body.z() = infinity; }, "angular momentum");
   refused([&](auto& body) { body.top.inverse_moments.x() = infinity; }, "inverse moments");
   refused([&](auto& body) { body.top.inverse_moments.x() = -1; }, "inverse moments");
+  const auto spin_about_the_lock = [&](auto& body) {
+    body.top.inverse_moments.y() = 0;
+    body.top.angular_momentum_body = {1, 2, 3};
+  };
+  refused(spin_about_the_lock, "angular momentum");
   CHECK(world.body_count() == 1);
+}
+
+TEST_CASE_TEMPLATE(
+    "An orientation that is nearly of norm 1 has it in the world, on its own or in place of "
+    "another",
+    Real, EVERY_PRECISION) {
+  World<Real> world;
+  RigidBody<Real> typed = box_body<Real>({0, 0, 0});
+  typed.top.orientation = {.real = Real(0.71), .imaginary = {Real(0.71), 0, 0}};
+  const BodyHandle added = world.add("added", typed);
+  const BodyHandle replaced = world.add("replaced", box_body<Real>({1, 0, 0}));
+  world.replace(replaced, typed);
+  for (const BodyHandle body : {added, replaced})
+    CHECK(std::abs(norm(world.body(body).top.orientation) - 1) <= 8 * unit_roundoff<Real>);
+  // One that has norm 1 to rounding keeps its bits.
+  typed.top.orientation = world.body(added).top.orientation;
+  world.replace(replaced, typed);
+  CHECK(same_bits(world.body(replaced).top.orientation.imaginary, typed.top.orientation.imaginary));
+  // So a body at rest is the same whether it is left alone or turned by nothing.
+  World<Real> exhaustive = world;
+  world.step();
+  exhaustive.step_exhaustively();
+  CHECK(world.body(added).top.orientation.real == exhaustive.body(added).top.orientation.real);
 }
 
 TEST_CASE_TEMPLATE("A body turns to the orientation that it is given, and a point is refused one",
@@ -193,6 +221,27 @@ TEST_CASE_TEMPLATE("A push at a point acts in one step alone, like an effect tha
   CHECK(same_bits(pushed.top.orientation.imaginary, burnt.top.orientation.imaginary));
 }
 //! [input]
+
+TEST_CASE_TEMPLATE("A push stays with its body while others are removed, and goes with its own",
+                   Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(1));
+  std::vector<BodyHandle> bodies;
+  for (int n = 0; n < 4; ++n)
+    bodies.push_back(world.add("body " + std::to_string(n), make_particle<Real>(1)));
+  for (const BodyHandle body : {bodies[0], bodies[3], bodies[0]})
+    world.push_at(body, {1, 0, 0}, {0, 0, 0});
+  world.remove(bodies[0]);  // the last one gets its place
+  world.step();
+  CHECK(world.body(bodies[1]).centre.velocity.x() == 0);
+  CHECK(world.body(bodies[2]).centre.velocity.x() == 0);
+  CHECK(world.body(bodies[3]).centre.velocity.x() == 1);
+  for (const Particle<Real>& centre : world.bodies().centres) CHECK(centre.force.x() == 0);
+  world.push_at(bodies[2], {1, 0, 0}, {0, 0, 0});
+  world.remove(bodies[2]);
+  world.step();
+  CHECK(world.body(bodies[1]).centre.velocity.x() == 0);
+  CHECK(world.body(bodies[3]).centre.velocity.x() == 1);
+}
 
 TEST_CASE_TEMPLATE("A push that is given before a step that fails is given again in the next", Real,
                    EVERY_PRECISION) {

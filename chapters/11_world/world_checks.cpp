@@ -79,6 +79,12 @@ TEST_CASE_TEMPLATE("A handle that nobody gave out, or another world, is refused;
   CHECK(complaint_of_any([&] { world.remove(foreign_gravity); }) ==
         "stale handle: effect 1 has been removed or never was in this world");
   World<Real> copy = world;
+  // What each is given after that may have the same handle in both.
+  const BodyHandle here = world.add("here", make_particle<Real>(1));
+  const BodyHandle there = copy.add("there", make_particle<Real>(1));
+  CHECK(here == there);
+  CHECK(world.name_of(there) == "here");
+  CHECK(copy.name_of(there) == "there");
   copy.remove(gravity);
   copy.set_velocity(body, {1, 0, 0});
   CHECK(copy.body(body).centre.velocity.x() == 1);

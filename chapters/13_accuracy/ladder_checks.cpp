@@ -100,8 +100,8 @@ TEST_CASE("A tableau's weights sum to 1, and the looks of each row to its node")
 
 //! [radian_a_step]
 TEST_CASE(
-    "At a radian a step the rungs that look at the rate lose the energy, and the splitting keeps "
-    "it") {
+    "At a radian a step the linearly implicit, the augmented and Runge and Kutta's rule get the "
+    "energy wrong, and the splitting does not") {
   const auto run = [](const char* name, const TumblingProblem& problem) {
     return watched<double>(problem, turning_rung<double>(name).turn);
   };
@@ -423,7 +423,9 @@ TEST_CASE(
   CHECK(unmet(BlanesMoanNystrom::row) <= 1e-14L);
 }
 
-TEST_CASE("Whoever keeps the length of L at whatever cost claims that a top stays finite") {
+TEST_CASE(
+    "Three rules that keep the length of L and turn by no more than the spin says claim that a top "
+    "stays finite, and four that add to L do not") {
   // Steady: L is not touched. |L| restored: it is scaled back. Both turn by |L|/I at most.
   for (const char* name : {"steady", "explicit, |L| restored", "momentum-carrying"})
     CHECK(turning_rung<double>(name).claims.bounded);

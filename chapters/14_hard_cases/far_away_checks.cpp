@@ -9,13 +9,17 @@ using namespace tumble;
 using namespace tumble::course;
 
 //! [spacing]
-TEST_CASE_TEMPLATE("A coordinate can be told from one that is a spacing away, and from none nearer",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "Outwards a coordinate can be told from one that is a spacing away, and from none nearer", Real,
+    EVERY_PRECISION) {
   for (const Real place : {Real(1), Real(-1000), Real(-1024), Real(1e7), Real(3), Real(1e-6)}) {
     const Real spacing = spacing_at(place), out = std::copysign(spacing, place);
     CHECK(place + out != place);
     CHECK(place + out / 2 * (1 - unit_roundoff<Real>)*(1 - 2 * unit_roundoff<Real>) == place);
     CHECK((place + out) - place == out);
+    // Inwards from a power of two the next place lies twice as near.
+    const bool is_power = place == 1 || place == -1024;
+    CHECK((place - Real(0.49) * out != place) == is_power);
   }
   CHECK(spacing_at(Real(1)) == std::numeric_limits<Real>::epsilon());
 }

@@ -1,5 +1,6 @@
 // Where the rungs that claim no bound stop, and what they say.
 #include <course/bad_vectors.hpp>
+#include <course/random_quaternion.hpp>
 #include <course/tumbling_problems.hpp>
 #include <tumble/guarded_turn.hpp>
 
@@ -65,7 +66,18 @@ TEST_CASE_TEMPLATE("Up to the limit a guarded rung is the rung itself, to the bi
       rung.turn(plain, Real(1) / 60);
     }
     CHECK(same_bits(guarded.angular_momentum_body, plain.angular_momentum_body));
-    CHECK(same_bits(guarded.orientation.imaginary, plain.orientation.imaginary));
+    CHECK(same_bits(guarded.orientation, plain.orientation));
+    // With ever longer steps, up to one that would turn by the whole range of the sine.
+    const Top<Real> start = top_of<Real>(tumbling_problems[0]);
+    const Real spin = angular_velocity_body(start).norm();
+    for (Real angle = 1; angle < 2 * SineCosineConstants<Real>::limit; angle *= 3) {
+      guarded = plain = start;
+      rung.turn(plain, angle / spin);
+      if (!is_whole(plain)) break;
+      turn_or_stop(rung, guarded, angle / spin);
+      CHECK(same_bits(guarded.angular_momentum_body, plain.angular_momentum_body));
+      CHECK(same_bits(guarded.orientation, plain.orientation));
+    }
   }
 }
 //! [same]

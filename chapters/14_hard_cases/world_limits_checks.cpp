@@ -53,8 +53,9 @@ TEST_CASE_TEMPLATE("Down to the slowest speed the turn of a box makes no number 
 
 //! [step]
 TEST_CASE_TEMPLATE(
-    "A step of no time moves nothing; a negative one, or one over an hour, is refused", Real,
-    EVERY_PRECISION) {
+    "In a step of no time no force or push moves a body; a negative one, or one over an hour, is "
+    "refused",
+    Real, EVERY_PRECISION) {
   World<Real> still(StepLength{.numerator = 0, .denominator = 1});
   const BodyHandle body =
       still.add("brick", make_rigid_body<Real>("brick", mass_properties(Box<Real>{{1, 2, 3}}, 2),
@@ -62,6 +63,8 @@ TEST_CASE_TEMPLATE(
                              .body);
   const RigidBody<Real> before = still.body(body);
   still.add(Gravity<Real>{});
+  still.add(Thruster<Real>{.force_body = {1, 2, 3}, .point = {1, 0, 0}}, {body});
+  still.push_at(body, {1, 2, 3}, {3, 2, 1});
   still.step();
   const RigidBody<Real> after = still.body(body);
   CHECK(same_bits(after.centre.position, before.centre.position));
@@ -132,8 +135,18 @@ TEST_CASE_TEMPLATE("A rod without thickness never turns about its line, however 
   REQUIRE(rod.top.inverse_moments.minCoeff(&line) == 0);
   const BodyHandle body = world.add("rod", rod);
   world.add(Thruster<Real>{.force_body = {1, 2, 3}, .point = {1, 1, 1}}, {body});
-  for (int n = 0; n < 100; ++n) world.step();
-  CHECK(world.body(body).top.angular_momentum_body[line] == 0);
+  std::mt19937_64 generator(146);
+  std::uniform_real_distribution<Real> some(-1, 1);
+  const auto vector = [&] {
+    const Real x = some(generator), y = some(generator);
+    return Vec3<Real>(x, y, some(generator));
+  };
+  for (int n = 0; n < 100; ++n) {
+    world.push_at(body, vector(), vector());
+    world.apply_impulse_at(body, vector(), vector());
+    world.step();
+    CHECK(world.body(body).top.angular_momentum_body[line] == 0);
+  }
   CHECK(is_finite(world.body(body).top.angular_momentum_body));
   // What makes 1/0 of it is refused.
   rod.top.inverse_moments[line] = std::numeric_limits<Real>::infinity();

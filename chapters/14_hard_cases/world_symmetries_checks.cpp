@@ -23,7 +23,7 @@ std::array<RigidBody<Real>, 2> bodies_of(World<Real>& world) {
 }  // namespace
 
 //! [frame]
-TEST_CASE_TEMPLATE("A world that is turned as a whole takes the same step, to a few ulps", Real,
+TEST_CASE_TEMPLATE("A world that is turned as a whole takes the same step, to rounding", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(142);
   for (int trial = 0; trial < 20; ++trial) {

@@ -144,8 +144,8 @@ TEST_CASE("A heavily damped oscillator creeps home at w²/2γ without a number o
   CHECK(coasting.velocity == 3);
 }
 
-TEST_CASE_TEMPLATE("The orbit agrees with Fehlberg's rule, whatever its eccentricity", Real, double,
-                   long double) {
+TEST_CASE_TEMPLATE("The orbit agrees with Fehlberg's rule, for eccentricities from 0 to 0.99", Real,
+                   double, long double) {
   for (const Real eccentricity : {0.0, 1e-9, 0.2, 0.6, 0.9, 0.99}) {
     CAPTURE(eccentricity);
     // From the aphelion, a = 1 m, with a period of 2 pi s: the rule can't step through a perihelion

@@ -10,7 +10,8 @@
 namespace tumble {
 
 /// The order that a step of a world is sure of where forces and torques are smooth. Where one of
-/// them jumps, as when a thruster ends or a ball leaves the water, it is 1 in that step.
+/// them jumps, as when a thruster ends or a tether with a damper becomes taut, it is 1 in that
+/// step.
 struct Accuracy {
   Scheme scheme = Scheme::semi_implicit_euler;
   int order = 1;
@@ -20,8 +21,10 @@ struct Accuracy {
 /// The order that an effect leaves to a scheme, as a clause if that is less than the scheme's.
 ///
 /// A kick takes the velocities and spins that it is about to change as those of its whole length,
-/// which is right to first order. Blows, damping and what sets places act for themselves once a
-/// step, before or after the rest of it and not in the middle: that is of first order as well.
+/// which is right to first order. Blows, damping and what acts at the end of a step act for
+/// themselves once a step, and not in its middle: that is of first order as well. What sets a
+/// velocity or a place with a kick sets it for the time of the kick, and half a drift still
+/// follows.
 //! [limit_of_effect]
 template <class Real>
 std::string why_first_order(const AnyEffect<Real>& effect) {
@@ -29,6 +32,7 @@ std::string why_first_order(const AnyEffect<Real>& effect) {
   if (traits.phase == Phase::impulse || traits.phase == Phase::damping ||
       traits.phase == Phase::drift)
     return "'" + traits.name + "' acts apart from the kicks";
+  if (traits.replaces) return "'" + traits.name + "' sets a velocity, a spin or a place itself";
   return traits.depends_on_speed ? "'" + traits.name + "' depends on a velocity or a spin" : "";
 }
 //! [limit_of_effect]

@@ -19,6 +19,7 @@ struct EffectTraits {
   bool needs_top = false;  ///< the (first) body must not be a point
   bool needs_second_top = false;
   bool stores_energy = false;
+  bool replaces = false;          ///< what it writes takes the place of what there was
   bool finds_pairs = false;       ///< it finds the pairs that it joins itself, in each step
   bool has_response = false;      ///< it can limit the time step
   bool depends_on_speed = false;  ///< what it gives depends on a velocity or a spin
@@ -87,6 +88,9 @@ template <class Real, class Effect>
 class EffectOf : public AnyEffect<Real> {
   static constexpr Form form = form_of<Effect, Real>();
   static_assert(form.count == 1, "an effect has exactly one function, see effect.hpp");
+  static_assert(ActsInItsPhase<Effect, Real>,
+                "a force or a torque acts in the phase force and a blow in the phase impulse, "
+                "whatever the effect names");
 
  public:
   explicit EffectOf(const Effect& effect) : AnyEffect<Real>(traits_of(effect)), effect_(effect) {}
@@ -160,6 +164,7 @@ class EffectOf : public AnyEffect<Real> {
                               .sees = form.sees,
                               .reads = reads_of<Real, Effect>(),
                               .writes = writes_of<Real>(effect)};
+    traits.replaces = form.replaces;
     traits.needs_top = form.sees == Sees::top;
     if constexpr (requires { effect.needs_top(); }) traits.needs_top = effect.needs_top();
     if constexpr (requires { effect.needs_second_top(); })

@@ -90,7 +90,9 @@ class Replay {
   /// What went wrong in a kick, or nothing.
   std::string fault_of_kick(const Moment<Real>& moment, const AnyEffect<Real>*& culprit) {
     const Real h = moment.time_step;
+    const Bodies<Real> before = bodies_;
     if (ask_each(Phase::force, moment, culprit, true)) return sentence_;
+    bodies_ = before;  // what writes a velocity itself has acted by now
     run(work_, Phase::force, bodies_, moment);
     add(work_.inputs, bodies_);
     if (is_lost())  // a sum that overflows is nobody's alone

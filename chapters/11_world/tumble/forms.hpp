@@ -79,25 +79,26 @@ enum class Sees { nothing, centre, top, body, pair };
 struct Form {
   Sees sees = Sees::nothing;
   Quantities writes;
-  int count = 0;  ///< functions; an effect has one
+  int count = 0;          ///< functions; an effect has one
+  bool replaces = false;  ///< what it writes takes the place of what there was
 };
 
 /// What the effect gives when its function sees `Seen`.
 template <class Effect, class Seen, class Real>
 constexpr Form form_seeing(Sees sees) {
   Form form;
-  const auto gives = [&](bool does, Quantities what) {
-    if (does) form = {sees, form.writes | what, form.count + 1};
+  const auto gives = [&](bool does, Quantities what, bool replaces = false) {
+    if (does) form = {sees, form.writes | what, form.count + 1, replaces};
   };
   constexpr bool centre = !std::same_as<Seen, Top<Real>>, top = !std::same_as<Seen, Particle<Real>>;
   gives(centre && GivesForce<Effect, Seen, Real>, quantity::force);
   gives(top && GivesTorque<Effect, Seen, Real>, quantity::torque);
   gives(centre && top && GivesPush<Effect, Seen, Real>, quantity::force | quantity::torque);
   gives(centre && GivesAcceleration<Effect, Seen, Real>, quantity::velocity);
-  gives(centre && GivesVelocity<Effect, Seen, Real>, quantity::velocity);
-  gives(top && GivesSpin<Effect, Seen, Real>, quantity::spin);
-  gives(centre && GivesPosition<Effect, Seen, Real>, quantity::position);
-  gives(top && GivesOrientation<Effect, Seen, Real>, quantity::orientation);
+  gives(centre && GivesVelocity<Effect, Seen, Real>, quantity::velocity, true);
+  gives(top && GivesSpin<Effect, Seen, Real>, quantity::spin, true);
+  gives(centre && GivesPosition<Effect, Seen, Real>, quantity::position, true);
+  gives(top && GivesOrientation<Effect, Seen, Real>, quantity::orientation, true);
   return form;
 }
 
@@ -130,13 +131,31 @@ concept EffectOnOne = visits_one<Effect, Real>;
 template <class Effect, class Real>
 concept EffectOnTwo = visits_two<Effect, Real>;
 
-/// The phase in which the effect acts: that of what it gives, or, if it writes a velocity, a spin
-/// or a place itself, the one that it names.
+/// An effect that can be given its bodies. One that finds its pairs can't: it would reach bodies of
+/// which the plan does not know that something acts on them.
+template <class Effect, class Real>
+concept EffectForSome = (EffectOnOne<Effect, Real> ||
+                         EffectOnTwo<Effect, Real>)&&!FindsPairs<Effect, Real>;
+
+/// An effect that names the phase in which it acts.
+template <class Effect>
+concept NamesPhase = requires {
+  { Effect::phase } -> std::convertible_to<Phase>;
+};
+
+/// An effect may name its phase if it gives an acceleration, or writes a velocity, a spin or a
+/// place itself. A force or a torque has to be in the sums before the kick, and a blow after it.
+template <class Effect, class Real>
+concept ActsInItsPhase =
+    !NamesPhase<Effect> ||
+    (form_of<Effect, Real>().sees != Sees::pair &&
+     !form_of<Effect, Real>().writes.has_any(quantity::force | quantity::torque));
+
+/// The phase in which the effect acts: that of what it gives, or, if it gives an acceleration or
+/// writes a velocity, a spin or a place itself, the one that it names.
 template <class Effect, class Real>
 constexpr Phase phase_of() {
-  if constexpr (requires {
-                  { Effect::phase } -> std::convertible_to<Phase>;
-                })
+  if constexpr (NamesPhase<Effect>)
     return Effect::phase;
   else if (form_of<Effect, Real>().writes.has_any(quantity::force | quantity::torque))
     return Phase::force;

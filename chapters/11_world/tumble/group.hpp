@@ -1,5 +1,5 @@
 /// @file
-/// Which bodies an effect visits: a set that changes in constant time.
+/// Which bodies an effect visits: a set that changes in constant time, on average.
 #pragma once
 
 #include <algorithm>

@@ -39,7 +39,8 @@ class Ledger {
   /// What each effect put in so far.
   const std::vector<LedgerLine>& lines() const { return lines_; }
 
-  /// What is neither start nor any line: rounding, if the books are right.
+  /// What is neither start nor any line: rounding, if the books are right and nobody has changed a
+  /// body or stepped the world beside them.
   template <class Keeping>
   LedgerLine rest(const World<Real, Keeping>& world) const {
     LedgerLine rest = now(world);
@@ -99,7 +100,14 @@ class Ledger {
       const Real h = part.time_step;
       if (portion.stroke == Stroke::kick) {
         Bodies<Real> alone = bodies;  // for one force at a time
-        run(work, Phase::force, bodies, part);
+        for (const std::size_t i : work.in_phase[static_cast<std::size_t>(Phase::force)]) {
+          const Entry<Real>& entry = work.effects[i];
+          const auto act = [&] { entry.effect->run(bodies, entry.visits, part); };
+          if (entry.effect->traits().writes.has_any(quantity::force | quantity::torque))
+            act();
+          else  // it changes momenta or places at once
+            book(entry.effect->name(), act);
+        }
         add(work.inputs, bodies);
         book_phase(Phase::kick, part);
         const Bodies<Real> summed = bodies;

@@ -25,6 +25,9 @@ void check_body(const std::string& name, const Top<Real>& top) {
   require_finite(name + ": inverse moments", top.inverse_moments, "1/(kg m^2)");
   if (top.inverse_moments.minCoeff() < 0)
     reject(name + ": inverse moments", top.inverse_moments, "1/(kg m^2)", "each must be 0 or more");
+  if (free_part<Real>(top, top.angular_momentum_body) != top.angular_momentum_body)
+    reject(name + ": angular momentum", top.angular_momentum_body, "kg m^2/s, body axes",
+           "it must be 0 about a locked axis");
 }
 
 /// Bodies, where `Keeping` says how they lie in memory.
@@ -57,7 +60,8 @@ class NamedBodies {
     return facts_alone<Real>({state.centre, state.top}, is_point(index), before);
   }
 
-  /// Appends a body whose sums are empty; `top` is null for a point.
+  /// Appends a body whose sums are empty and whose orientation has norm 1; `top` is null for a
+  /// point.
   BodyHandle append(const std::string& name, Particle<Real> centre, const Top<Real>* top) {
     if (name.empty()) throw std::invalid_argument("a body needs a name");
     if (handles_.contains(name))
@@ -65,6 +69,7 @@ class NamedBodies {
     check_body(name, centre);
     if (top) check_body(name, *top);
     Top<Real> kept_top = top ? *top : Top<Real>{};
+    kept_top.orientation = renormalized(kept_top.orientation);
     clear_force(centre);
     clear_torque(kept_top);
     const BodyHandle handle = slots_.take(kept_.append(centre, top ? &kept_top : nullptr));

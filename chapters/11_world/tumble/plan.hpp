@@ -50,8 +50,10 @@ class Reasons {
       ++found->second;
   }
 
-  /// "every body calls for it", or the reasons of the others with their counts.
-  std::string sentence(std::string_view noun) const {
+  /// "every body calls for it", or the reasons of the others with their counts. `of`: how many
+  /// there are.
+  std::string sentence(std::string_view noun, std::size_t of) const {
+    if (of == 0) return std::string("there is no ").append(noun);
     if (counts_.empty()) return std::string("every ").append(noun).append(" calls for it");
     std::string text;
     for (const auto& [reason, count] : counts_) {
@@ -91,13 +93,14 @@ PlanRow row_of(const Entry<Real>& entry, const Planner<Real>& planner, const Ros
   else
     for (const BodyHandle body : entry.targets)
       ask(effect.why_skipped(facts[roster.index_of(body)]));
+  const std::size_t of = entry.everyone ? facts.size() : entry.targets.size() / (in_pairs ? 2 : 1);
   return {effect.name(),
           effect.phase(),
           entry.visits.size(),
-          entry.everyone ? facts.size() : entry.targets.size() / (in_pairs ? 2 : 1),
+          of,
           text_of(effect.traits().reads),
           text_of(effect.traits().writes),
-          reasons.sentence(in_pairs ? "pair" : "body")};
+          reasons.sentence(in_pairs ? "pair" : "body", of)};
 }
 
 /// The line of a motion that every world has.
@@ -112,7 +115,7 @@ inline PlanRow row_of(const Motion& motion, const Group& group, const std::vecto
           facts.size(),
           text_of(motion.reads),
           text_of(motion.writes),
-          reasons.sentence("body")};
+          reasons.sentence("body", facts.size())};
 }
 
 /// The lines of all, in the order of a step.

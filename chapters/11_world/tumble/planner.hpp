@@ -44,7 +44,8 @@ class Planner : public PlanGroups<Real> {
     for (const std::uint64_t number : own_[body]) join(entry_of(number), roster);
   }
 
-  /// A body is about to go: its own effects go, and the last body and the last top get its places.
+  /// A body is about to go: its own effects and pushes go, and the last body and the last top get
+  /// its places.
   template <class Roster>
   void forget_body(BodyHandle handle, const Roster& roster) {
     release(handle, roster);
@@ -66,6 +67,9 @@ class Planner : public PlanGroups<Real> {
       for (Group* group : {&work_.torqued, &work_.steady, &work_.tumbling})
         group->replace_by_last(top, last_top);
     }
+    std::erase_if(work_.inputs, [&](const Input<Real>& input) { return input.body == body; });
+    for (Input<Real>& input : work_.inputs)
+      if (input.body == last) input.body = body;
     replace_by_last(alone_, body);
     replace_by_last(facts_, body);
     replace_by_last(own_, body);

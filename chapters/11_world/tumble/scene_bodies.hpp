@@ -15,8 +15,11 @@ class SceneBodies {
  public:
   // --- Bodies -----------------------------------------------------------------------------------
 
-  /// Adds a point, or a body, which should come from make_rigid_body() or make_static_body().
-  /// @throws std::invalid_argument if the name is empty or taken, or a number is not finite.
+  /// Adds a point, or a body, which should come from make_rigid_body() or make_static_body(): here
+  /// each number is checked by itself, and not whether a body can have such moments.
+  /// @throws std::invalid_argument if the name is empty or taken, if a number is not finite, if an
+  /// inverse mass or moment is negative, if the orientation is not nearly of norm 1, or if there is
+  /// angular momentum about a locked axis.
   BodyHandle add(const std::string& name, const Particle<Real>& point) {
     return came(name, bodies_.append(name, point, nullptr));
   }
@@ -71,7 +74,9 @@ class SceneBodies {
     require_top(body);
     news_.note("'" + name_of(body) + "' was replaced");
     limit_changed_ |= planner_.is_limiting(bodies_.index_of(body));
-    bodies_.set(bodies_.index_of(body), by);
+    RigidBody<Real> kept = by;
+    kept.top.orientation = renormalized(by.top.orientation);
+    bodies_.set(bodies_.index_of(body), kept);
     planner_.change_body(bodies_.index_of(body), bodies_);
   }
 

@@ -28,8 +28,9 @@ class Scenery : public SceneBodies<Real, Keeping> {
   /// Adds an effect for some bodies; for one that joins two, each first followed by its second.
   template <class Effect>
   EffectHandle add(Effect effect, const std::vector<BodyHandle>& bodies) {
-    static_assert(EffectOnOne<Effect, Real> || EffectOnTwo<Effect, Real>,
-                  "an effect has one of the functions in effect.hpp");
+    static_assert(EffectForSome<Effect, Real>,
+                  "an effect for some bodies has one of the functions in effect.hpp, and does not "
+                  "find its pairs itself");
     return append_effect(prepared(effect), false, bodies);
   }
 

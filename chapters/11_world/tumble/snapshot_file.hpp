@@ -33,6 +33,13 @@ inline std::uint64_t checksum_of(std::string_view text) {
   return sum;
 }
 
+/// The last line of the file whose other lines are `text`.
+inline std::string checksum_line(std::string_view text) {
+  std::ostringstream line;
+  line << "checksum " << std::hex << checksum_of(text) << '\n';
+  return line.str();
+}
+
 /// Writes a snapshot as text: a line that says what it is, the numbers in hexadecimal, so that none
 /// is rounded, and a checksum.
 template <class Real>
@@ -46,7 +53,7 @@ void write_snapshot(std::ostream& out, const Snapshot<Real>& snapshot) {
     text << '\n';
   }
   for_each_number(snapshot, [&](const Real& number) { text << number << '\n'; });
-  out << text.str() << "checksum " << std::hex << checksum_of(text.str()) << '\n';
+  out << text.str() << checksum_line(text.str());
 }
 
 /// Reads what write_snapshot() has written.
@@ -62,8 +69,6 @@ Snapshot<Real> read_snapshot(std::istream& in) {
     throw refuse("it does not begin with \"" + mark + "\"");
   const std::size_t end = all.rfind("checksum ");
   if (end == std::string::npos) throw refuse("its end is missing");
-  std::uint64_t told = 0;
-  std::istringstream(all.substr(end + 9)) >> std::hex >> told;
   int version = 0;
   std::size_t bits = 0, bodies = 0, tops = 0;
   std::istringstream text(all.substr(0, end));
@@ -73,7 +78,8 @@ Snapshot<Real> read_snapshot(std::istream& in) {
       tops >> word >> word >> snapshot.ticks;
   if (version != 1) throw refuse("it is of version " + std::to_string(version) + ", and this is 1");
   if (!text) throw refuse("its first line does not say what it holds");
-  if (told != checksum_of(all.substr(0, end))) throw refuse("its checksum is wrong: it is damaged");
+  if (all.substr(end) != checksum_line(all.substr(0, end)))
+    throw refuse("its checksum is wrong: it is damaged");
   if (bits != 8 * sizeof(Real))
     throw refuse("its numbers have " + std::to_string(bits) + " bits, and the world's " +
                  std::to_string(8 * sizeof(Real)));

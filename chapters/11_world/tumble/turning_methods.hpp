@@ -39,7 +39,7 @@ struct Splitting {
 };
 //! [turning_methods]
 
-/// The same in a third of the time, for angles that are small.
+/// The same without a sine, in less time, for angles that are small.
 struct SplittingWithoutSine {
   static constexpr std::string_view name = "splitting without sine";
   static constexpr int order = 2;

@@ -48,8 +48,9 @@ class World : public Scenery<Real, Keeping> {
   /// How all bodies move now: with restore() a step, or a thousand, can be taken back.
   Snapshot<Real> save() const { return bodies_.snapshot(ticks_, planner_.alone()); }
   /// All bodies move as they did when the snapshot was saved, and the steps from there on have the
-  /// same bits. Pushes of the next step alone are dropped.
-  /// @throws std::invalid_argument if bodies have come or gone since.
+  /// same bits, unless the scene has been changed since, or a push for one step was to come then:
+  /// such pushes are dropped. The bodies are taken in the order of the world.
+  /// @throws std::invalid_argument if there are more bodies or tops than then, or fewer.
   void restore(const Snapshot<Real>& then) {
     if (then.positions.size() != bodies_.size() || then.orientations.size() != bodies_.top_count())
       throw std::invalid_argument(

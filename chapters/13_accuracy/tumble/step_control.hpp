@@ -13,7 +13,7 @@
 
 namespace tumble {
 
-/// The logarithm of a float to the base 2, and back, each within 0.045: the bits of a float are its
+/// The logarithm of a normal float to the base 2, and back, each within 0.045: the bits are its
 /// exponent and then what follows the first digit, so read as a whole number they count the powers
 /// of two, with a straight line in between. That is accurate enough for the length of a step.
 //! [rough]
@@ -95,8 +95,8 @@ Real first_step_of(Real rate, Same<Real> changes, int power, Same<Real> seconds)
 /// A step that is not accepted is repeated, shorter. `when_stepped(gone, h)` is called for each
 /// accepted step before it counts.
 ///
-/// The last step ends where the journey does, to the bit, and shares the remaining time with the
-/// one before it, lest a tiny step be left.
+/// The last step is what is left of the journey, to a rounding, and shares the remaining time with
+/// the one before it, lest a tiny step be left.
 /// @throws StepError if steps fall below what the clock can show.
 //! [travel]
 template <class Real, class Stepper, class WhenStepped>

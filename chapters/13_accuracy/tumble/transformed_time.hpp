@@ -14,8 +14,9 @@ namespace tumble {
 /// logarithmic one: Mikkola and Tanikawa 1999, Preto and Tremaine 1999) it moves the
 /// particle along the same path, in a time s of its own: dt = ds/(T + B) in a drift, dt = ds/U in a
 /// kick. T is constant in a drift and U in a kick, so both are exact, and every row of kicks and
-/// drifts may be used. Around a star the position after each step lies on the true ellipse, however
-/// long the step: only the time is wrong.
+/// drifts may be used. Around a star half a drift, a kick and half a drift lead from a point of the
+/// true ellipse to another, however long the step: by Verlet's rule, and by a row that is made of
+/// its steps, only the time is wrong.
 //! [transformed_time]
 template <class Gather, class Real>
 class TransformedTime {

@@ -13,9 +13,9 @@ inline double spread_over_decades(Dice& dice, double from, double to) {
   return std::pow(10, from + (to - from) * (dice.real<double>() + 1) / 2);
 }
 
-/// A top with moments anywhere in 24 decades around 1 kg m², in a ratio of up to a million, and |L|
-/// such that its fastest spin, |L| over its smallest moment, lies anywhere in the 12 decades below
-/// `fastest` (rad/s). The torque is one that changes |L| by at most itself in `seconds`.
+/// A top with moments anywhere in 30 decades around 1 kg m², in a ratio of up to a million. Its |L|
+/// is a random part of a size that, divided by the smallest moment, lies anywhere in the 12 decades
+/// below `fastest` (rad/s). In `seconds` the torque gives another random part of that size.
 //! [random_top]
 template <class Real>
 Top<Real> random_top(Dice& dice, double fastest, double seconds) {

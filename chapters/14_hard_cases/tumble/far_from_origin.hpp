@@ -29,8 +29,9 @@ Real slowest_drift_at(Real coordinate, Same<Real> time_step) {
 }
 //! [slowest_drift]
 
-/// How many binary digits a number needs, so that places up to `distance` from the origin are no
-/// further apart than `resolution` (both in m). A float has 24 and a double 53.
+/// How many binary digits a number needs, so that places up to `distance` from the origin, and the
+/// next one beyond it, are no further apart than `resolution` (both in m). A float has 24 and a
+/// double 53.
 /// @throws std::invalid_argument unless both are finite and greater than 0.
 //! [digits_needed]
 inline int digits_needed(double distance, double resolution) {
