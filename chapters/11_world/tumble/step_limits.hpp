@@ -142,7 +142,7 @@ class Responses {
   std::vector<End> ends_;          // of the first hold, one or two, then of the second, ...
   std::vector<Turning> turnings_;  // of each body; none if no hold has an arm and a force
   bool is_damped_ = false;
-  Real turning_ = 0;               // the largest of the squared rates, 1/s²
+  Real turning_ = 0;  // the largest of the squared rates, 1/s²
   std::size_t turning_hold_ = 0;
 };
 
