@@ -58,10 +58,10 @@ TEST_CASE_TEMPLATE(
     EVERY_PRECISION) {
   const Mat3<Real> untouched = Mat3<Real>::Identity();
   for (const auto& [p, q] : {std::pair(0, 1), std::pair(0, 2), std::pair(1, 2)}) {
-    const auto axes_with = [p = p, q = q](Real roundings) {
+    const auto axes_with = [one = p, other = q](Real roundings) {
       Mat3<Real> inertia = Vec3<Real>(1, 2, 4).asDiagonal();
-      const Real product = roundings * unit_roundoff<Real> * inertia(p, p);
-      inertia(p, q) = inertia(q, p) = product;
+      const Real product = roundings * unit_roundoff<Real> * inertia(one, one);
+      inertia(one, other) = inertia(other, one) = product;
       return principal_axes(inertia).axes;
     };
     CHECK(same_bits(axes_with(1), untouched));

@@ -59,11 +59,13 @@ class ThreadTeam {
         for (int member = 1; member <= count; ++member)
           threads_.emplace_back([this, member] { serve(member); });
       } catch (...) {  // those that have come would wait for ever
-        call(nullptr);
+        end();
         throw;
       }
     }
-    ~Others() { call(nullptr); }
+    ~Others() { end(); }
+    Others(const Others&) = delete;
+    Others& operator=(const Others&) = delete;
 
     void begin(const Work& work) {
       has_failed_ = false;
@@ -82,6 +84,12 @@ class ThreadTeam {
     }
 
    private:
+    // Not by std::jthread, which joins by itself: libc++ has it from its version 20 on.
+    void end() {
+      call(nullptr);
+      for (std::thread& thread : threads_) thread.join();
+    }
+
     void call(const Work* work) {
       work_ = work;
       busy_.store(static_cast<unsigned>(threads_.size()));
@@ -110,8 +118,8 @@ class ThreadTeam {
     const Work* work_ = nullptr;
     std::atomic<unsigned> calls_ = 0, busy_ = 0;
     std::atomic<bool> has_failed_ = false;
-    std::exception_ptr failure_;         ///< the first one's
-    std::vector<std::jthread> threads_;  // the first to go: they use the others
+    std::exception_ptr failure_;  ///< the first one's
+    std::vector<std::thread> threads_;
   };
 
   int size_;

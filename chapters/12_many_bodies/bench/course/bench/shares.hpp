@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <thread>
+#include <future>
 #include <vector>
 
 namespace tumble::course::bench {
@@ -14,11 +14,11 @@ namespace tumble::course::bench {
 template <class Work>
 void in_shares(std::size_t count, int threads, const Work& work) {
   const std::size_t share = (count / static_cast<std::size_t>(threads) + 63) / 64 * 64;
-  std::vector<std::jthread> others;
+  std::vector<std::future<void>> others;  // each waits for its thread when it goes
   std::size_t first = 0;
   for (int thread = 1; thread < threads; ++thread) {
     const std::size_t end = std::min(first + share, count);
-    others.emplace_back([&work, first, end] { work(first, end); });
+    others.push_back(std::async(std::launch::async, [&work, first, end] { work(first, end); }));
     first = end;
   }
   work(first, count);
