@@ -45,7 +45,7 @@ TEST_CASE("The advisor's steps are as few as will do, and what it expects is wha
   for (const double wish : {0.3, 1e-2, 1e-5, 3e-7}) {
     const Verdict verdict = asked(list, wish);
     REQUIRE(verdict.winner.has_value());
-    const auto steps = static_cast<double>(verdict.winner->steps_per_frame);
+    const auto steps = static_cast<double>(verdict.winner->fineness);
     CHECK(verdict.winner->errors.angle == 1 / (steps * steps));
     CHECK(verdict.winner->errors.angle <= wish / 2);
     // Half of the tolerance is aimed at; a twentieth of the steps, and one, may be too many.
@@ -80,7 +80,7 @@ TEST_CASE(
   const std::vector<Candidate> list = {uneven};
   const Verdict verdict = asked(list, 1e-4);
   REQUIRE(verdict.winner.has_value());
-  const auto steps = static_cast<double>(verdict.winner->steps_per_frame);
+  const auto steps = static_cast<double>(verdict.winner->fineness);
   CHECK(verdict.winner->errors.angle == 3 / (steps * steps));
   CHECK(verdict.winner->errors.angle <= 1e-4);
 }
@@ -129,7 +129,7 @@ TEST_CASE("What diverges with long steps may do with short ones") {
   };
   const std::vector<Candidate> list = {stiff};
   REQUIRE(asked(list, 1e-2).winner.has_value());
-  CHECK(asked(list, 1e-2).winner->steps_per_frame >= 64);
+  CHECK(asked(list, 1e-2).winner->fineness >= 64);
 }
 
 TEST_CASE("A solution that takes no steps is asked once a frame, or not at all") {
@@ -140,7 +140,7 @@ TEST_CASE("A solution that takes no steps is asked once a frame, or not at all")
   const Verdict fine = asked(list, 1e-10);
   REQUIRE(fine.winner.has_value());
   CHECK(fine.winner->candidate->method == "exact");
-  CHECK(fine.winner->steps_per_frame == 1);
+  CHECK(fine.winner->fineness == 1);
   CHECK(!asked(list, 1e-15).winner.has_value());
 }
 
@@ -152,12 +152,89 @@ TEST_CASE("A tolerance for places counts places, and one for both counts both") 
   };
   const std::vector<Candidate> list = {body};
   const Advisor advisor(list, frames, longest_run);
-  const auto steps = [&](const Wish& wish) {
-    return advisor.cheapest(wish).winner->steps_per_frame;
-  };
+  const auto steps = [&](const Wish& wish) { return advisor.cheapest(wish).winner->fineness; };
   const long both = steps({.angle = 1e-2, .place = 1e-2});
   CHECK(both == steps({.place = 1e-2}));
   CHECK(both > 5 * steps({.angle = 1e-2}));
+}
+
+namespace {
+
+/// A method that chooses its steps, at least one in a frame: ever smaller tolerances have the same
+/// ones as long as a frame meets them. The error is that of the rule, in steps of that length.
+Candidate choosing(const char* name, int power, double first, double price) {
+  Candidate made = method(name, power + 1, first, price);
+  made.power = power;
+  made.coarsest = 0.1;
+  made.finest = 1000;
+  const auto steps_at = [made_of = made, first, power](long fineness) {
+    // What is estimated of the error per second is `first` times the step to that power.
+    const double wanted = std::pow(first / made_of.given(fineness), 1.0 / power);
+    return std::max(1L, static_cast<long>(std::ceil(wanted)));
+  };
+  made.errors = [=](long fineness, int) {
+    const long steps = steps_at(fineness);
+    return Errors{.angle = first / std::pow(static_cast<double>(steps), power + 1),
+                  .steps = steps * frames.count,
+                  .rejected = steps - 1};
+  };
+  made.nanoseconds = [=](long fineness, int) {
+    return price * static_cast<double>(steps_at(fineness) * frames.count);
+  };
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Of a method that chooses its steps the advisor finds the tolerance, and says the steps") {
+  for (const double wish : {1e-3, 1e-5, 1e-8}) {
+    CAPTURE(wish);
+    const std::vector<Candidate> list = {choosing("own", 4, 1, 10)};
+    const Verdict verdict = asked(list, wish);
+    REQUIRE(verdict.winner.has_value());
+    const Found& found = *verdict.winner;
+    CHECK(found.errors.angle <= wish / 2);
+    CHECK(found.errors.steps > 0);
+    CHECK(found.errors.rejected == found.errors.steps / frames.count - 1);
+    // Coarser by a twentieth, and one, it would not do, or it is at its coarsest.
+    const long coarser = found.fineness - found.fineness / 16 - 1;
+    if (coarser >= 1) CHECK(list[0].errors(coarser, 0).angle > wish / 2);
+  }
+}
+
+TEST_CASE("That smaller tolerances call for the same steps does not end the search") {
+  // One step a frame meets 0.1 divided by 2^4, 4^4, 8^4, 16^4 and more.
+  const std::vector<Candidate> list = {choosing("own", 4, 1e-7, 10)};
+  REQUIRE(list[0].errors(1, 0).angle == list[0].errors(16, 0).angle);
+  const Verdict verdict = asked(list, 1e-9);
+  REQUIRE(verdict.winner.has_value());
+  CHECK(verdict.winner->fineness > 16);
+  CHECK(verdict.winner->errors.angle <= 1e-9 / 2);
+  // But there is an end to it.
+  std::vector<Candidate> hopeless = {choosing("own", 4, 1e-7, 10)};
+  hopeless[0].finest = 16;
+  CHECK(!asked(hopeless, 1e-9).winner.has_value());
+}
+
+TEST_CASE("Of two that choose their steps or not, the cheaper one is promised") {
+  const std::vector<Candidate> list = {method("even", 5, 1, 10), choosing("own", 4, 1, 9),
+                                       choosing("dear", 4, 1, 20)};
+  REQUIRE(asked(list, 1e-6).winner.has_value());
+  CHECK(asked(list, 1e-6).winner->candidate->method == "own");
+}
+
+TEST_CASE(
+    "The error that a method which chooses its steps has for a given cost is one at that cost") {
+  const std::vector<Candidate> list = {choosing("own", 4, 1, 10)};
+  const Advisor advisor(list, frames, longest_run);
+  for (const double most : {300.0, 2500.0, 1e5}) {
+    const auto found = advisor.best_for(most, {.angle = 1});
+    REQUIRE(found.has_value());
+    CHECK(found->nanoseconds <= most);
+    CHECK(found->errors.angle == list[0].errors(found->fineness, 0).angle);
+  }
+  CHECK(!advisor.best_for(50, {.angle = 1}).has_value());
 }
 
 TEST_CASE("For a given cost the advisor finds the least error, and for none the least cost") {
@@ -168,7 +245,7 @@ TEST_CASE("For a given cost the advisor finds the least error, and for none the 
   const auto cheap = advisor.best_for(300, {.angle = 1});
   REQUIRE(cheap.has_value());
   CHECK(cheap->candidate->method == "first order");
-  CHECK(cheap->steps_per_frame == 3);
+  CHECK(cheap->fineness == 3);
   CHECK(cheap->nanoseconds <= 300);
   CHECK(advisor.best_for(3000, {.angle = 1})->candidate->method == "fourth order");
   CHECK(!advisor.best_for(50, {.angle = 1}).has_value());
@@ -177,6 +254,6 @@ TEST_CASE("For a given cost the advisor finds the least error, and for none the 
   const std::vector<Candidate> exact_alone = {exact};
   const Advisor with_exact(exact_alone, frames, longest_run);
   CHECK(!with_exact.best_for(300, {.angle = 1}).has_value());
-  CHECK(with_exact.best_for(6000, {.angle = 1})->steps_per_frame == 1);
+  CHECK(with_exact.best_for(6000, {.angle = 1})->fineness == 1);
   CHECK(advisor.least({.angle = 1})->candidate->method == "first order");
 }

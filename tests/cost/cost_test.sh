@@ -57,6 +57,11 @@ keeps ball --inertia 2,2,2 --spin 1,2,3 --for 5 --angle 1e-9
 keeps hardly_a_wobble --inertia 1,1e-12,1 --spin 1e-200,1e-200,1 --for 1 --angle 1e-3
 keeps beside_the_middle_axis --inertia 1,2,3 --spin 1e-200,1,1e-300 --for 1 --angle 1e-6
 keeps two_like_axes --inertia 3,3,2 --spin 1,1e-7,1e-250 --for 1 --angle 1e-6
+keeps own_steps --inertia 1,2,3 --spin 1,2,0.5 --for 20 --angle 1e-6 --rate 1 --steps own
+keeps own_steps_in_float --inertia 1,2,3 --spin 1,2,0.5 --for 4 --angle 1e-4 --rate 1 --steps own --precision float
+keeps own_steps_of_a_rod --inertia 1.7231e-4,6.58e-6,1.7243e-4 --spin 2,60,1 --for 1 --angle 1e-8 --rate 4 --steps own
+keeps own_steps_a_frame --inertia 1,2,3 --spin 1,2,0.5 --for 2 --angle 1e-9 --steps own
+keeps even_steps --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle 1e-6 --rate 1 --steps even
 keeps scene t_handle --for 3 --angle 1e-3
 keeps flight t_handle --for 3 --angle 1e-8
 keeps orbits orbit --for 100 --place 100 --rate 1 # of a scene a hundred states are held against the truth
@@ -68,6 +73,15 @@ for words in "errors of at most 1e-06 rad" "cheapest " "expected error " "times 
   "against the exact solution" "ns for each simulated second" "in each frame of 1/60 s" "ten times better" "ten times cheaper"; do
   verify "the answer says \"$words\"" says "$words"
 done
+run --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle 1e-6 --rate 1 --steps own
+for words in "own steps, in " "tolerance " " rad a second: " " steps in all" " a state"; do
+  verify "of a method that chooses its steps the answer says \"$words\"" says "$words"
+done
+verify "and nothing of a rung with steps of one length" says_not " a state: "
+run --inertia 1,2,3 --spin 1e5,9e4,5e4 --for 100 --angle 1e-3 --rate 1 --steps own --longest-run 0.001
+verify "what can't be carried in the time that a run may take is refused" ends_with 1
+run --inertia 2,2,2 --spin 1,2,3 --for 5 --angle 1e-9 --steps own
+verify "a ball has no need of steps that are chosen" says "no method with such steps is needed"
 run satellite --for 2 --angle 0.01 --place 0.01
 verify "a scene is answered" ends_with 0
 verify "against Richardson's extrapolation" says "Richardson's extrapolation of runs with"
@@ -162,6 +176,11 @@ for path in sorted(pathlib.Path(".").glob("*.json")):
     for found in [winner, answer["ten_times_better"], answer["ten_times_cheaper"], *answer["others"]]:
         if found is None:
             continue
+        even, own = found["steps_per_second"] is not None, found["rejected_steps"] is not None
+        exactly = "moments" in answer["question"] and found["method"] == "exact solution"
+        assert even + own + exactly == 1, path
+        assert own == (found["tolerance_per_second"] is not None) + (found["angle_per_step"] is not None), path
+        assert own or found["steps"] == (round(found["steps_per_second"] * answer["question"]["seconds"]) if even else None), path
         assert found["time_step"] is None or near(found["time_step"] * found["steps_per_second"], 1), path
         assert part(found) == 0 or near(found["margin"] * part(found), 1), path
         bodies = math.floor(1e9 / found["nanoseconds_per_simulated_second"]) * answer["question"].get("bodies", 1)
@@ -212,6 +231,8 @@ top="--inertia 1,2,3 --spin 1,2,0.5 --for 10"
   refuses "--rate is 0 states a second; it must be at least 1 and at most 1e+06 states a second" t_handle --for 1 --angle 1 --rate 0
   refuses "--rate is 1.5; it must be a whole number of states a second" t_handle --for 2 --angle 1 --rate 1.5
   refuses "--precision is half; it must be float, double or any" $top --angle 1 --precision half
+  refuses "--steps is odd; it must be even, own or any" $top --angle 1 --steps odd
+  refuses "--steps own is for a free top: the steps of a scene have one length" t_handle --for 1 --angle 1 --steps own
   refuses "--longest-run is 0 s; it must be at least 0.001 and at most 600 s" $top --angle 1 --longest-run 0
   refuses "--inertia is 1,2; it must be three numbers of kg m^2 with commas between them, such as 1,2,3" --inertia 1,2 --spin 1,2,3 --for 1 --angle 1
   refuses "--inertia is 1,2,3,4; it must be three numbers" --inertia 1,2,3,4 --spin 1,2,3 --for 1 --angle 1

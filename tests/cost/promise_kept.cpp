@@ -3,7 +3,7 @@
 // that shares nothing with cost.
 #include <fstream>
 #include <tumble/exact/free_top.hpp>
-#include <tumble/ladder.hpp>
+#include <tumble/journey_ladder.hpp>
 
 #include "kept.hpp"
 
@@ -46,6 +46,26 @@ double free_top_error(const Json& question, const Json& promise) {
     const exact::FreeTop<Real> solution(top);
     for (long state = 1; state <= states; ++state)
       look(solution.at(static_cast<Real>(time_of(state))), state);
+    return worst;
+  }
+  for (const auto& rung : free_journeys<Real>) {
+    if (rung.name != promise["method"].get<std::string>()) continue;
+    const char* key = rung.given == Given::angle ? "angle_per_step" : "tolerance_per_second";
+    const auto given = static_cast<Real>(promise[key].get<double>());
+    Journey all;
+    for (long state = 1; state <= states; ++state) {
+      const Journey journey = rung.carry(top, static_cast<Real>(time_of(1)), given);
+      all.steps += journey.steps;
+      all.rejected += journey.rejected;
+      look(top, state);
+    }
+    const auto steps = promise["steps"].get<long>(),
+               rejected = promise["rejected_steps"].get<long>();
+    std::printf("%ld steps of the %ld that were expected, and %ld of %ld rejected\n", all.steps,
+                steps, all.rejected, rejected);
+    // The most of several runs that are alike.
+    if (all.steps > steps || all.rejected > rejected) fail("more steps than were expected");
+    if (2 * all.steps < steps) fail("far more steps were expected than are needed");
     return worst;
   }
   for (const auto& rung : turning_ladder<Real>) {

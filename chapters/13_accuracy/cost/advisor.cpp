@@ -12,35 +12,37 @@ constexpr double reserve = 2;
 /// A method within this factor of the cheapest is worth a line.
 constexpr double worth_naming = 4;
 
-/// No frame holds more steps than this.
-constexpr long most_steps_per_frame = 1L << 24;
-
 }  // namespace
 
-double Advisor::nanoseconds(const Candidate& candidate, long steps_per_frame,
-                            int repetitions) const {
-  return candidate.nanoseconds(steps_per_frame, repetitions) / frames_.seconds();
+double Advisor::nanoseconds(const Candidate& candidate, long fineness, int repetitions) const {
+  return candidate.nanoseconds(fineness, repetitions) / frames_.seconds();
 }
 
-/// Doubles the steps until the error is small enough, then looks in between. Gives up on a method
-/// that costs more than `dearest` (ns a second), or whose error has stopped falling.
+/// Doubles the fineness until the error is small enough, then looks in between. Gives up on a
+/// method that costs more than `dearest` (ns a second), or whose error has stopped falling although
+/// it has made more steps: at a smaller tolerance a method may still make the same ones.
 std::optional<Found> Advisor::search(const Candidate& candidate, const Wish& wish, double dearest,
                                      std::optional<Found>& nearest) const {
   const double limit = std::min(dearest, longest_run_ * 1e9 / frames_.seconds());
   double smallest = std::numeric_limits<double>::infinity();
   int without_gain = 0;
-  long high = 1;
+  long high = 1, most_steps = 0;
   Errors errors;
   for (;; high *= 2) {
     const double cost = nanoseconds(candidate, high, 1);
-    errors = candidate.errors(high, 0);
+    errors = std::isfinite(cost) ? candidate.errors(high, 0) : failed_run;
     const double ratio = errors.of(wish);
-    if (!nearest || ratio < nearest->errors.of(wish))
+    if (ratio < (nearest ? nearest->errors.of(wish) : std::numeric_limits<double>::infinity()))
       nearest = Found{&candidate, high, errors, cost};
     if (ratio <= 1 / reserve) break;
-    without_gain = ratio < 0.7 * smallest || ratio > 1e15 ? 0 : without_gain + 1;
+    const bool is_finer = !candidate.chooses_steps() || errors.steps > most_steps;
+    if (ratio < 0.7 * smallest || ratio > 1e15)
+      without_gain = 0;
+    else if (is_finer)
+      ++without_gain;
+    most_steps = std::max(most_steps, errors.steps);
     smallest = std::min(smallest, ratio);
-    if (!candidate.takes_steps || without_gain > 3 || cost > limit || high >= most_steps_per_frame)
+    if (!candidate.takes_steps || without_gain > 3 || cost > limit || high >= candidate.finest)
       return std::nullopt;
   }
   long low = high / 2;  // known not to do
@@ -57,14 +59,14 @@ bool Advisor::confirm(Found& found, const Wish& wish) const {
   for (int attempt = 0; attempt < 6; ++attempt) {
     Errors errors;
     for (int trial = 0; trial < found.candidate->trials; ++trial)
-      errors = worse(errors, found.candidate->errors(found.steps_per_frame, trial));
+      errors = worse(errors, found.candidate->errors(found.fineness, trial));
     if (errors.of(wish) <= 1) {
       found.errors = errors;
-      found.nanoseconds = nanoseconds(*found.candidate, found.steps_per_frame, 5);
+      found.nanoseconds = nanoseconds(*found.candidate, found.fineness, 5);
       return true;
     }
     if (!found.candidate->takes_steps) return false;
-    found.steps_per_frame += 1 + found.steps_per_frame / 5;
+    found.fineness += 1 + found.fineness / 5;
   }
   return false;
 }
@@ -89,7 +91,7 @@ Verdict Advisor::cheapest(const Wish& wish) const {
   if (enough.empty()) return verdict;
   for (Found& found : enough)  // once more, side by side: the machine may have been busy
     found.nanoseconds =
-        std::min(found.nanoseconds, nanoseconds(*found.candidate, found.steps_per_frame, 5));
+        std::min(found.nanoseconds, nanoseconds(*found.candidate, found.fineness, 5));
   std::sort(enough.begin(), enough.end(),
             [](const Found& a, const Found& b) { return a.nanoseconds < b.nanoseconds; });
   verdict.winner = enough.front();
@@ -105,11 +107,22 @@ std::optional<Found> Advisor::best_for(double most_nanoseconds, const Wish& wish
   for (const Candidate& candidate : candidates_) {
     const double one_step = nanoseconds(candidate, 1, 3);
     if (one_step > most_nanoseconds) continue;
-    const long steps = candidate.takes_steps ? static_cast<long>(most_nanoseconds / one_step) : 1;
-    const Errors errors = candidate.errors(steps, 0);
-    if (!(errors.of(wish) < std::numeric_limits<double>::infinity())) continue;
-    if (!best || errors.of(wish) < best->errors.of(wish))
-      best = Found{&candidate, steps, errors, one_step * static_cast<double>(steps)};
+    Found found{&candidate, 1, {}, one_step};
+    if (candidate.takes_steps)
+      found.fineness = std::min(candidate.finest, static_cast<long>(most_nanoseconds / one_step));
+    if (candidate.chooses_steps()) {  // which are not in proportion to the fineness
+      const auto cost = [&] {
+        return found.nanoseconds = nanoseconds(candidate, found.fineness, 3);
+      };
+      while (cost() > most_nanoseconds && found.fineness > 1)
+        found.fineness -= 1 + found.fineness / 5;
+      if (found.nanoseconds > most_nanoseconds) continue;
+    } else {
+      found.nanoseconds *= static_cast<double>(found.fineness);
+    }
+    found.errors = candidate.errors(found.fineness, 0);
+    if (!(found.errors.of(wish) < std::numeric_limits<double>::infinity())) continue;
+    if (!best || found.errors.of(wish) < best->errors.of(wish)) best = found;
   }
   return best;
 }

@@ -11,10 +11,10 @@
 
 namespace tumble::cost {
 
-/// A candidate with the steps in a frame that it needs, what it then errs and what it takes.
+/// A candidate with the fineness that it needs, what it then errs and what it takes.
 struct Found {
   const Candidate* candidate = nullptr;
-  long steps_per_frame = 1;
+  long fineness = 1;  ///< see Candidate
   Errors errors;
   double nanoseconds = 0;  ///< for each simulated second
 };
@@ -48,14 +48,14 @@ class Advisor {
   /// second.
   std::optional<Found> best_for(double nanoseconds, const Wish& wish) const;
 
-  /// What takes least at all: one step in a frame.
+  /// What takes least at all: each at its coarsest.
   std::optional<Found> least(const Wish& wish) const;
 
  private:
   std::optional<Found> search(const Candidate& candidate, const Wish& wish, double dearest,
                               std::optional<Found>& nearest) const;
   bool confirm(Found& found, const Wish& wish) const;
-  double nanoseconds(const Candidate& candidate, long steps_per_frame, int repetitions) const;
+  double nanoseconds(const Candidate& candidate, long fineness, int repetitions) const;
 
   const std::vector<Candidate>& candidates_;
   Frames frames_;

@@ -31,7 +31,8 @@ std::vector<Candidate> candidates_for(const Options& asked, Answer& answer) {
                        (asked.precisions.twice ? "double" : "float") + ", are off by up to " +
                        course::number("%.2g rad", least_lost(asked, answer.rounded)) +
                        " already, so no method was tried";
-    return free_top_candidates(*asked.top, asked.frames, fine_enough(asked, answer.rounded));
+    return free_top_candidates(*asked.top, asked.frames, fine_enough(asked, answer.rounded),
+                               asked.kinds, asked.longest_run);
   }
   const SceneCandidates made =
       scene_candidates(asked.scene, asked.frames, asked.wish, asked.precisions, asked.longest_run);
@@ -59,7 +60,10 @@ Answer answer_to(const Options& asked) {
   }
   if (!answer.refusal.empty()) return answer;
   if (answer.candidates.empty()) {
-    answer.refusal = "the precision that is asked for can't hold these numbers";
+    answer.refusal = asked.kinds.any()
+                         ? "the precision that is asked for can't hold these numbers"
+                         : "no method with such steps is needed for this top, or none "
+                           "in a precision that can hold its numbers";
     return answer;
   }
   std::string wanted = "what was asked for";

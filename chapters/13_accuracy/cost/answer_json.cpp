@@ -20,15 +20,24 @@ Json json_of(const Errors& errors, const Wish& wish) {
 Json json_of(const std::optional<Found>& found, const Answer& answer) {
   if (!found) return nullptr;
   const Frames& frames = answer.asked.frames;
-  const bool steps = found->candidate->takes_steps;
-  const long rate = frames.rate * found->steps_per_frame;
+  const Candidate& candidate = *found->candidate;
+  const bool own = candidate.chooses_steps(), even = candidate.takes_steps && !own;
+  const long rate = frames.rate * found->fineness;
   const double fit = std::floor(1e9 / found->nanoseconds);
   return {
-      {"method", found->candidate->method},
-      {"scheme", found->candidate->scheme.empty() ? Json(nullptr) : Json(found->candidate->scheme)},
-      {"precision", found->candidate->precision},
-      {"steps_per_second", steps ? Json(rate) : Json(nullptr)},
-      {"time_step", steps ? Json(1 / static_cast<double>(rate)) : Json(nullptr)},
+      {"method", candidate.method},
+      {"scheme", candidate.scheme.empty() ? Json(nullptr) : Json(candidate.scheme)},
+      {"precision", candidate.precision},
+      {"steps_per_second", even ? Json(rate) : Json(nullptr)},
+      {"time_step", even ? Json(1 / static_cast<double>(rate)) : Json(nullptr)},
+      {"tolerance_per_second",
+       own && !candidate.is_given_angle ? Json(candidate.given(found->fineness)) : Json(nullptr)},
+      {"angle_per_step",
+       candidate.is_given_angle ? Json(candidate.given(found->fineness)) : Json(nullptr)},
+      {"steps", own    ? Json(found->errors.steps)
+                : even ? Json(frames.count * found->fineness)
+                       : Json(nullptr)},
+      {"rejected_steps", own ? Json(found->errors.rejected) : Json(nullptr)},
       {"expected_error", json_of(found->errors, answer.asked.wish)},
       {"margin", number(1 / found->errors.of(answer.asked.wish))},
       {"nanoseconds_per_simulated_second", found->nanoseconds},

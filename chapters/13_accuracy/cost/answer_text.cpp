@@ -29,7 +29,16 @@ std::string method_of(const Found& found, const Frames& frames) {
   std::string text = found.candidate->method + (scheme.empty() ? "" : ", scheme " + scheme) +
                      ", in " + found.candidate->precision;
   if (!found.candidate->takes_steps) return text + ", asked once a state";
-  const auto steps = static_cast<double>(found.steps_per_frame);
+  if (found.candidate->chooses_steps())
+    return text + (found.candidate->is_given_angle ? ", angle " : ", tolerance ") +
+           formatted("%.3g rad a %s: ", found.candidate->given(found.fineness),
+                     found.candidate->is_given_angle ? "step" : "second") +
+           counted(static_cast<double>(found.errors.steps), "step") + " in all" +
+           (found.errors.rejected > 0 ? formatted(" and %ld repeated", found.errors.rejected)
+                                      : "") +
+           formatted(", %.3g a state",
+                     static_cast<double>(found.errors.steps) / static_cast<double>(frames.count));
+  const auto steps = static_cast<double>(found.fineness);
   const double rate = static_cast<double>(frames.rate) * steps;
   return text + ", " + counted(steps, "step") +
          " a state: " + formatted("%.6g s, %.0f a second", 1 / rate, rate);

@@ -23,6 +23,8 @@ struct Errors {
   double place = 0;     ///< m
   double energy = 0;    ///< of a free top, relative
   double momentum = 0;  ///< of a free top, in world axes, relative
+  long steps = 0;       ///< how many a method that chooses its own has made in the run
+  long rejected = 0;    ///< and how many it has repeated
 
   /// How large they are in terms of what is wanted: at most 1 if the tolerance is met. A run that
   /// failed is infinitely far off.
@@ -36,24 +38,40 @@ struct Errors {
 inline constexpr Errors failed_run = {.angle = std::numeric_limits<double>::infinity(),
                                       .place = std::numeric_limits<double>::infinity()};
 
-/// The larger one of each.
+/// The larger one of each, the number of steps included.
 inline Errors worse(const Errors& a, const Errors& b) {
-  return {std::max(a.angle, b.angle), std::max(a.place, b.place), std::max(a.energy, b.energy),
-          std::max(a.momentum, b.momentum)};
+  return {std::max(a.angle, b.angle),   std::max(a.place, b.place),
+          std::max(a.energy, b.energy), std::max(a.momentum, b.momentum),
+          std::max(a.steps, b.steps),   std::max(a.rejected, b.rejected)};
 }
 
-/// One method in one precision.
+/// No frame holds more steps than this.
+inline constexpr long most_steps_per_frame = 1L << 24;
+
+/// One method in one precision. How finely it works is said by a whole number, its fineness: so
+/// many steps of one length in a frame, or, of a method that chooses its own steps, a tolerance (or
+/// an angle) that calls for about so many times as many as the coarsest one.
 struct Candidate {
   std::string method, precision;
   std::string scheme = {};  ///< by which a scene's bodies are stepped; none: Euler's
   int order = 0;            ///< what it claims; the highest is tried first
   bool takes_steps = true;  ///< false: the exact solution, asked once a frame
-  /// The errors with so many steps in a frame. Trial 0 is the question that was asked; the others
-  /// are others like it, up to `trials` in all.
-  std::function<Errors(long steps_per_frame, int trial)> errors;
+  int power = 0;  ///< 0: steps of one length. Else it chooses them by what it is given, to 1/power
+  bool is_given_angle = false;         ///< for each step, rad; else a tolerance, rad a second
+  double coarsest = 0;                 ///< what it is given at a fineness of 1
+  long finest = most_steps_per_frame;  ///< beyond it there is nothing to gain
+  /// The errors at such a fineness. Trial 0 is the question that was asked; the others are others
+  /// like it, up to `trials` in all.
+  std::function<Errors(long fineness, int trial)> errors;
   int trials = 1;
   /// The time of the whole run, ns: the fastest of so many repetitions.
-  std::function<double(long steps_per_frame, int repetitions)> nanoseconds;
+  std::function<double(long fineness, int repetitions)> nanoseconds;
+
+  bool chooses_steps() const { return power > 0; }
+  /// What a method that chooses its steps is given: steps are as long as its root.
+  double given(long fineness) const {
+    return coarsest * std::pow(static_cast<double>(fineness), -power);
+  }
 };
 
 /// When states are wanted: `frames` of them, `rate` in a second.

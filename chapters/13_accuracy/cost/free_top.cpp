@@ -4,6 +4,7 @@
 #include <memory>
 #include <random>
 #include <tumble/exact/free_top.hpp>
+#include <tumble/journey_ladder.hpp>
 
 namespace tumble::cost {
 namespace {
@@ -130,9 +131,73 @@ double time_of_run(const Top<Real>& start, int repetitions,
       repetitions);
 }
 
+/// What methods that choose their steps are given first: more would hardly be a tolerance, and in a
+/// step of a radian a splitting still knows where it is.
+constexpr double coarsest_tolerance = 0.1;  // rad/s
+constexpr double coarsest_angle = 1;        // rad a step
+
+/// A rung that chooses its own steps, from each state to the next. It lands on every one of them.
+template <class Real>
+Candidate own_steps(const FreeJourney<Real>& rung, const std::string& precision,
+                    const Frames& frames, double longest_run,
+                    const std::shared_ptr<std::vector<Trial<Real>>>& list) {
+  Candidate made;
+  made.method = std::string(rung.name);
+  made.precision = precision;
+  made.order = rung.claims.order;
+  made.trials = trials;
+  made.power = rung.power;
+  made.is_given_angle = rung.given == Given::angle;
+  made.coarsest = made.is_given_angle ? coarsest_angle : coarsest_tolerance;
+  // The steps allow themselves some roundings on top of the tolerance, so that one of less than a
+  // rounding for each state changes nothing.
+  const double least = std::numeric_limits<Real>::epsilon() * static_cast<double>(frames.rate);
+  if (!made.is_given_angle)
+    made.finest =
+        std::max(1L, static_cast<long>(std::pow(coarsest_tolerance / least, 1.0 / rung.power)));
+  const auto given_at = [made_of = made](long fineness) {
+    return static_cast<Real>(made_of.given(fineness));
+  };
+  const Real frame_time = static_cast<Real>(1.0L / static_cast<long double>(frames.rate));
+  const auto carry = rung.carry;
+  made.errors = [=](long fineness, int trial) {
+    const Real given = given_at(fineness);
+    Journey all;
+    try {
+      Errors errors =
+          watched((*list)[static_cast<std::size_t>(trial)], frames, [&](Top<Real>& top, long) {
+            const Journey journey = carry(top, frame_time, given);
+            all.steps += journey.steps;
+            all.rejected += journey.rejected;
+          });
+      errors.steps = all.steps;
+      errors.rejected = all.rejected;
+      return errors;
+    } catch (const StepError&) {
+      return failed_run;
+    }
+  };
+  made.nanoseconds = [=](long fineness, int repetitions) {
+    const Real given = given_at(fineness);
+    const auto time_of = [&](long count, int times) {
+      return time_of_run<Real>((*list)[0].start, times, [&](Top<Real>& top) {
+        for (long frame = 0; frame < count; ++frame) carry(top, frame_time, given);
+      });
+    };
+    try {
+      if (time_of(1, 3) * static_cast<double>(frames.count) > 1e9 * longest_run)
+        return std::numeric_limits<double>::infinity();
+      return time_of(frames.count, repetitions);
+    } catch (const StepError&) {
+      return std::numeric_limits<double>::infinity();
+    }
+  };
+  return made;
+}
+
 template <class Real>
 void append(std::vector<Candidate>& candidates, const FreeTopQuestion& question,
-            const Frames& frames) {
+            const Frames& frames, const StepKinds& kinds, double longest_run) {
   const std::string precision = sizeof(Real) == sizeof(float) ? "float" : "double";
   const auto list = std::make_shared<std::vector<Trial<Real>>>(trials_of<Real>(question, frames));
   const Top<Real>& start = (*list)[0].start;
@@ -143,7 +208,7 @@ void append(std::vector<Candidate>& candidates, const FreeTopQuestion& question,
   const bool tumbles = is_gyroscopic(start);
   for (const TurningRung<Real>& rung : turning_ladder<Real>) {
     const bool steady = rung.claims.order == 0;
-    if (steady == tumbles) continue;  // what does not converge, or what needs a tumbling top
+    if (!kinds.even || steady == tumbles) continue;  // which does not converge, or has no need to
     const auto time_step = [frames](long steps) {
       return static_cast<Real>(
           1.0L / (static_cast<long double>(frames.rate) * static_cast<long double>(steps)));
@@ -170,6 +235,10 @@ void append(std::vector<Candidate>& candidates, const FreeTopQuestion& question,
                                     });
                               }});
   }
+  if (kinds.own && tumbles)
+    for (const FreeJourney<Real>& rung : free_journeys<Real>)
+      candidates.push_back(own_steps(rung, precision, frames, longest_run, list));
+  if (!kinds.any()) return;
   const auto time_of_frame = [frames](long frame) {
     return static_cast<Real>(static_cast<long double>(frame) /
                              static_cast<long double>(frames.rate));
@@ -202,10 +271,11 @@ void append(std::vector<Candidate>& candidates, const FreeTopQuestion& question,
 }  // namespace
 
 std::vector<Candidate> free_top_candidates(const FreeTopQuestion& question, const Frames& frames,
-                                           const Precisions& precisions) {
+                                           const Precisions& precisions, const StepKinds& kinds,
+                                           double longest_run) {
   std::vector<Candidate> candidates;
-  if (precisions.twice) append<double>(candidates, question, frames);
-  if (precisions.single) append<float>(candidates, question, frames);
+  if (precisions.twice) append<double>(candidates, question, frames, kinds, longest_run);
+  if (precisions.single) append<float>(candidates, question, frames, kinds, longest_run);
   return candidates;
 }
 

@@ -24,6 +24,8 @@ SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or t
   --place METRES      the largest error of a centre of mass; scenes only
   --rate N            how many states a second are wanted, 1 to 1000000; 60 if not given. No step is longer
   --precision KIND    float, double or any (the default)
+  --steps KIND        even: methods with steps of one length; own: methods that choose their steps, which a free top has
+                      and a scene has not; any (the default): both, and the exact solution, which takes none
   --longest-run S     a method is not tried with shorter steps once a run takes so many seconds, 0.001 to 600; 1 if not
                       given
   --json              answer in JSON, as answer.schema.json says
@@ -32,8 +34,8 @@ SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or t
 The exit status is 0 if the promise is confirmed, 1 if none can be, and 2 if the command line or the scene is wrong.
 )";
 
-const std::vector<std::string> options_with_value = {"inertia", "spin", "for",       "angle",
-                                                     "place",   "rate", "precision", "longest-run"};
+const std::vector<std::string> options_with_value = {
+    "inertia", "spin", "for", "angle", "place", "rate", "precision", "steps", "longest-run"};
 const std::vector<std::string> switches = {"json", "help"};
 
 /// The whole of `text` as a finite number, or nothing.
@@ -148,6 +150,13 @@ Precisions precisions_of(const std::string& kind) {
   throw UsageError("--precision is " + kind + "; it must be float, double or any");
 }
 
+StepKinds step_kinds_of(const std::string& kind) {
+  if (kind == "any") return {};
+  if (kind == "even") return {.even = true, .own = false};
+  if (kind == "own") return {.even = false, .own = true};
+  throw UsageError("--steps is " + kind + "; it must be even, own or any");
+}
+
 Options read(const cxxopts::ParseResult& given) {
   const auto text = [&](const std::string& name, const std::string& otherwise = {}) {
     return given.count(name) > 0 ? given[name].as<std::string>() : otherwise;
@@ -179,6 +188,9 @@ Options read(const cxxopts::ParseResult& given) {
   if (has("angle")) options.wish.angle = between("angle", text("angle"), "rad", 0, 3);
   if (has("place")) options.wish.place = between("place", text("place"), "m", 0, 1e12);
   options.precisions = precisions_of(text("precision", "any"));
+  options.kinds = step_kinds_of(text("steps", "any"));
+  if (options.kinds.own && !options.kinds.even && !of_top)
+    throw UsageError("--steps own is for a free top: the steps of a scene have one length");
   options.longest_run = between("longest-run", text("longest-run", "1"), "s", 0.001, 600);
   options.json = has("json") && given["json"].as<bool>();
   return options;

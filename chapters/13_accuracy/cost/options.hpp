@@ -31,6 +31,7 @@ struct Options {
   Frames frames;
   Wish wish;
   Precisions precisions;
+  StepKinds kinds;
   double longest_run = 1;  ///< s
   bool json = false;
 };

@@ -4,8 +4,7 @@
 #pragma once
 
 #include <course/contest.hpp>
-#include <tumble/nystrom_steps.hpp>
-#include <tumble/reduced_steps.hpp>
+#include <tumble/journey_ladder.hpp>
 #include <tumble/transformed_time.hpp>
 
 namespace tumble::course {
@@ -40,57 +39,50 @@ Contestant<Body> own_steps(const std::string& name, const Problem<Body, Gather>&
           }};
 }
 
-/// A free top by each pair, and by two rules in steps of one length.
+/// A free top by each rung that chooses its own steps, and by two rules in steps of one length.
 template <class Real>
 std::vector<Contestant<Top<Real>>> free_tops_by_own_steps(const FreeProblem<Real>& problem) {
-  const auto by = [&]<class Pair>(const char* name, Pair) {
-    return own_steps(name, problem,
-                     [](Top<Real>& top, const NoTorque<Real>&, Real seconds, Real tolerance) {
-                       carry_freely<Pair>(top, seconds, tolerance);
-                     });
-  };
+  std::vector<Contestant<Top<Real>>> list;
+  for (const FreeJourney<Real>& rung : free_journeys<Real>)
+    list.push_back(
+        own_steps(std::string(rung.name), problem,
+                  [carry = rung.carry](Top<Real>& top, const NoTorque<Real>&, Real seconds,
+                                       Real tolerance) { carry(top, seconds, tolerance); }));
   const auto evenly = [&]<class Rule>(std::string_view name, Rule) {
-    return contestant(problem, TurningRung<Real>{name, {}, turn_by_momentum<Rule, Real>});
+    list.push_back(contestant(problem, TurningRung<Real>{name, {}, turn_by_momentum<Rule, Real>}));
   };
-  return {by("L apart, 5(4), own steps", DormandPrince54()),
-          by("L apart, 8(5,3), own steps", DormandPrince853()),
-          evenly("L apart, Dormand-Prince 5", DormandPrinceFifth()),
-          evenly("L apart, Dormand-Prince 8", DormandPrinceEighth())};
+  evenly("L apart, Dormand-Prince 5", DormandPrinceFifth());
+  evenly("L apart, Dormand-Prince 8", DormandPrinceEighth());
+  return list;
+}
+
+/// A body under force or torque by one rung that chooses its own steps.
+template <class Body, class Gather, class Real>
+Contestant<Body> by_own_steps(const Problem<Body, Gather>& problem,
+                              const JourneyRung<Body, Real, Gather>& rung) {
+  return own_steps(
+      std::string(rung.name), problem,
+      [carry = rung.carry](Body& body, const Gather& gather, Real seconds, Real tolerance) {
+        carry(body, gather, Real(0), seconds, tolerance);
+      });
 }
 
 /// A body under force or torque by each pair; a symmetric top by its axis as well.
 template <class Body, class Gather>
 std::vector<Contestant<Body>> by_own_steps(const Problem<Body, Gather>& problem) {
   using Real = typename ScalarOf<Body>::Type;
-  const auto by = [&]<class Pair>(const char* name, Pair) {
-    return own_steps(name, problem,
-                     [](Body& body, const Gather& gather, Real seconds, Real tolerance) {
-                       carry<Pair>(body, gather, Real(0), seconds, tolerance);
-                     });
-  };
-  std::vector<Contestant<Body>> list = {by("5(4), own steps", DormandPrince54()),
-                                        by("8(5,3), own steps", DormandPrince853())};
-  if constexpr (requires { problem.gather.torque_on_axis(Vec3<Real>(), Real(0)); }) {
-    const auto by_axis = [&]<class Pair>(const char* name, Pair) {
-      return own_steps(name, problem,
-                       [](Body& body, const Gather& gather, Real seconds, Real tolerance) {
-                         carry_axis<Pair>(body, gather, Real(0), seconds, tolerance);
-                       });
-    };
-    list.push_back(by_axis("axis apart, 5(4), own steps", DormandPrince54()));
-    list.push_back(by_axis("axis apart, 8(5,3), own steps", DormandPrince853()));
-  }
+  std::vector<Contestant<Body>> list;
+  for (const auto& rung : journeys<Body, Real, Gather>) list.push_back(by_own_steps(problem, rung));
+  if constexpr (requires { problem.gather.torque_on_axis(Vec3<Real>(), Real(0)); })
+    for (const auto& rung : axis_journeys<Real, Gather>)
+      list.push_back(by_own_steps(problem, rung));
   return list;
 }
 
 /// A particle under a force of place and time alone, by the Nyström pair.
 template <class Real, class Gather>
 Contestant<Particle<Real>> nystrom_by_own_steps(const Problem<Particle<Real>, Gather>& problem) {
-  return own_steps(
-      "Nystrom 8(6), own steps", problem,
-      [](Particle<Real>& particle, const Gather& gather, Real seconds, Real tolerance) {
-        carry_by_nystrom<DormandPrinceNystrom86>(particle, gather, Real(0), seconds, tolerance);
-      });
+  return by_own_steps(problem, nystrom_journey<Real, Gather>);
 }
 
 /// An orbit in transformed time, by rows of several orders. The knob is about how many steps.

@@ -81,6 +81,13 @@ class StepError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// @throws StepError: a step of h seconds, so long after the start, is one that no clock shows.
+template <class Real>
+[[noreturn]] void fail_at(Real h, Same<Real> gone) {
+  throw StepError("the time step fell to " + text_of(h) + " s, " + text_of(gone) +
+                  " s after the start; no step meets the tolerance there");
+}
+
 /// A step that the tolerance allows, as far as one can tell before the first. Rates that would lose
 /// `rate` times the tolerance if they were altogether wrong, and that change at the rate r, have an
 /// error of about rate (h r)^power; `changes` is r times `rate`, 1/s.
@@ -121,9 +128,7 @@ Journey travel(Stepper& stepper, Real seconds, Same<Real> first, const WhenStepp
       ++journey.rejected;
     }
     h *= static_cast<Real>(control.factor(square));
-    if (gone < seconds && !(gone + h > gone))
-      throw StepError("the time step fell to " + text_of(h) + " s, " + text_of(gone) +
-                      " s after the start; no step meets the tolerance there");
+    if (gone < seconds && !(gone + h > gone)) fail_at(h, gone);
   }
   return journey;
 }

@@ -1,0 +1,144 @@
+#include <course/checks.hpp>
+#include <course/contest.hpp>
+#include <course/exact_motion.hpp>
+#include <tumble/paced_steps.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+using Wide = long double;
+
+/// A heavy top that hardly spins: it swings like a pendulum, slow at the ends and fast in between.
+template <class Real>
+Problem<Top<Real>, Weight<Real>> slow_top() {
+  return heavy_top<Real>("slow heavy top", 0.5);
+}
+
+template <class Real>
+double energy_error(const Top<Real>& top, const Problem<Top<Real>, Weight<Real>>& problem) {
+  const auto energy = [&](const Top<Real>& of) { return problem.gather.kept(exactly(of)).energy; };
+  return std::abs(static_cast<double>(energy(top) / energy(problem.start) - 1));
+}
+
+}  // namespace
+
+//! [paced_energy]
+TEST_CASE_TEMPLATE(
+    "With steps that follow the pace symmetrically the energy stays bounded, and with steps chosen "
+    "at their start it drifts",
+    Real, EVERY_PRECISION) {
+  const auto problem = slow_top<Real>();
+  const Real angle = Real(0.1), least = 1;
+  const int steps = 20'000;
+  PacedSteps<Verlet, Weight<Real>, Real> paced(problem.start, problem.gather, 0, angle, least);
+  Top<Real> chosen = problem.start;
+  problem.gather(chosen, 0);
+  // The worst of the first and of the second half of the journey.
+  std::array<double, 2> symmetric{}, plain{};
+  Real shortest = 1, longest = 0;
+  for (int n = 0; n < steps; ++n) {
+    shortest = std::min(shortest, paced.next());
+    longest = std::max(longest, paced.next());
+    paced.step();
+    const Real pace = std::sqrt(angular_velocity_body(chosen).squaredNorm() + least * least);
+    step_by_row<Verlet>(chosen, problem.gather, Real(0), angle / pace);
+    const std::size_t half = n < steps / 2 ? 0 : 1;
+    symmetric[half] = std::max(symmetric[half], energy_error(paced.top(), problem));
+    plain[half] = std::max(plain[half], energy_error(chosen, problem));
+  }
+  CHECK(longest > 2 * shortest);  // or nothing would have been chosen
+  // A rounding of each of forty operations a step, as a random walk of five deviations; an energy
+  // that swings between bounds has shown them in a thousand swings, but for a tenth.
+  const double rounding = 5 * std::sqrt(40.0 * steps) * unit_roundoff<Real>;
+  CHECK(symmetric[1] <= 1.1 * symmetric[0] + rounding);
+  // Twice as far in twice the time, less what it swings in both cases.
+  CHECK(plain[1] >= 2 * (plain[0] - symmetric[0]));
+  CHECK(plain[1] > 5 * symmetric[1]);
+}
+//! [paced_energy]
+
+//! [paced_reverses]
+TEST_CASE_TEMPLATE("Steps that follow the pace are retraced when the top is turned around", Real,
+                   EVERY_PRECISION) {
+  const auto check = [](const auto& start, const auto& gather, Real least) {
+    using Gather = std::decay_t<decltype(gather)>;
+    PacedSteps<Suzuki, Gather, Real> paced(start, gather, 0, Real(0.25), least);
+    const int steps = 40;
+    for (int n = 0; n < steps; ++n) paced.step();
+    CHECK(angle_between(paced.top().orientation, start.orientation) > Real(0.1));
+    paced.turn_around();
+    for (int n = 0; n < steps; ++n) paced.step();
+    // 80 steps of five parts, of 40 roundings each, which the motion spreads by ten.
+    CHECK(angle_between(paced.top().orientation, start.orientation) <=
+          10 * 80 * 5 * 40 * unit_roundoff<Real>);
+    CHECK(std::abs(paced.next() * paced.pace() - Real(0.25)) <= Real(0.25) * Real(0.25));
+  };
+  const auto heavy = slow_top<Real>();
+  check(heavy.start, heavy.gather, Real(1));
+  const auto free = free_problems<Real>()[0];
+  check(free.start, free.gather, Real(0));
+}
+//! [paced_reverses]
+
+TEST_CASE("Paced, each row has its order against the exact motion of a heavy top") {
+  auto problem = slow_top<Wide>();
+  problem.seconds = 4;
+  const auto truth = truth_of(problem);
+  const auto order = [&]<class Row>(Row, Wide angle) {
+    const auto error = [&](Wide of) {
+      Top<Wide> top = problem.start;
+      const Journey journey =
+          carry_paced<Row>(top, problem.gather, 0.0L, problem.seconds, of, 1.0L);
+      return std::pair(angle_between(top.orientation, truth.orientation), Wide(journey.steps));
+    };
+    const auto [coarse, few] = error(angle);
+    const auto [fine, many] = error(angle / 4);
+    return std::log(coarse / fine) / std::log(many / few);
+  };
+  CHECK(std::lround(order(Verlet(), 0.04L)) == 2);
+  CHECK(std::lround(order(Suzuki(), 0.04L)) == 4);
+  CHECK(std::lround(order(KahanLiSixth(), 0.1L)) == 6);
+  CHECK(std::lround(order(KahanLiEighth(), 0.2L)) == 8);
+}
+
+TEST_CASE_TEMPLATE("The pace that is carried along stays true to the pace of the top", Real,
+                   EVERY_PRECISION) {
+  // One step is off by the third power of its angle, and a symmetric rule does not add that up;
+  // what is left is of the second power, times a change of the rate by some of itself for each
+  // radian.
+  const auto problem = slow_top<Real>();
+  for (const Real angle : {Real(0.1), Real(0.05)}) {
+    PacedSteps<Verlet, Weight<Real>, Real> paced(problem.start, problem.gather, 0, angle, 1);
+    Real worst = 0;
+    for (int n = 0; n < 2000; ++n) {
+      paced.step();
+      const Real pace = std::sqrt(angular_velocity_body(paced.top()).squaredNorm() + 1);
+      worst = std::max(worst, std::abs(paced.pace() / pace - 1));
+    }
+    CHECK(worst <= angle * angle);
+  }
+}
+
+TEST_CASE("A paced journey ends where it shall, and what it can't be asked for is refused") {
+  const auto problem = slow_top<double>();
+  const auto carried = [&](double seconds, double angle) {
+    Topd top = problem.start;
+    const Journey journey = carry_paced<Verlet>(top, problem.gather, 0.0, seconds, angle, 1);
+    return std::pair(top, journey.steps);
+  };
+  CHECK(carried(0, 0.1).second == 0);
+  CHECK(
+      same_bits(carried(0, 0.1).first.orientation.imaginary, problem.start.orientation.imaginary));
+  CHECK(carried(1e-3, 0.1).second == 1);
+  // Steps of a hundredth of a radian, an error far below a hundredth: it lands at that moment.
+  const auto truth = exactly_after(problem.gather, problem.start, 7);
+  CHECK(angle_between(carried(7, 0.01).first.orientation, truth.orientation) < 1e-3);
+  CHECK(complaint_of([&] { carried(-1, 0.1); }) == "time is -1 s; it must be 0 or more");
+  CHECK(complaint_of([&] { carried(1, 0); }) == "angle is 0 rad a step; it must be greater than 0");
+  Topd still{.inverse_moments = {1, 2, 3}};
+  const auto nothing = [](Topd& top, double) { top.torque.setZero(); };
+  CHECK(carry_paced<Verlet>(still, nothing, 0.0, 5, 0.1).steps == 1);
+  CHECK(still.orientation.real == 1);
+}

@@ -1,0 +1,124 @@
+/// @file
+/// The ladder's rungs that choose their own steps: what each is called, its order and what it
+/// claims to keep.
+///
+/// Their Claims are those of the other rungs. Only the order needs a time step to speak of, and it
+/// is the mean one: the time divided by the number of steps that were made. As the tolerance gets
+/// smaller, the error falls as this mean to the power of the order. A journey lands where it is
+/// told to, for which it cuts its last step, so that none retraces its steps.
+#pragma once
+
+#include <tumble/ladder.hpp>
+#include <tumble/nystrom_steps.hpp>
+#include <tumble/paced_steps.hpp>
+#include <tumble/reduced_steps.hpp>
+
+namespace tumble {
+
+/// What a method that chooses its steps is given.
+enum class Given {
+  tolerance,  ///< rad that may be lost in a second, and as large a part of |L|
+  angle       ///< rad that a top shall turn by in a step
+};
+
+/// A method that takes a top without torque through some seconds. With what it is `given` to the
+/// power 1/`power` its steps get shorter.
+//! [free_journey]
+template <class Real>
+struct FreeJourney {
+  std::string_view name;
+  Given given;
+  int power;
+  Claims claims;
+  Journey (*carry)(Top<Real>& top, Same<Real> seconds, Same<Real> given);
+};
+//! [free_journey]
+
+/// A pair on all seven numbers of a top without torque.
+template <class Pair, class Real>
+Journey carry_without_torque(Top<Real>& top, Same<Real> seconds, Same<Real> tolerance) {
+  const auto nothing = [](Top<Real>& there, Real) { there.torque.setZero(); };
+  return carry<Pair>(top, nothing, Real(0), seconds, tolerance);
+}
+
+/// A splitting in the portions of a row, whose steps follow the pace of a top without torque.
+template <class Row, class Real>
+Journey carry_paced_without_torque(Top<Real>& top, Same<Real> seconds, Same<Real> angle) {
+  const auto nothing = [](Top<Real>& there, Real) { there.torque.setZero(); };
+  return carry_paced<Row>(top, nothing, Real(0), seconds, angle);
+}
+
+/// Those for a free top.
+//! [free_journeys]
+template <class Real>
+constexpr std::array<FreeJourney<Real>, 7> free_journeys = {{
+    {"5(4), own steps",
+     Given::tolerance,
+     4,
+     {.order = 5},
+     carry_without_torque<DormandPrince54, Real>},
+    {"8(5,3), own steps",
+     Given::tolerance,
+     7,
+     {.order = 8},
+     carry_without_torque<DormandPrince853, Real>},
+    {"L apart, 5(4), own steps",
+     Given::tolerance,
+     4,
+     {.order = 5, .momentum = true},
+     carry_freely<DormandPrince54, Real>},
+    {"L apart, 8(5,3), own steps",
+     Given::tolerance,
+     7,
+     {.order = 8, .momentum = true},
+     carry_freely<DormandPrince853, Real>},
+    {"splitting, own steps",
+     Given::angle,
+     1,
+     {.order = 2, .momentum = true},
+     carry_paced_without_torque<Verlet, Real>},
+    {"splitting, Suzuki, own steps",
+     Given::angle,
+     1,
+     {.order = 4, .momentum = true},
+     carry_paced_without_torque<Suzuki, Real>},
+    {"splitting, Kahan-Li 8, own steps",
+     Given::angle,
+     1,
+     {.order = 8, .momentum = true},
+     carry_paced_without_torque<KahanLiEighth, Real>},
+}};
+//! [free_journeys]
+
+/// A method that takes a particle under force, or a top under torque, from `time` through
+/// `seconds`. `gather` as in kicked_steps.hpp; `tolerance` as in carry().
+template <class Body, class Real, class Gather>
+struct JourneyRung {
+  std::string_view name;
+  Claims claims;
+  Journey (*carry)(Body& body, const Gather& gather, Real time, Same<Real> seconds,
+                   Same<Real> tolerance);
+};
+
+/// Those for a body under any force or torque.
+template <class Body, class Real, class Gather>
+constexpr std::array<JourneyRung<Body, Real, Gather>, 2> journeys = {{
+    {"5(4), own steps", {.order = 5}, carry<DormandPrince54, Body, Gather, Real>},
+    {"8(5,3), own steps", {.order = 8}, carry<DormandPrince853, Body, Gather, Real>},
+}};
+
+/// That for a particle where the force depends on time and place alone.
+template <class Real, class Gather>
+constexpr JourneyRung<Particle<Real>, Real, Gather> nystrom_journey = {
+    "Nystrom 8(6), own steps",
+    {.order = 8},
+    carry_by_nystrom<DormandPrinceNystrom86, Gather, Real>};
+
+/// Those for a symmetric top whose torque depends on time and on where its axis points.
+template <class Real, class Gather>
+constexpr std::array<JourneyRung<Top<Real>, Real, Gather>, 2> axis_journeys = {{
+    {"axis apart, 5(4), own steps", {.order = 5}, carry_axis<DormandPrince54, Gather, Real>},
+    {"axis apart, 8(5,3), own steps", {.order = 8}, carry_axis<DormandPrince853, Gather, Real>},
+}};
+
+}  // namespace tumble
