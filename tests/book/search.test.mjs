@@ -22,7 +22,7 @@ const questions = [
   ['moment of inertia of a box', /chapter_03_inertia\.html#inertia_code_solids/],
   ['energy drift', /chapter_06_semi_implicit_euler/],
   ['energy drift over time', /chapter_06_semi_implicit_euler\.html#euler_spring/],
-  ['quaternion integration', /chapter_07_orientation\.html(#orientation_\w+)?$/],
+  ['quaternion integration', /chapter_07_orientation\.html#the_exponential/],
   ['units', /conventions\.html#conventions_units/],
   ['dt', /conventions\.html#conventions_symbols|chapter_10_fixed_timestep/],
   ['NaN', /gallery\.html#gallery_nan|chapter_11_world/],
