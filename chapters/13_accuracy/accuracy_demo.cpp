@@ -25,6 +25,14 @@ std::string times(double ratio) {
   return number(ratio < 10 ? "%.1f ×" : "%.0f ×", ratio);
 }
 
+/// The text with blanks before or behind it, as many letters wide as wanted: µ is one letter.
+std::string padded(const std::string& text, std::size_t width, bool on_the_left = false) {
+  const auto letters = static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char byte) { return (byte & 0xC0) != 0x80; }));
+  const std::string blanks(letters < width ? width - letters : 0, ' ');
+  return on_the_left ? blanks + text : text + blanks;
+}
+
 /// The step of a run, or what it was asked for where it chooses its steps.
 std::string knob_of(const Measurement& run) {
   return run.steps == 0 ? number("tolerance %.0e", run.knob) : number("%.2g s", run.knob);
@@ -280,15 +288,15 @@ int main(int argument_count, char** arguments) {
   for (const int digits : {2, 4, 6, 8, 10})
     write_prices(notebook, all, problems, std::pow(10, -digits));
 
-  std::printf("The cheapest for an error of 1e-6 rad or m (double):\n\n%-17s %-22s %9s  %s\n",
+  std::printf("The cheapest for an error of 1e-6 rad or m (double):\n\n%-17s %-30s %9s  %s\n",
               "problem", "cheapest", "per s", "cheapest that steps");
   for (const std::string& problem : problems) {
     const auto list = cheapest(all, problem, 1e-6);
     const auto first = first_of(list, is_ours), step = first_of(list, is_rung);
     if (!first || !step) continue;
-    std::printf("%-17s %-22s %9s  %s, %s\n", problem.c_str(), first->method.c_str(),
-                time_of(first->nanoseconds / first->seconds).c_str(), step->method.c_str(),
-                times(step->nanoseconds / first->nanoseconds).c_str());
+    std::printf("%-17s %s %s  %s, %s\n", problem.c_str(), padded(first->method, 30).c_str(),
+                padded(time_of(first->nanoseconds / first->seconds), 9, true).c_str(),
+                step->method.c_str(), times(step->nanoseconds / first->nanoseconds).c_str());
   }
   compare_with_odeint(notebook, all, problems);
   compare_step_by_step(notebook, all, problems);

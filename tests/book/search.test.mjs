@@ -1,4 +1,4 @@
-// Forty questions as readers ask them, and where each must lead first. TUMBLE_BOOK is the folder of the book.
+// Forty-two questions as readers ask them, and where each must lead first. TUMBLE_BOOK is the folder of the book.
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
@@ -21,6 +21,8 @@ const questions = [
   ['gyroscopic', /chapter_08_tumbling\.html#tumbling_euler/],
   ['moment of inertia of a box', /chapter_03_inertia\.html#inertia_code_solids/],
   ['energy drift', /chapter_06_semi_implicit_euler/],
+  ['energy drift over time', /chapter_06_semi_implicit_euler\.html#euler_spring/],
+  ['quaternion integration', /chapter_07_orientation\.html#the_exponential/],
   ['units', /conventions\.html#conventions_units/],
   ['dt', /conventions\.html#conventions_symbols|chapter_10_fixed_timestep/],
   ['NaN', /gallery\.html#gallery_nan|chapter_11_world/],
@@ -66,7 +68,7 @@ for (const [question, place] of questions) {
   });
 }
 
-test('There are forty questions.', () => assert.equal(questions.length, 40));
+test('There are forty-two questions.', () => assert.equal(questions.length, 42));
 
 test('Where no place holds every word, the best for some of them comes, and the reader is told.', () => {
   const {hits, whole} = book_search.find('quaternion xylophone', prepared);

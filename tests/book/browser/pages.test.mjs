@@ -72,6 +72,56 @@ for (const name of sampled_pages) {
   });
 }
 
+/// How far the outermost pixels at each edge of a box differ from the page's colour, from 0 to 255: the median, since letters differ too.
+async function shades_at_edges(box) {
+  const {x, y, width, height} = await box.evaluate(element => {
+    element.scrollIntoView({block: 'center'});
+    return element.getBoundingClientRect().toJSON();
+  });
+  const clip = {x, y: y + height / 2 - 30, width, height: 60};  // what stays in sight of the tallest
+  const picture = (await box.page().screenshot({clip})).toString('base64');
+  return box.evaluate(async (element, base64) => {
+    const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${base64}`)).blob());
+    const canvas = document.createElement('canvas').getContext('2d', {willReadFrequently: true});
+    Object.assign(canvas.canvas, {width: image.width, height: image.height});
+    canvas.drawImage(image, 0, 0);
+    const paper = getComputedStyle(document.body).backgroundColor.match(/\d+/g).map(Number);
+    const difference_at = x => {
+      const {data} = canvas.getImageData(x, 0, 1, image.height);
+      const differences = Array.from({length: image.height}, (_, y) =>
+        Math.max(...paper.map((colour, part) => Math.abs(colour - data[4 * y + part])))).sort((a, b) => a - b);
+      return differences[Math.floor(image.height / 2)];
+    };
+    return {left: difference_at(2), right: difference_at(image.width - 3)};
+  }, picture);
+}
+
+for (const colourScheme of ['light', 'dark']) {
+  test(`A table that is cut shows at which edge, in ${colourScheme}.`, async () => {
+    const coloured = await open_page(browser, {viewport: narrow, colourScheme});
+    let cut = 0;
+    for (const name of reading_pages) {
+      await coloured.goto(address(name));
+      await coloured.evaluate(() => document.querySelectorAll('figure.table:not(.verdicts) > .scroll').forEach(box =>
+        box.toggleAttribute('data-cut', box.checkVisibility() && box.scrollWidth > box.clientWidth + 60 && box.clientHeight > 60)));
+      const box = coloured.locator('[data-cut]').first();
+      if (!await box.count()) continue;
+      if (++cut > 3) break;  // one style sheet sets them all
+      // Where nothing is hidden the edge is the page's colour; a shade differs from it by more than a rounding of colours.
+      for (const [share, left, right] of [[0, false, true], [0.5, true, true], [1, true, false]]) {
+        await box.evaluate((element, part) => {
+          element.scrollLeft = part * (element.scrollWidth - element.clientWidth);
+        }, share);
+        const shades = await shades_at_edges(box);
+        assert.deepEqual({left: shades.left > 8, right: shades.right > 8}, {left, right},
+          `${name}, scrolled by ${share} of its way: ${JSON.stringify(shades)}`);
+      }
+    }
+    assert.ok(cut > 0, 'no table of the book is wider than 360 pixels');
+    await coloured.context().close();
+  });
+}
+
 test('Formulas were looked at: some page has one.', async () => {
   let formulas = 0;
   for (const name of reading_pages) {
