@@ -155,14 +155,13 @@ int try_own_effect(const Effect& effect) {
       if (!world.is_point(body)) with_tops.push_back(body);
     if (seed % 2 == 0) add_random_effect(world, dice, bodies);
     const auto& chosen = form_of<Effect, Real>().sees == Sees::top ? with_tops : bodies;
-    if constexpr (FindsPairs<Effect, Real>) {
-      world.add(effect);
-    } else if constexpr (EffectOnTwo<Effect, Real>) {
+    const bool for_everyone = FindsPairs<Effect, Real> || seed % 3 == 0;
+    if constexpr (EffectForSome<Effect, Real> && EffectOnTwo<Effect, Real>) {
       for (std::size_t i = 1; i < bodies.size(); i += 2)
         world.add(effect, {bodies[i], bodies[i - 1], bodies[i], bodies[0]});
-    } else if (seed % 3 == 0) {
+    } else if (for_everyone) {
       world.add(effect);
-    } else {
+    } else if constexpr (EffectForSome<Effect, Real>) {
       world.add(effect, {chosen.back(), chosen[0]});
     }
     const Bodies<Real> start = world.bodies();

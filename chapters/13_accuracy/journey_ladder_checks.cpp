@@ -95,13 +95,13 @@ double order_in_proportion(const Stepper& start, long double seconds, const Erro
 /// How far a problem's body is off in the end, by a stepper that has taken it there.
 template <class Body, class Gather>
 auto error_in(const Problem<Body, Gather>& problem) {
-  return [truth = truth_of(problem)](const auto& stepper) -> long double {
-    if constexpr (requires { stepper.top(); })
-      return angle_between(stepper.top().orientation, truth.orientation);
-    else if constexpr (requires { truth.orientation; })
-      return angle_between(stepper.body().orientation, truth.orientation);
-    else
+  return [truth = truth_of(problem)]<class Stepper>(const Stepper& stepper) -> long double {
+    if constexpr (!requires(const Body& body) { body.orientation; })
       return (stepper.body().position - truth.position).norm();
+    else if constexpr (requires(const Stepper& one) { one.top(); })
+      return angle_between(stepper.top().orientation, truth.orientation);
+    else
+      return angle_between(stepper.body().orientation, truth.orientation);
   };
 }
 
