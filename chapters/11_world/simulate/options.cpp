@@ -1,6 +1,7 @@
 #include "options.hpp"
 
 #include <cmath>
+#include <course/number_in.hpp>
 #include <course/scene_rules.hpp>
 #include <course/shipped_scenes.hpp>
 #include <cstdio>
@@ -54,11 +55,9 @@ const std::vector<std::string> options_with_value = {
 const std::vector<std::string> switches = {"plan", "check-plan", "no-ledger", "bill", "help"};
 
 double seconds(const std::string& option, const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    throw UsageError("--" + option + " is " + text + "; it must be a number of seconds");
-  return value;
+  const std::optional<double> value = course::number_in(text);
+  if (!value) throw UsageError("--" + option + " is " + text + "; it must be a number of seconds");
+  return *value;
 }
 
 std::int64_t whole_number(const std::string& option, const std::string& text,

@@ -1,6 +1,7 @@
 #include "options.hpp"
 
 #include <cmath>
+#include <course/number_in.hpp>
 #include <cstdio>
 #include <cxxopts.hpp>
 #include <tumble/require.hpp>
@@ -38,19 +39,10 @@ const std::vector<std::string> options_with_value = {
     "inertia", "spin", "for", "angle", "place", "rate", "precision", "steps", "longest-run"};
 const std::vector<std::string> switches = {"json", "help"};
 
-/// The whole of `text` as a finite number, or nothing.
-std::optional<double> number_in(std::string_view text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    return std::nullopt;
-  return value;
-}
-
 /// A number between `smallest` and `largest`, with `smallest` itself excluded where it is 0.
 double between(const std::string& option, const std::string& text, const std::string& unit,
                double smallest, double largest) {
-  const auto value = number_in(text);
+  const auto value = course::number_in(text);
   if (!value) throw UsageError("--" + option + " is " + text + "; it must be a number of " + unit);
   if (*value >= smallest && *value <= largest && *value > 0) return *value;
   throw UsageError("--" + option + " is " + text + " " + unit + "; it must be " +
@@ -64,8 +56,9 @@ std::array<double, 3> three_numbers(const std::string& option, const std::string
   std::string_view rest = text;
   for (std::size_t n = 0; n < 3; ++n) {
     const std::size_t comma = n < 2 ? rest.find(',') : rest.size();
-    const auto value =
-        comma == std::string_view::npos ? std::nullopt : number_in(rest.substr(0, comma));
+    const auto value = comma == std::string_view::npos
+                           ? std::nullopt
+                           : course::number_in(std::string(rest.substr(0, comma)));
     if (!value)
       throw UsageError("--" + option + " is " + text + "; it must be three numbers of " + unit +
                        " with commas between them, such as 1,2,3");
