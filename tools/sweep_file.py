@@ -44,20 +44,26 @@ def read_sweep(file):
 
 
 def _unlike_keys(pairs):
-    for number, (key, _) in enumerate(pairs):
-        if key in dict(pairs[:number]):
+    seen = {}
+    for key, value in pairs:
+        if key in seen:
             raise Complaint(f"the key {json.dumps(key, ensure_ascii=False)} stands there twice")
-    return dict(pairs)
+        seen[key] = value
+    return seen
 
 
 def _require_list(file, key, values):
     if not isinstance(values, list) or not values:
         raise Complaint(f"{file}: {key} must be a list with at least one element")
+    if len(values) > MOST:
+        raise Complaint(f"{file}: {key} has {len(values)} elements; at most {MOST} combinations can be simulated")
+    seen = set()
     for value in values:
         if isinstance(value, bool) or not isinstance(value, LISTS[key]):
             raise Complaint(f"{file}: {_short(value)} stands in {key}, where it can't")
-        if values.count(value) > 1:
+        if value in seen:
             raise Complaint(f"{file}: {_short(value)} stands in {key} twice")
+        seen.add(value)
         if key in ("time_steps", "seeds"):
             _require_number(file, f"an element of {key}", value, least=0 if key == "seeds" else None)
     if key == "time_steps":

@@ -53,11 +53,21 @@ def released_files(root):
             left_out[name] = "it is a symbolic link, or lies behind one"
         elif not file.is_file():
             left_out[name] = "it is no file"
+        elif not _is_utf8(name):
+            left_out[name] = "its name is not UTF-8, so neither MANIFEST.json nor a zip can hold it"
         else:
             released.append(name)
     if not released:
         raise Complaint(f"git tracks no file of {root}; git add of what belongs to the course says what is released")
     return released, left_out
+
+
+def _is_utf8(name):
+    try:
+        name.encode()
+    except UnicodeEncodeError:
+        return False
+    return True
 
 
 def tell_left_out(left_out):

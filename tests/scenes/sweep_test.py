@@ -276,6 +276,7 @@ class Sweep(unittest.TestCase):
                 ({"time_steps": [0]}, "an element of time_steps is 0; it must be a number greater than 0"),
                 ({"time_steps": [1]}, "that is less than half a step of 1 s"),
                 ({"seeds": [1.5]}, "1.5 stands in seeds, where it can't"),
+                ({"seeds": list(range(1000001))}, "seeds has 1000001 elements; at most 1000000 combinations can be simulated"),
                 ({"until": "1"}, 'until is "1"; it must be a number'),
                 ({"scenes": ["a\x1b[2Jb\x9b"]}, r"no scene and no file is called a\x1b[2Jb\x9b"),
                 ({"methods": ["\x1b[31m"]}, r"no method is called \x1b[31m"),

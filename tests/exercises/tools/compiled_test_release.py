@@ -8,11 +8,14 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import zipfile
 from pathlib import Path
 from unittest import mock
 
+from catalogue import read_catalogue
 from complaint import Complaint
 from fixture import ROOT, TOOLCHAIN, FixtureCourse
+from package import package
 from release import release
 
 
@@ -106,6 +109,17 @@ class OfTheFixture(FixtureCourse):
         for file in self.target.rglob("*"):
             self.assertFalse(file.is_symlink(), file)
             self.assertNotIn(file.name, ("secret", "marks.csv", "mine.txt", "class"))
+
+    def test_a_name_that_is_not_utf_8_is_left_out_and_a_file_of_an_old_clock_is_packed(self):
+        odd = os.fsdecode(b"exercises/01_force/doubled/\xff.txt")
+        (self.root / odd).write_text("x", encoding="utf-8")
+        os.utime(self.exercise_folder / "task.md", (0, 0))
+        self.track()
+        file = self.target.parent / "autograder.zip"
+        for left_out in (release(self.root, self.target)[1], package(self.root, read_catalogue(self.root), file)):
+            self.assertEqual(left_out, {odd: "its name is not UTF-8, so neither MANIFEST.json nor a zip can hold it"})
+        with zipfile.ZipFile(file) as packed:
+            self.assertIn("course/exercises/01_force/doubled/task.md", packed.namelist())
 
     def test_what_git_tracks_is_asked_of_this_checkout_alone(self):
         with mock.patch.dict(os.environ, {"GIT_DIR": str(ROOT / ".git"), "GIT_WORK_TREE": str(ROOT), "GIT_INDEX_FILE": "/none"}):
