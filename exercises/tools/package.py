@@ -6,6 +6,7 @@ students get it: to grade, no solution is needed. The image must be Debian 12 or
 
 import argparse
 import io
+import os
 import sys
 import tempfile
 import zipfile
@@ -13,9 +14,9 @@ from pathlib import Path
 
 from catalogue import find_all, read_catalogue
 from complaint import Complaint
-from outputs import Outputs, occupy_standard_descriptors
+from outputs import Outputs, occupy_standard_descriptors, require_a_place_of_its_own
 from plain_text import complain, say, why_unheard
-from release import release, tell_left_out
+from release import release, released_files, tell_left_out
 
 SETUP = """#!/usr/bin/env bash
 # Run once, when Gradescope makes the image: installs what is needed, and compiles the checks.
@@ -45,6 +46,8 @@ exec "$autograder/source/course/course" grade --no-install --unsealed --exercise
 def package(root, exercises, target):
     """Writes the zip; it is complete or not there. Returns what it leaves out."""
     words = ",".join(exercise.name for exercise in exercises)
+    released, _ = released_files(root)
+    require_a_place_of_its_own("--output", target, [("a file of the course", root / name) for name in released])
     with Outputs() as outputs, tempfile.TemporaryDirectory(prefix="package-") as scratch:
         write = outputs.open("--output", target)
         course = Path(scratch) / "course"
@@ -58,7 +61,11 @@ def package(root, exercises, target):
                 packed.writestr(entry, text.format(exercises=words))
             for file in sorted(course.rglob("*")):
                 if file.is_file():
-                    packed.write(file, f"course/{file.relative_to(course)}")
+                    entry = zipfile.ZipInfo.from_file(file, f"course/{file.relative_to(course)}", strict_timestamps=False)
+                    # Whatever the umask of whoever packs: the compiler reads it there as a user of its own.
+                    entry.external_attr = (0o100755 if os.access(file, os.X_OK) else 0o100644) << 16
+                    entry.compress_type = zipfile.ZIP_DEFLATED
+                    packed.writestr(entry, file.read_bytes())
         write(held.getvalue())
     return left_out
 

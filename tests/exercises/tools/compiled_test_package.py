@@ -27,6 +27,25 @@ class Gradescope(unittest.TestCase):
             find_all(catalogue, "moon,no_lag,01_force/moon")
         self.assertIn("moon stands twice in moon,no_lag,01_force/moon", str(caught.exception))
 
+    def test_no_file_of_the_course_is_overwritten(self):
+        readme = (ROOT / "README.md").read_bytes()
+        with self.assertRaises(Complaint) as caught:
+            package(ROOT, [find(read_catalogue(ROOT), "moon")], ROOT / "README.md")
+        self.assertIn("that is a file of the course, and it would be overwritten", str(caught.exception))
+        self.assertEqual((ROOT / "README.md").read_bytes(), readme)
+
+    def test_whoever_packs_with_a_strict_umask_packs_what_everybody_may_read(self):
+        mask = os.umask(0o077)
+        try:
+            with tempfile.TemporaryDirectory(prefix="autograder") as folder:
+                package(ROOT, [find(read_catalogue(ROOT), "moon")], Path(folder) / "autograder.zip")
+                with zipfile.ZipFile(Path(folder) / "autograder.zip") as packed:
+                    rights = {entry.filename: entry.external_attr >> 16 & 0o777 for entry in packed.infolist()}
+        finally:
+            os.umask(mask)
+        self.assertEqual(set(rights.values()), {0o644, 0o755})
+        self.assertEqual((rights["course/course"], rights["course/README.md"]), (0o755, 0o644))
+
     def test_it_grades_a_submission_as_gradescope_runs_it(self):
         with tempfile.TemporaryDirectory(prefix="autograder") as folder:
             autograder = Path(folder)
