@@ -3,6 +3,7 @@
 #include <course/checks.hpp>
 #include <numbers>
 #include <tumble/exact/jacobi.hpp>
+#include <tumble/exact/pi.hpp>
 
 using namespace tumble;
 using namespace tumble::course;
@@ -101,8 +102,8 @@ TEST_CASE_TEMPLATE(
     for (const Real n : {0.0, 0.2, 0.5, 0.97}) {
       const Jacobi<Real> jacobi(m, 1 - m);
       for (Real angle = -12; angle < 12; angle += Real(0.41)) {
-        const Real within = std::remainder(angle, std::numbers::pi_v<Real>);
-        const Real half_turns = std::nearbyint((angle - within) / std::numbers::pi_v<Real>);
+        const Real within = std::remainder(angle, exact::pi<Real>);
+        const Real half_turns = std::nearbyint((angle - within) / exact::pi<Real>);
         const Real u = jacobi.argument_of(std::sin(within), std::cos(within)) +
                        half_turns * jacobi.half_period();
         const Real theirs = boost::math::ellint_3(std::sqrt(m), n, angle);

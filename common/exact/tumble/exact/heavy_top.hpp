@@ -29,8 +29,8 @@
 #pragma once
 
 #include <algorithm>
-#include <numbers>
 #include <tumble/exact/jacobi.hpp>
+#include <tumble/exact/pi.hpp>
 #include <tumble/top.hpp>
 
 namespace tumble::exact {
@@ -261,8 +261,7 @@ class HeavyTop {
   Real unwound_angle(Real factor, Real u, const SnCnDn<Real>& at) const {
     const Real half_periods = jacobi_.whole_half_periods(u);
     const Real sign = std::fmod(half_periods, Real(2)) != 0 ? Real(-1) : Real(1);
-    return std::atan2(factor * (sign * at.sn), sign * at.cn * at.dn) +
-           half_periods * std::numbers::pi_v<Real>;
+    return std::atan2(factor * (sign * at.sn), sign * at.cn * at.dn) + half_periods * pi<Real>;
   }
 
   /// ∫ (L_z − L₃)/(2 I₁ (1 − z)) dt.

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <limits>
-#include <numbers>
 #include <string>
+#include <tumble/exact/pi.hpp>
 #include <tumble/particle.hpp>
 
 namespace tumble::exact {
@@ -55,12 +55,12 @@ class KeplerOrbit {
     e_sine_ = dot(r, v) / std::sqrt(attraction * semi_axis_);
   }
 
-  Real period() const { return 2 * std::numbers::pi_v<Real> / mean_motion_; }
+  Real period() const { return 2 * pi<Real> / mean_motion_; }
   Real eccentricity() const { return std::hypot(e_cosine_, e_sine_); }
 
   /// The particle `time` seconds after the start; before it, if that is negative.
   Particle<Real> at(Real time) const {
-    const Real E = anomaly(std::remainder(mean_motion_ * time, 2 * std::numbers::pi_v<Real>));
+    const Real E = anomaly(std::remainder(mean_motion_ * time, 2 * pi<Real>));
     const Real sine = std::sin(E), half = std::sin(E / 2), versine = 2 * half * half;
     const Real ratio = semi_axis_ / first_distance_;
     const Real distance = semi_axis_ * (1 - e_cosine_ * std::cos(E) + e_sine_ * sine);
