@@ -238,6 +238,16 @@ double times_as_long(const std::vector<Measurement>& all, const std::string& pro
   return price(method) / price(other);
 }
 
+/// What a step of one length takes, ns, at best and in double.
+double step_of(const std::vector<Measurement>& all, const std::string& problem,
+               const char* method) {
+  double best = std::numeric_limits<double>::infinity();
+  for (const Measurement& m : all)
+    if (m.problem == problem && m.precision == "double" && m.method == method && m.steps >= 100)
+      best = std::min(best, m.nanoseconds / static_cast<double>(m.steps));
+  return best;
+}
+
 /// The contest in which one problem is measured, or none.
 Contest contest_on(const std::string& problem) {
   Contest contest{wanted_effort(), problem};
@@ -308,5 +318,8 @@ int main(int argument_count, char** arguments) {
                  number("%.0e", error_for_the_exact_price(all, problems[0])));
   notebook.value("rod_times",
                  number("%.0f", times_as_long(all, problems[2], "Runge-Kutta", "splitting")));
+  notebook.value("fused_step",
+                 number("%.2f", step_of(all, "soft spring", "Odeint symplectic Euler") /
+                                    step_of(all, "soft spring", "kick and drift")));
   notebook.value("double_floor", number("%.0e", floor_of(all, problems[0], "double")));
 }

@@ -8,8 +8,9 @@ namespace {
 template <class Real>
 void contest_free_tops_in(Contest& contest) {
   for (const FreeProblem<Real>& problem : free_problems<Real>()) {
-    auto list = contestants(problem, turning_ladder<Real>);
+    auto list = contestants<turning_ladder<Real>>(problem);
     append(list, free_tops_by_own_steps(problem));
+    append(list, contestants<even_momentum_ladder<Real>>(problem));
     list.push_back(exact_contestant(problem));
     append_peers(list, problem, peers::Torque::none, 0);
     measure_all(contest, problem, list, truth_of(problem));

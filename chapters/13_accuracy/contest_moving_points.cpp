@@ -9,7 +9,7 @@ template <class Real>
 void contest_moving_points_in(Contest& contest) {
   const auto on = [&]<class Gather>(const Problem<Particle<Real>, Gather>& problem,
                                     peers::Force force, const std::array<double, 2>& parameters) {
-    auto list = contestants(problem, motion_ladder<Real, Gather>);
+    auto list = contestants<motion_ladder<Real, Gather>>(problem);
     append(list, by_own_steps(problem));
     if (force != peers::Force::gravity_and_drag) list.push_back(nystrom_by_own_steps(problem));
     if constexpr (requires { problem.gather.pull_energy(problem.start); })
@@ -22,7 +22,7 @@ void contest_moving_points_in(Contest& contest) {
   on(spring<Real>("stiff spring", 100, 2), peers::Force::spring, {10000, 0});
   on(eccentric_orbit<Real>(), peers::Force::star, {1, 0});
   const auto flight = projectile<Real>();
-  on(flight, peers::Force::gravity_and_drag, {flight.gather.gravity, flight.gather.drag_rate});
+  on(flight, peers::Force::gravity_and_drag, {flight.gather.weight, flight.gather.drag_rate});
 }
 
 }  // namespace

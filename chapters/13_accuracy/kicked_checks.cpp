@@ -59,6 +59,25 @@ TEST_CASE("On a driven top two ladders meet, and each rung has its order") {
   check_orders(problem, by_splitting, ladder);
 }
 
+TEST_CASE(
+    "On the slow heavy top and the driven one Fehlberg's rule errs less than Dormand and "
+    "Prince's") {
+  const auto compare = [](const auto& problem, const Top<Wide>& truth) {
+    using Gather = std::decay_t<decltype(problem.gather)>;
+    const auto error_of = [&]<class Rule>(Rule, int steps) {
+      const Rung<Top<Wide>, Wide, Gather> rung{
+          "", {}, step_by_runge_kutta<Rule, Top<Wide>, Gather, Wide>};
+      return difference(after(problem, rung, steps), truth);
+    };
+    for (const int steps : {64, 128})
+      CHECK(error_of(FehlbergEighth(), steps) < error_of(DormandPrinceEighth(), steps));
+  };
+  const auto heavy = heavy_top<Wide>("", 3);
+  compare(heavy, exactly_after(heavy.gather, heavy.start, heavy.seconds));
+  const auto driven = driven_top<Wide>();
+  compare(driven, after(driven, torque_ladder<Wide, Drive<Wide>>.back(), 1000));
+}
+
 TEST_CASE_TEMPLATE("Explicit Euler drifts with the velocity from before its kick", Real,
                    EVERY_PRECISION) {
   const auto orbit = eccentric_orbit<Real>();

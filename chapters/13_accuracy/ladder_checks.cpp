@@ -96,6 +96,7 @@ TEST_CASE("A tableau's weights sum to 1, and the looks of each row to its node")
   check(Kutta::rule);
   check(DormandPrinceFifth::rule);
   check(DormandPrinceEighth::rule);
+  check(FehlbergEighth::rule);
 }
 
 //! [radian_a_step]

@@ -168,6 +168,7 @@ TEST_CASE("The rules of Runge and Kutta meet the condition of every rooted tree 
   CHECK(order(Kutta()) == 4);
   CHECK(order(DormandPrinceFifth()) == 5);
   CHECK(order(DormandPrinceEighth()) == 8);
+  CHECK(order(FehlbergEighth()) == 8);
 }
 
 TEST_CASE("The answers beside an embedded pair have the orders that its name says") {

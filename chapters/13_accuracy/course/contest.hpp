@@ -149,39 +149,47 @@ std::vector<Measurement> measured(const Problem<Body, Gather>& problem, const ch
   return measurements;
 }
 
-/// A rung of turning_ladder as a contestant.
-template <class Real>
-Contestant<Top<Real>> contestant(const FreeProblem<Real>& problem, const TurningRung<Real>& rung) {
-  return {std::string(rung.name), "rung", false, [problem, rung](double knob) {
-            const auto steps = static_cast<long>(knob);
-            const Real h = static_cast<Real>(problem.seconds / knob);
-            Top<Real> top = problem.start;
-            for (long n = 0; n < steps; ++n) rung.turn(top, h);
-            return top;
-          }};
-}
+/// A rung of a ladder, which the compiler knows.
+template <const auto& ladder, std::size_t n>
+struct RungOf {
+  static constexpr auto rung = ladder[n];
+};
+template <const auto& ladder>
+using HighestRung = RungOf<ladder, ladder.size() - 1>;
 
-/// A rung under force or torque as a contestant.
-template <class Body, class Gather, class Real>
-Contestant<Body> contestant(const Problem<Body, Gather>& problem,
-                            const Rung<Body, Real, Gather>& rung) {
-  return {std::string(rung.name), "rung", false, [problem, rung](double knob) {
-            const auto steps = static_cast<long>(knob);
-            const Real h = static_cast<Real>(problem.seconds / knob);
-            Body body = problem.start;
-            problem.gather(body, Real(0));
-            for (long n = 0; n < steps; ++n)
-              rung.step(body, problem.gather, static_cast<Real>(n) * h, h);
-            return body;
-          }};
+/// The body of a problem after so many steps of such a rung. Because it knows the step, the
+/// compiler puts it into the loop, as it does with Odeint's.
+//! [after_steps]
+template <class Chosen, class Body, class Gather>
+[[gnu::flatten]] Body after_steps(const Problem<Body, Gather>& problem, double knob) {
+  using Real = typename ScalarOf<Body>::Type;
+  const auto steps = static_cast<long>(knob);
+  const Real h = static_cast<Real>(problem.seconds / knob);
+  Body body = problem.start;
+  problem.gather(body, Real(0));
+  for (long n = 0; n < steps; ++n)
+    if constexpr (requires { Chosen::rung.turn; })
+      Chosen::rung.turn(body, h);
+    else
+      Chosen::rung.step(body, problem.gather, static_cast<Real>(n) * h, h);
+  return body;
+}
+//! [after_steps]
+
+/// A rung as a contestant.
+template <class Chosen, class Body, class Gather>
+Contestant<Body> contestant(const Problem<Body, Gather>& problem, Chosen) {
+  return {std::string(Chosen::rung.name), "rung", false,
+          [problem](double knob) { return after_steps<Chosen>(problem, knob); }};
 }
 
 /// Every rung of a ladder.
-template <class SomeProblem, class Ladder>
-auto contestants(const SomeProblem& problem, const Ladder& ladder) {
-  std::vector<decltype(contestant(problem, ladder[0]))> list;
-  for (const auto& rung : ladder) list.push_back(contestant(problem, rung));
-  return list;
+template <const auto& ladder, class Body, class Gather>
+std::vector<Contestant<Body>> contestants(const Problem<Body, Gather>& problem) {
+  return [&]<std::size_t... n>(std::index_sequence<n...>) {
+    return std::vector{contestant(problem, RungOf<ladder, n>())...};
+  }
+  (std::make_index_sequence<ladder.size()>());
 }
 
 }  // namespace tumble::course

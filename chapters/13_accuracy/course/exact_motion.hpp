@@ -54,7 +54,8 @@ Particle<Real> exactly_after(const Star<Real>& star, const Particle<Real>& parti
 template <class Real>
 Particle<Real> exactly_after(const GravityInAir<Real>& air, const Particle<Real>& particle,
                              Same<Real> time) {
-  return exact::Projectile<Real>(particle, Vec3<Real>(0, 0, -air.gravity), air.drag_rate).at(time);
+  const Vec3<Real> acceleration(0, 0, -particle.inverse_mass * air.weight);
+  return exact::Projectile<Real>(particle, acceleration, air.drag_rate).at(time);
 }
 
 }  // namespace tumble::course

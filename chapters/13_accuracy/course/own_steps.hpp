@@ -39,7 +39,13 @@ Contestant<Body> own_steps(const std::string& name, const Problem<Body, Gather>&
           }};
 }
 
-/// A free top by each rung that chooses its own steps, and by two rules in steps of one length.
+/// A free top by two rules in steps of one length, its L apart from the orientation.
+template <class Real>
+constexpr std::array<TurningRung<Real>, 2> even_momentum_ladder = {
+    {{"L apart, Dormand-Prince 5", {.order = 5}, turn_by_momentum<DormandPrinceFifth, Real>},
+     {"L apart, Dormand-Prince 8", {.order = 8}, turn_by_momentum<DormandPrinceEighth, Real>}}};
+
+/// A free top by each rung that chooses its own steps.
 template <class Real>
 std::vector<Contestant<Top<Real>>> free_tops_by_own_steps(const FreeProblem<Real>& problem) {
   std::vector<Contestant<Top<Real>>> list;
@@ -48,11 +54,6 @@ std::vector<Contestant<Top<Real>>> free_tops_by_own_steps(const FreeProblem<Real
         own_steps(std::string(rung.name), problem,
                   [carry = rung.carry](Top<Real>& top, const NoTorque<Real>&, Real seconds,
                                        Real tolerance) { carry(top, seconds, tolerance); }));
-  const auto evenly = [&]<class Rule>(std::string_view name, Rule) {
-    list.push_back(contestant(problem, TurningRung<Real>{name, {}, turn_by_momentum<Rule, Real>}));
-  };
-  evenly("L apart, Dormand-Prince 5", DormandPrinceFifth());
-  evenly("L apart, Dormand-Prince 8", DormandPrinceEighth());
   return list;
 }
 
@@ -77,6 +78,22 @@ std::vector<Contestant<Body>> by_own_steps(const Problem<Body, Gather>& problem)
     for (const auto& rung : axis_journeys<Real, Gather>)
       list.push_back(by_own_steps(problem, rung));
   return list;
+}
+
+/// A symmetric top by its axis, by two rules in steps of one length.
+template <class Real, class Gather>
+std::vector<Contestant<Top<Real>>> axis_by_even_steps(const Problem<Top<Real>, Gather>& problem) {
+  const auto by = [&]<class Rule>(const char* name, Rule) {
+    return Contestant<Top<Real>>{name, "rung", false, [problem](double knob) {
+                                   Top<Real> top = problem.start;
+                                   carry_axis_evenly<Rule>(top, problem.gather, Real(0),
+                                                           static_cast<Real>(problem.seconds),
+                                                           static_cast<long>(knob));
+                                   return top;
+                                 }};
+  };
+  return {by("axis apart, Dormand-Prince 8", DormandPrinceEighth()),
+          by("axis apart, Fehlberg 8", FehlbergEighth())};
 }
 
 /// A particle under a force of place and time alone, by the Nyström pair.

@@ -95,14 +95,12 @@ struct Star {
   }
 };
 
-/// Gravity in thick air, with the drag −c m v in the drift: without force a thing coasts to a stop,
-/// exactly, by e^(−c t).
+/// A weight in thick air, with the drag −b v in the drift: without force a thing coasts to a stop,
+/// exactly, by e^(−c t), where c is b divided by the mass.
 template <class Real>
 struct GravityInAir {
-  Real gravity, drag_rate;  ///< m/s², and c, 1/s
-  void operator()(Particle<Real>& particle, Real) const {
-    particle.force = mass_of(particle) * Vec3<Real>(0, 0, -gravity);
-  }
+  Real weight, drag, drag_rate;  ///< N; b, kg/s; c, 1/s
+  void operator()(Particle<Real>& particle, Real) const { particle.force = {0, 0, -weight}; }
   void drift(Particle<Real>& particle, Real time) const {
     const Real lost = -std::expm1(-drag_rate * time);
     particle.position += lost / drag_rate * particle.velocity;
@@ -110,8 +108,7 @@ struct GravityInAir {
   }
   /// The drag as a force too, for whoever has no drift.
   void in_full(Particle<Real>& particle, Real) const {
-    particle.force =
-        mass_of(particle) * (Vec3<Real>(0, 0, -gravity) - drag_rate * particle.velocity);
+    particle.force = Vec3<Real>(0, 0, -weight) - drag * particle.velocity;
   }
   static Kept kept(const Particle<long double>&) { return {}; }
 };
@@ -139,7 +136,7 @@ Star<long double> exactly(const Star<Real>& star) {
 }
 template <class Real>
 GravityInAir<long double> exactly(const GravityInAir<Real>& air) {
-  return {air.gravity, air.drag_rate};
+  return {.weight = air.weight, .drag = air.drag, .drag_rate = air.drag_rate};
 }
 
 template <class Real>
@@ -216,7 +213,7 @@ template <class Real>
 Problem<Particle<Real>, GravityInAir<Real>> projectile() {
   return {"projectile in air",
           make_particle(Real(1), {0, 0, 0}, {20, 0, 20}),
-          {.gravity = Real(9.81), .drag_rate = Real(0.5)},
+          {.weight = Real(9.81), .drag = Real(0.5), .drag_rate = Real(0.5)},
           3};
 }
 

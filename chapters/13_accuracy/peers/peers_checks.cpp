@@ -68,7 +68,7 @@ TEST_CASE("Every peer swings the driven top as our ladder does") {
   const Problem<Top<long double>, Drive<long double>> wide{
       problem.name, exactly(problem.start), {}, problem.seconds};
   const auto truth =
-      contestant(wide, torque_ladder<long double, Drive<long double>>.back()).run(1000);
+      after_steps<HighestRung<torque_ladder<long double, Drive<long double>>>>(wide, 1000);
   check_peers(problem, peers::Torque::drive, 0, truth);
 }
 //! [peers]

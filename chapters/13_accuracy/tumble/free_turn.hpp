@@ -118,16 +118,10 @@ template <class Rule, class Real>
   if (!is_gyroscopic(top) || (top.angular_momentum_body.array() == 0).all())
     return turn_steadily(top, time_step);
   const FreeTurn<Real> free(top);
-  std::array<Numbers<Real, 3>, Rule::rule.nodes.size()> rates;
-  const Numbers<Real, 3> start = free.numbers();
-  rates[0] = free.rates(start);
-  Real twist = static_cast<Real>(Rule::rule.weights[0]) * free.twist_rate(start);
-  look<Rule>(start, time_step, rates, [&]<std::size_t i>(const Numbers<Real, 3>& l, Real, Look<i>) {
-    constexpr auto weight = static_cast<Real>(Rule::rule.weights[i]);
-    if constexpr (weight != 0) twist += weight * free.twist_rate(l);
-    return free.rates(l);
-  });
-  top = free.top_at(led<RowOfStep<Rule>>(start, time_step, rates), time_step * twist);
+  Numbers<Real, 3> numbers = free.numbers();
+  Real twist = 0;
+  lead_reduced<Rule>(free, numbers, twist, 0, time_step);
+  top = free.top_at(numbers, twist);
 }
 //! [turn_by_momentum]
 

@@ -122,7 +122,7 @@ constexpr std::array<Rung<Particle<Real>, Real, Gather>, 11> motion_ladder = {{
 
 /// The rungs for a top under torque that depends on time and orientation.
 template <class Real, class Gather>
-constexpr std::array<Rung<Top<Real>, Real, Gather>, 10> torque_ladder = {{
+constexpr std::array<Rung<Top<Real>, Real, Gather>, 11> torque_ladder = {{
     {"kick and drift", {.order = 1}, step_by_kick_and_drift<Top<Real>, Gather, Real>},
     {"kicked splitting",
      {.order = 2, .reverses = true},
@@ -141,6 +141,7 @@ constexpr std::array<Rung<Top<Real>, Real, Gather>, 10> torque_ladder = {{
     {"Dormand-Prince 8",
      {.order = 8},
      step_by_runge_kutta<DormandPrinceEighth, Top<Real>, Gather, Real>},
+    {"Fehlberg 8", {.order = 8}, step_by_runge_kutta<FehlbergEighth, Top<Real>, Gather, Real>},
     {"kicked splitting, Kahan-Li 8",
      {.order = 8, .reverses = true},
      step_by_row<KahanLiEighth, Top<Real>, Gather, Real>},

@@ -150,4 +150,27 @@ Journey carry_axis(Top<Real>& top, const Gather& gather, Real time, Same<Real> s
 }
 //! [carry_axis]
 
+/// The same in so many steps of one length, 1 or more.
+/// @throws std::invalid_argument unless two moments are equal and none is locked.
+//! [carry_axis_evenly]
+template <class Rule, class Gather, class Real>
+[[gnu::flatten]] void carry_axis_evenly(Top<Real>& top, const Gather& gather, Real time,
+                                        Same<Real> seconds, long steps) {
+  AxisTurn<Gather, Real> motion(top, gather);
+  Numbers<Real, 6> numbers = motion.numbers();
+  Real twist = 0;
+  const Real h = seconds / static_cast<Real>(steps);
+  for (long n = 0; n < steps; ++n) {
+    lead_reduced<Rule>(motion, numbers, twist, time + static_cast<Real>(n) * h, h);
+    if (motion.is_far(numbers)) {
+      motion.fold(numbers, twist);
+      numbers = motion.numbers();
+      twist = 0;
+    }
+  }
+  top = motion.top_at(numbers, twist);
+  gather(top, time + seconds);
+}
+//! [carry_axis_evenly]
+
 }  // namespace tumble

@@ -230,6 +230,27 @@ template <class Rule, class Real>
 }
 //! [turn_by_runge_kutta]
 
+/// One step of a motion that a few numbers describe but for an integral ψ, which no stage needs:
+/// FreeTurn or AxisTurn. It leads on the `numbers` of `time` (s), and ψ = `twist` (rad).
+//! [lead_reduced]
+template <class Rule, class Motion, class Real, std::size_t count>
+[[gnu::always_inline]] inline void lead_reduced(const Motion& motion, Numbers<Real, count>& numbers,
+                                                Real& twist, Same<Real> time,
+                                                Same<Real> time_step) {
+  std::array<Numbers<Real, count>, Rule::rule.nodes.size()> rates;
+  rates[0] = motion.rates(numbers, time);
+  Real twist_rate = static_cast<Real>(Rule::rule.weights[0]) * motion.twist_rate(numbers);
+  const auto rates_at = [&]<std::size_t i>(const auto& there, Real ahead, Look<i>) {
+    constexpr auto weight = static_cast<Real>(Rule::rule.weights[i]);
+    if constexpr (weight != 0) twist_rate += weight * motion.twist_rate(there);
+    return motion.rates(there, time + ahead);
+  };
+  look<Rule>(numbers, time_step, rates, rates_at);
+  numbers = led<RowOfStep<Rule>>(numbers, time_step, rates);
+  twist += time_step * twist_rate;
+}
+//! [lead_reduced]
+
 /// What a particle or a top changes by at `time` (s), with `numbers` for its state; `there` is a
 /// body to gather into. A `gather` that drifts by a law of its own says by in_full(body, time) what
 /// acts together with that, and one that knows its torque (N m) in body axes by

@@ -83,4 +83,31 @@ struct DormandPrinceEighth {
             0.643392746015763530355970484046L}}}};
 };
 
+/// Order 8 with twelve stages as well: Fehlberg, Classical Fifth-, Sixth-, Seventh-, and
+/// Eighth-Order Runge-Kutta Formulas with Stepsize Control, NASA TR R-287 (1968), table X, without
+/// the stage that only his rule of seventh order weighs. His coefficients are fractions, and are
+/// smaller than those of Dormand and Prince.
+struct FehlbergEighth {
+  static constexpr Tableau<12> rule = {
+      .nodes = {0, 2 / 27.0L, 1 / 9.0L, 1 / 6.0L, 5 / 12.0L, 0.5L, 5 / 6.0L, 1 / 6.0L, 2 / 3.0L,
+                1 / 3.0L, 0, 1},
+      .weights = {0, 0, 0, 0, 0, 34 / 105.0L, 9 / 35.0L, 9 / 35.0L, 9 / 280.0L, 9 / 280.0L,
+                  41 / 840.0L, 41 / 840.0L},
+      .looks = {
+          {{},
+           {2 / 27.0L},
+           {1 / 36.0L, 1 / 12.0L},
+           {1 / 24.0L, 0, 1 / 8.0L},
+           {5 / 12.0L, 0, -25 / 16.0L, 25 / 16.0L},
+           {1 / 20.0L, 0, 0, 1 / 4.0L, 1 / 5.0L},
+           {-25 / 108.0L, 0, 0, 125 / 108.0L, -65 / 27.0L, 125 / 54.0L},
+           {31 / 300.0L, 0, 0, 0, 61 / 225.0L, -2 / 9.0L, 13 / 900.0L},
+           {2, 0, 0, -53 / 6.0L, 704 / 45.0L, -107 / 9.0L, 67 / 90.0L, 3},
+           {-91 / 108.0L, 0, 0, 23 / 108.0L, -976 / 135.0L, 311 / 54.0L, -19 / 60.0L, 17 / 6.0L,
+            -1 / 12.0L},
+           {3 / 205.0L, 0, 0, 0, 0, -6 / 41.0L, -3 / 205.0L, -3 / 41.0L, 3 / 41.0L, 6 / 41.0L},
+           {-1777 / 4100.0L, 0, 0, -341 / 164.0L, 4496 / 1025.0L, -289 / 82.0L, 2193 / 4100.0L,
+            51 / 82.0L, 33 / 164.0L, 12 / 41.0L, 1}}}};
+};
+
 }  // namespace tumble
