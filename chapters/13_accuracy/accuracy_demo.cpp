@@ -251,7 +251,7 @@ double step_of(const std::vector<Measurement>& all, const std::string& problem,
 /// The contest in which one problem is measured, or none.
 Contest contest_on(const std::string& problem) {
   Contest contest{wanted_effort(), problem};
-  for (const auto hold : {free_tops, torqued_tops, moving_points}) hold(contest);
+  for (const auto hold : {free_tops, heavy_tops, driven_tops, moving_points}) hold(contest);
   return contest;
 }
 

@@ -1,5 +1,3 @@
-#include <course/own_steps.hpp>
-
 #include "contests.hpp"
 
 namespace tumble::course {
@@ -9,8 +7,7 @@ template <class Real>
 void contest_free_tops_in(Contest& contest) {
   for (const FreeProblem<Real>& problem : free_problems<Real>()) {
     auto list = contestants<turning_ladder<Real>>(problem);
-    append(list, free_tops_by_own_steps(problem));
-    append(list, contestants<even_momentum_ladder<Real>>(problem));
+    append(list, reduced_free_tops(problem));
     list.push_back(exact_contestant(problem));
     append_peers(list, problem, peers::Torque::none, 0);
     measure_all(contest, problem, list, truth_of(problem));

@@ -1,5 +1,6 @@
 /// @file
-/// The contests of accuracy_demo, one file each, so that they compile side by side.
+/// The contests of accuracy_demo, in files of their own, so that they compile side by side and no
+/// compiler needs more than a gigabyte.
 #pragma once
 
 #include "with_peers.hpp"
@@ -15,8 +16,18 @@ struct Contest {
 };
 
 void free_tops(Contest& contest);
-void torqued_tops(Contest& contest);
+void heavy_tops(Contest& contest);
+void driven_tops(Contest& contest);
 void moving_points(Contest& contest);
+
+/// A free top by the rungs that keep L apart from the orientation.
+template <class Real>
+std::vector<Contestant<Top<Real>>> reduced_free_tops(const FreeProblem<Real>& problem);
+
+/// A heavy top by the rungs that choose their own steps, and by those that keep its axis apart.
+template <class Real>
+std::vector<Contestant<Top<Real>>> heavy_tops_by_own_steps(
+    const Problem<Top<Real>, Weight<Real>>& problem);
 
 /// What a body measured with one precision goes through: its rungs, the exact solution, the peers.
 template <class Body, class Gather, class Truth>

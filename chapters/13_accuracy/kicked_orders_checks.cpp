@@ -1,0 +1,79 @@
+#include <course/exact_motion.hpp>
+#include <course/orders.hpp>
+
+using namespace tumble;
+using namespace tumble::course;
+
+namespace {
+
+/// A push that swings, on a spring: x'' = −x + cos 2t.
+struct SwungSpring {
+  void operator()(Particle<Wide>& particle, Wide time) const {
+    particle.force = -particle.position;
+    particle.force.x() += std::cos(2 * time);
+  }
+};
+
+}  // namespace
+
+//! [orbit_orders]
+TEST_CASE("On an orbit each rung of the motion ladder has its order, against the exact orbit") {
+  Problem<Particle<Wide>, Star<Wide>> problem = eccentric_orbit<Wide>();
+  problem.start = make_particle<Wide>(1, {0.8L, 0, 0}, {0, std::sqrt(1.5L), 0});  // e = 0.2
+  problem.seconds = 7;
+  const auto truth = exactly_after(problem.gather, problem.start, problem.seconds);
+  check_orders(problem, truth, motion_ladder<Wide, Star<Wide>>);
+}
+//! [orbit_orders]
+
+TEST_CASE("Under a push that changes with time each rung of the motion ladder has its order") {
+  const Problem<Particle<Wide>, SwungSpring> problem{
+      "", make_particle<Wide>(1, {0.5L, 0, 0}, {0, 1, 0}), {}, 2};
+  const Wide t = 2;
+  Particle<Wide> truth = problem.start;
+  truth.position = {Wide(5) / 6 * std::cos(t) - std::cos(2 * t) / 3, std::sin(t), 0};
+  check_orders(problem, truth, motion_ladder<Wide, SwungSpring>);
+}
+
+//! [heavy_orders]
+TEST_CASE("On a heavy top each rung of the torque ladder has its order, against the exact motion") {
+  auto problem = heavy_top<Wide>("", 8);
+  problem.seconds = 4;
+  const auto truth = exactly_after(problem.gather, problem.start, problem.seconds);
+  check_orders(problem, truth, torque_ladder<Wide, Weight<Wide>>);
+}
+//! [heavy_orders]
+
+TEST_CASE("On a driven top two ladders meet, and each rung has its order") {
+  const auto problem = [] {
+    auto driven = driven_top<Wide>();
+    driven.seconds = 4;
+    return driven;
+  }();
+  const auto& ladder = torque_ladder<Wide, Drive<Wide>>;
+  const Top<Wide> by_splitting = after(problem, ladder.back(), 800);
+  const Rung<Top<Wide>, Wide, Drive<Wide>> looks{
+      "", {}, step_by_runge_kutta<DormandPrinceEighth, Top<Wide>, Drive<Wide>, Wide>};
+  const Top<Wide> by_looks = after(problem, looks, 4000);
+  CHECK(difference(by_splitting, by_looks) <= 1e-16L);
+  check_orders(problem, by_splitting, ladder);
+}
+
+TEST_CASE(
+    "On the slow heavy top and the driven one Fehlberg's rule errs less than Dormand and "
+    "Prince's") {
+  const auto compare = [](const auto& problem, const Top<Wide>& truth) {
+    using Gather = std::decay_t<decltype(problem.gather)>;
+    const auto error_of = [&]<class Rule>(Rule, int steps) {
+      const Rung<Top<Wide>, Wide, Gather> rung{
+          "", {}, step_by_runge_kutta<Rule, Top<Wide>, Gather, Wide>};
+      return difference(after(problem, rung, steps), truth);
+    };
+    for (const int steps : {64, 128})
+      CHECK(error_of(FehlbergEighth(), steps) < error_of(DormandPrinceEighth(), steps));
+  };
+  const auto heavy = heavy_top<Wide>("", 3);
+  compare(heavy, exactly_after(heavy.gather, heavy.start, heavy.seconds));
+  const auto driven = driven_top<Wide>();
+  compare(driven, after(driven, torque_ladder<Wide, Drive<Wide>>.back(), 1000));
+}
