@@ -106,6 +106,11 @@ TEST_CASE("What a journey can't be asked for is refused") {
   CHECK(complaint_of([&] {
           carry_axis<DormandPrince54>(top, weight, 0.0, 1, 1e-3);
         }).find("two of them must be equal") != std::string::npos);
+  Topd heavy = heavy_top<double>("", 3).start;
+  CHECK(complaint_of([&] { carry_axis_evenly<Kutta>(heavy, weight, 0.0, -1, 10); }) ==
+        "time is -1 s; it must be 0 or more");
+  CHECK(complaint_of([&] { carry_axis_evenly<Kutta>(heavy, weight, 0.0, 1, 0); }) ==
+        "number of steps is 0; it must be 1 or more");
   auto orbit = eccentric_orbit<double>();
   orbit.start.velocity *= 2;
   CHECK(complaint_of([&] {

@@ -150,12 +150,15 @@ Journey carry_axis(Top<Real>& top, const Gather& gather, Real time, Same<Real> s
 }
 //! [carry_axis]
 
-/// The same in so many steps of one length, 1 or more.
-/// @throws std::invalid_argument unless two moments are equal and none is locked.
+/// The same in so many steps of one length.
+/// @throws std::invalid_argument unless the time is 0 or more and finite, there is at least one
+/// step, and two moments are equal and none is locked.
 //! [carry_axis_evenly]
 template <class Rule, class Gather, class Real>
 [[gnu::flatten]] void carry_axis_evenly(Top<Real>& top, const Gather& gather, Real time,
                                         Same<Real> seconds, long steps) {
+  require_not_negative("time", seconds, "s");
+  if (steps < 1) reject("number of steps", steps, "", "it must be 1 or more");
   AxisTurn<Gather, Real> motion(top, gather);
   Numbers<Real, 6> numbers = motion.numbers();
   Real twist = 0;
