@@ -140,8 +140,7 @@ void compare_with_odeint(Notebook& notebook, const std::vector<Measurement>& all
                          const std::vector<std::string>& problems) {
   int pairs = 0, won = 0, won_by_steps = 0;
   double worst_free = 1e300, worst_fast = 1e300;
-  Table lost = notebook.table("odeint_cheaper", {"problem", "wanted error", "ours", "price",
-                                                 "Odeint's", "its price", "ratio"});
+  std::string lost;
   for (const std::string& problem : problems)
     for (int digits = 1; digits <= 10; ++digits) {
       const double wanted = std::pow(10, -digits);
@@ -158,12 +157,12 @@ void compare_with_odeint(Notebook& notebook, const std::vector<Measurement>& all
       if (problem == "heavy top, fast" || problem[0] == 'C' || problem[0] == 'D')
         worst_fast = std::min(worst_fast, ratio);
       if (ratio < 1)
-        lost.row(problem, power_of_ten(wanted), ours->method, time_of(ours->nanoseconds),
-                 odeint->method, time_of(odeint->nanoseconds), number("%.2f", ratio));
+        lost += (lost.empty() ? "in " : "; ") + problem + " for " + power_of_ten(wanted) + ", by " +
+                odeint->method + ", " + number("%.2f", ratio) + " times as long as ours";
     }
   notebook.value("pairs", std::to_string(pairs));
   notebook.value("won", std::to_string(won));
-  notebook.value("lost", std::to_string(pairs - won));
+  notebook.value("lost", lost.empty() ? "in none of the pairs" : lost);
   notebook.value("won_by_steps", std::to_string(won_by_steps));
   notebook.value("worst_free", number("%.1f", worst_free));
   notebook.value("worst_fast", number("%.1f", worst_fast));
