@@ -50,12 +50,14 @@ def all_plain(value):
 
 
 def say(text="", to=None):
-    """Prints it plain, and with escapes for what the terminal has no letters for; or not at all where the standard output is closed."""
+    """Prints it plain, and with escapes for what the terminal has no letters for; or not at all where the standard output is closed.
+    What is said on the way, to the standard error, ends nothing where it can't be written, as to a log on a full disk."""
     to = to or sys.stdout
     if to is None:
         return
     letters = to.encoding or "utf-8"
-    print(plain(str(text)).encode(letters, "backslashreplace").decode(letters), file=to, flush=True)
+    with contextlib.suppress(OSError) if to is sys.stderr else contextlib.nullcontext():
+        print(plain(str(text)).encode(letters, "backslashreplace").decode(letters), file=to, flush=True)
 
 
 def complain(complaint):
