@@ -59,7 +59,7 @@ template <class Real> Real halved(Real number) { return looked_up<Real>(number, 
         self.assertEqual({name: result["points"] for name, result in results.items()}, {"exact": 0, "near": 0, "nearest": 0, "strict": 3})
         for name in ("exact", "near", "nearest"):
             one, two = [check["message"] for check in results[name]["exercises"][0]["checks"]]
-            self.assertIn("doubled answers what this check asks" if name == "exact" else "doubled gives the same answer, to the bit", one)
+            self.assertIn("doubled gives the same answer, to the bit" if name == "nearest" else "doubled answers what this check asks", one)
             self.assertIn("halved answers what this check asks, and nothing that differs from it by a little", two)
 
     def test_what_is_handed_on(self):
