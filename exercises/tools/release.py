@@ -63,9 +63,9 @@ def released_files(root):
             released.append(name)
     if not released:
         raise Complaint(f"git tracks no file of {root}; git add of what belongs to the course says what is released")
-    unmerged = [name.partition("\t")[2] for name in _listed_by_git(root, "--unmerged")]
-    if unmerged:
-        raise Complaint(f"{one_line(unmerged[0])} holds both sides of a merge; git add of it says that one was chosen")
+    both_sides = [name.partition("\t")[2] for name in _listed_by_git(root, "-u")]
+    if both_sides:
+        raise Complaint(f"{one_line(both_sides[0])} holds both sides of a merge; git add of it says that one was chosen")
     return released, left_out
 
 
