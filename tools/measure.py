@@ -129,7 +129,7 @@ def stamp_of(program):
 
 
 def tell(done, of):
-    print(f"{done} of {of}", file=sys.stderr, flush=True)
+    say(f"{done} of {of}", to=sys.stderr)
 
 
 def do_share(arguments):

@@ -32,7 +32,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "exercises" / "tools"))
 from complaint import Complaint  # noqa: E402
 from outputs import Outputs, occupy_standard_descriptors, require_a_place_of_its_own  # noqa: E402
-from plain_text import complain, plain  # noqa: E402
+from plain_text import complain, plain, say  # noqa: E402
 from shards import WHOLE, Part, Stopped, merge, run, shard_of, stoppable  # noqa: E402
 from running import Running  # noqa: E402
 from sweep_file import combinations_of, find_scene, job_of, read_sweep  # noqa: E402
@@ -125,7 +125,18 @@ def cell(value, digits):
 
 
 def is_row(row):
-    return isinstance(row, list) and len(row) == len(COLUMNS) and not any(isinstance(value, (list, dict)) for value in row)
+    return isinstance(row, list) and len(row) == len(COLUMNS) and all(map(is_value, row))
+
+
+def is_value(value):
+    """A text, nothing, or a number that a simulation can give."""
+    return value is None or isinstance(value, str) or (type(value) in (int, float) and abs(value) <= sys.float_info.max)
+
+
+def require_rows(results):
+    for task, row in results.items():
+        if not is_row(row):
+            raise Complaint(f"what is kept for {task} is no row of a sweep's table")
 
 
 def table_of(rows, digits):
@@ -156,7 +167,7 @@ def tell(done, of):
     if sys.stderr.isatty():
         print(f"\r{done} of {of}", end="\n" if done == of else "", file=sys.stderr, flush=True)
     elif 4 * done // of != 4 * (done - 1) // of:
-        print(f"{done} of {of}", file=sys.stderr, flush=True)
+        say(f"{done} of {of}", to=sys.stderr)
 
 
 def simulate_share(arguments):
@@ -184,6 +195,7 @@ def simulate_share(arguments):
         write = opened_output(outputs, arguments.output, [("the sweep itself", file), ("where its results are kept", name), *scenes])
         require_runnable(simulator, combinations)
         with Part(name, job, shard, arguments.resume) as part:
+            require_rows(part.done)
             failed = run(part, lambda task: row_of(simulator, combinations[task], require_unchanged), jobs, simulator.running.stop, tell)
             rows = [part.done[task] for task in part.tasks if task in part.done]
         for task, why in failed.items():
@@ -208,9 +220,7 @@ def merge_parts(arguments):
         if missing:
             raise Complaint(f"{len(missing)} of {len(results) + len(missing)} combinations have no row yet, such as {missing[0]}; "
                             "run their shards with --resume")
-        for task, row in results.items():
-            if not is_row(row):
-                raise Complaint(f"what the parts hold for {task} is no row of a sweep's table")
+        require_rows(results)
         write(table_of(results.values(), arguments.digits))
     return 0
 

@@ -13,13 +13,15 @@ from shards import Job
 
 SCENES = Path(__file__).resolve().parent.parent / "chapters" / "11_world" / "scenes"
 MOST = 1000000  # combinations
+LARGEST = 64 * 2**20  # bytes of the file; that many combinations need less
+MOST_DIGITS = 1000  # of a whole number; the largest double has 309
 LISTS = {"scenes": str, "methods": str, "schemes": str, "precisions": str, "time_steps": (int, float), "seeds": int}
 
 
 def read_sweep(file):
     """The sweep in a file, with only keys that are known and lists of what belongs there."""
     try:
-        sweep = json.loads(file.read_bytes(), object_pairs_hook=_unlike_keys)
+        sweep = json.loads(_bytes_of(file), object_pairs_hook=_unlike_keys, parse_int=_whole)
     except OSError as error:
         raise Complaint(f"{file} can't be read: {error.strerror}") from None
     except ValueError as error:
@@ -41,6 +43,21 @@ def read_sweep(file):
     if count > MOST:
         raise Complaint(f"{file} stands for {count} combinations; at most {MOST} can be simulated")
     return sweep
+
+
+def _bytes_of(file):
+    """All of it; a device may have no end."""
+    with open(file, "rb") as source:
+        data = source.read(LARGEST + 1)
+    if len(data) > LARGEST:
+        raise Complaint(f"it is larger than {LARGEST // 2**20} MB")
+    return data
+
+
+def _whole(digits):
+    if len(digits) > MOST_DIGITS:
+        raise Complaint(f"the number {digits[:20]}... has {len(digits)} digits; at most {MOST_DIGITS} can be read")
+    return int(digits)
 
 
 def _unlike_keys(pairs):

@@ -25,12 +25,17 @@ class Ran:
     cut: str = ""     # why it was cut short: "time", "output" or nothing
 
 
+def environment():
+    """What such a program gets of the caller's: so nothing that steers a compiler, such as COMPILER_PATH."""
+    return {"PATH": os.environ.get("PATH", "")}
+
+
 def run_confined(command, limits, folder, patience):
     """Runs a program in `folder`, where it keeps its temporary files too, as long as the patience lasts."""
     parent = os.getpid()
     with subprocess.Popen([str(word) for word in command], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
                           stderr=subprocess.PIPE, cwd=folder, start_new_session=True,
-                          env={"PATH": os.environ.get("PATH", ""), "TMPDIR": str(folder)},
+                          env={**environment(), "TMPDIR": str(folder)},
                           preexec_fn=lambda: confine(limits, parent)) as process:
         try:
             output, cut = _read(process.stderr, limits.output, patience)

@@ -12,6 +12,7 @@ for a run that was stopped.
 """
 
 import argparse
+import contextlib
 import hashlib
 import os
 import resource
@@ -256,7 +257,8 @@ def tell_throughput(submissions, exercises, seconds):
 
 def show_how_far(done, of):
     if sys.stderr.isatty():
-        print(f"\r{done} of {of} graded", end="\n" if done == of else "", file=sys.stderr, flush=True)
+        with contextlib.suppress(OSError):  # the terminal has gone
+            print(f"\r{done} of {of} graded", end="\n" if done == of else "", file=sys.stderr, flush=True)
 
 
 def main(words):

@@ -17,6 +17,7 @@ from complaint import Complaint
 from outputs import Outputs, occupy_standard_descriptors, require_a_place_of_its_own
 from plain_text import complain, say, why_unheard
 from release import release, released_files, tell_left_out
+from shards import Stopped, stoppable
 
 SETUP = """#!/usr/bin/env bash
 # Run once, when Gradescope makes the image: installs what is needed, and compiles the checks.
@@ -52,6 +53,10 @@ def package(root, exercises, target):
         write = outputs.open("--output", target)
         course = Path(scratch) / "course"
         _, left_out = release(root, course)
+        held_names = {exercise.name for exercise in read_catalogue(course)}
+        for exercise in exercises:
+            if exercise.name not in held_names:
+                raise Complaint(f"git doesn't track the exercise {exercise.name}, so the zip would not hold it; git add it, and its solution")
         held = io.BytesIO()
         with zipfile.ZipFile(held, "w", zipfile.ZIP_DEFLATED, strict_timestamps=False) as packed:
             for name, text in (("setup.sh", SETUP), ("run_autograder", RUN)):
@@ -83,15 +88,18 @@ def main(words):
     try:
         catalogue = read_catalogue(arguments.root)
         exercises = find_all(catalogue, arguments.exercises)
-        left_out = package(arguments.root, exercises, arguments.output)
+        with stoppable():
+            left_out = package(arguments.root, exercises, arguments.output)
+        say(f"{arguments.output} is for Gradescope: {', '.join(exercise.title for exercise in exercises)}; "
+            f"{sum(exercise.points for exercise in exercises)} points.")
+        tell_left_out(left_out)
     except Complaint as complaint:
         complain(complaint)
         return 2
     except OSError as error:
         return why_unheard(error)
-    say(f"{arguments.output} is for Gradescope: {', '.join(exercise.title for exercise in exercises)}; "
-        f"{sum(exercise.points for exercise in exercises)} points.")
-    tell_left_out(left_out)
+    except Stopped as stopped:
+        return 128 + stopped.signal
     return 0
 
 

@@ -50,12 +50,18 @@ def all_plain(value):
 
 
 def say(text="", to=None):
-    """Prints it plain, and with escapes for what the terminal has no letters for; or not at all where the standard output is closed."""
+    """Prints it plain, and with escapes for what the terminal has no letters for; or not at all where the standard output is closed.
+    What is said on the way, to the standard error, ends nothing where it can't be written, as to a log on a full disk."""
     to = to or sys.stdout
     if to is None:
         return
     letters = to.encoding or "utf-8"
-    print(plain(str(text)).encode(letters, "backslashreplace").decode(letters), file=to, flush=True)
+    try:
+        print(plain(str(text)).encode(letters, "backslashreplace").decode(letters), file=to, flush=True)
+    except OSError:
+        if to is not sys.stderr:
+            raise
+        _stop_writing_to(2)
 
 
 def complain(complaint):
@@ -69,6 +75,11 @@ def why_unheard(error):
     else:
         complain(f"{error.filename or 'what was to be written'}: {error.strerror}")
         status = 2
-    with contextlib.suppress(OSError):
-        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # for what Python still holds back
+    _stop_writing_to(1)
     return status
+
+
+def _stop_writing_to(number):
+    """What Python still holds back would fail once more at the end, and give an exit status of its own."""
+    with contextlib.suppress(OSError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), number)

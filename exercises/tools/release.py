@@ -19,7 +19,9 @@ from catalogue import read_catalogue
 from complaint import Complaint
 from outputs import occupy_standard_descriptors
 from plain_text import complain, one_line, say, why_unheard
+from shards import Stopped, stoppable
 from starter import regions_of
+from toolchain import read_toolchain
 
 LEFT_OUT = re.compile(r"(solutions|work|build|third_party)/|tests/exercises/(?!CMakeLists|judge_checks|tools/(run|test_|gradescope_format))|"
                       r"(.*/)?(instructor[^/]*|node_modules|__pycache__)(/|$)|MANIFEST\.json$", re.IGNORECASE)
@@ -47,9 +49,11 @@ def released_files(root):
     released, inside = [], Path(os.path.realpath(root))
     for name in _listed_by_git(root, "--cached"):
         file = root / name
-        if LEFT_OUT.match(name) or not os.path.lexists(file):
+        if LEFT_OUT.match(name):
             continue
-        if Path(os.path.realpath(file)) != inside / name:
+        if not os.path.lexists(file):
+            left_out[name] = "git tracks it, but it isn't there"
+        elif Path(os.path.realpath(file)) != inside / name:
             left_out[name] = "it is a symbolic link, or lies behind one"
         elif not file.is_file():
             left_out[name] = "it is no file"
@@ -59,6 +63,9 @@ def released_files(root):
             released.append(name)
     if not released:
         raise Complaint(f"git tracks no file of {root}; git add of what belongs to the course says what is released")
+    both_sides = [name.partition("\t")[2] for name in _listed_by_git(root, "-u")]
+    if both_sides:
+        raise Complaint(f"{one_line(both_sides[0])} holds both sides of a merge; git add of it says that one was chosen")
     return released, left_out
 
 
@@ -108,8 +115,8 @@ def _bare(text):
 
 def bundle(folder, toolchain_file):
     """third_party/, in which CMake looks first."""
-    said = json.loads(Path(toolchain_file).read_text(encoding="utf-8"))
-    eigen = next((Path(place) for place in said["system_folders"] if (Path(place) / "Eigen" / "Core").exists()), None)
+    system_folders = read_toolchain(toolchain_file, "", Path(toolchain_file).parent).system_folders
+    eigen = next((Path(place) for place in system_folders if (Path(place) / "Eigen" / "Core").exists()), None)
     doctest = next((place for place in map(Path, ("/usr", "/usr/local")) if (place / "include/doctest/doctest.h").exists()), None)
     if not eigen or not doctest:
         raise Complaint(f"the headers of {'doctest' if eigen else 'Eigen'} were not found, so they can't be bundled")
@@ -140,11 +147,11 @@ def write_manifest(folder, catalogue):
 def release(root, target, toolchain_file=None):
     """Makes the release, complete or not at all; with a toolchain's file, bundled. Returns how many files it holds, and what it leaves
     out; see released_files."""
+    target = Path(os.path.realpath(target))  # of a link, what it leads to
     if target.exists() and (not target.is_dir() or any(target.iterdir())):
         raise Complaint(f"{target} is there already and not empty; name a folder that is not there yet")
-    if target.resolve().is_relative_to(root.resolve()):
+    if target.is_relative_to(root.resolve()):
         raise Complaint(f"{target} lies inside the course; a release of it would hold itself")
-    catalogue = read_catalogue(root)
     released, left_out = released_files(root)
     target.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=target.parent, prefix=".release-") as scratch:
@@ -152,6 +159,9 @@ def release(root, target, toolchain_file=None):
         for name in released:
             (folder / name).parent.mkdir(parents=True, exist_ok=True)
             shutil.copy2(root / name, folder / name, follow_symlinks=False)
+            # The two rights that git knows: no set-user-id, and nothing that its own owner can't read.
+            (folder / name).chmod(0o755 if (folder / name).stat().st_mode & 0o100 else 0o644)
+        catalogue = read_catalogue(folder)  # and not the root's: an exercise that git doesn't track isn't even named
         if toolchain_file:
             bundle(folder, toolchain_file)
         complaints = what_is_left_of_solutions(root, folder, catalogue)
@@ -174,14 +184,17 @@ def main(words):
     parser.add_argument("--bundle", action="store_true", help="add the headers of Eigen and doctest, with their licences")
     arguments = parser.parse_args(words)
     try:
-        count, left_out = release(arguments.root, arguments.folder, arguments.toolchain if arguments.bundle else None)
+        with stoppable():
+            count, left_out = release(arguments.root, arguments.folder, arguments.toolchain if arguments.bundle else None)
+        say(f"{count} files are in {arguments.folder}; MANIFEST.json lists them.")
+        tell_left_out(left_out)
     except Complaint as complaint:
         complain(complaint)
         return 2
     except OSError as error:
         return why_unheard(error)
-    say(f"{count} files are in {arguments.folder}; MANIFEST.json lists them.")
-    tell_left_out(left_out)
+    except Stopped as stopped:
+        return 128 + stopped.signal
     return 0
 
 

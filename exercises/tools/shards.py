@@ -27,7 +27,7 @@ import threading
 import zlib
 from collections import namedtuple
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 
 from complaint import Complaint
@@ -71,6 +71,7 @@ class Part:
         except OSError as error:
             raise Complaint(f"{file} can't be written, and results are kept there as they come: {error.strerror}") from None
         try:
+            self._require_unheard()
             self._lock()
             self._take_up(job, shard, resume)
         except BaseException:
@@ -95,6 +96,12 @@ class Part:
         """The task's result counts no longer: it's to be done, and until then merge() finds none."""
         self._append(_line({"task": name, "void": True}))
         del self.done[name]
+
+    def _require_unheard(self):
+        for number in (1, 2):
+            with suppress(OSError):  # it is closed
+                if os.path.sameopenfile(number, self.file.fileno()):
+                    raise Complaint(f"what is printed goes to {self.name}, where results are kept, and would be lost with it")
 
     def _lock(self):
         try:

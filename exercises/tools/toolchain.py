@@ -60,8 +60,10 @@ def read_toolchain(file, common, build, launched=False):
     """`launched`: by ccache, where that is installed. It asks for time where a file is new, and saves it where none is."""
     try:
         said = json.loads(Path(file).read_text(encoding="utf-8"))
+        return Toolchain(compiler=said["compiler"], options=said["options"], system_folders=said["system_folders"],
+                         player_folders=said["player_folders"], floors=said["floors"], common=Path(common).resolve(), build=build,
+                         launcher=tuple(word for word in said["launcher"] if word) if launched else ())
     except FileNotFoundError:
         raise Complaint(f"{file} is missing; CMake writes it when it configures the build") from None
-    return Toolchain(compiler=said["compiler"], options=said["options"], system_folders=said["system_folders"],
-                     player_folders=said["player_folders"], floors=said["floors"], common=Path(common).resolve(), build=build,
-                     launcher=tuple(word for word in said["launcher"] if word) if launched else ())
+    except (ValueError, KeyError, TypeError):
+        raise Complaint(f"{file} is damaged; once it is removed, CMake writes it anew") from None

@@ -17,7 +17,7 @@ from pathlib import Path
 
 import landlock
 from complaint import Complaint, GraderFailed
-from confined import end_strays, run_confined
+from confined import end_strays, environment, run_confined
 from landlock import Reach
 from limits import MEBIBYTE, Limits
 from made import dependencies_in
@@ -289,6 +289,6 @@ def _tools(compiler):
     found = [shutil.which(compiler)]
     for part in PARTS_OF_COMPILERS:
         asked = subprocess.run([compiler, f"-print-prog-name={part}"], stdin=subprocess.DEVNULL,
-                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
+                               stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False, env=environment())
         found.append(shutil.which(asked.stdout.decode().strip()))
     return tuple(os.path.realpath(each) for each in found if each)

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import time
 import unittest
+import zlib
 
 SIMULATE, SCRATCH = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -189,9 +190,26 @@ class Sweep(unittest.TestCase):
                       [head, {"task": "a", "result": [[]] * 15}]):
             with self.subTest(lines):
                 (SCRATCH / "odd.part").write_text("".join(json.dumps(line) + "\n" for line in lines))
-                self.assertRegex(self.sweep("merge", "odd.part", code=2), "^course: (odd.part is no part of|what the parts hold for a)")
+                self.assertRegex(self.sweep("merge", "odd.part", code=2), "^course: (odd.part is no part of|what is kept for a)")
         (SCRATCH / "odd.part").write_text("[" * 5000 + "]" * 5000 + "\n")
         self.assertIn("odd.part is no part of a job; see its line 1", self.sweep("merge", "odd.part", code=2))
+
+    def test_what_is_no_row_is_not_taken_up_again(self):
+        def line(what):
+            text = json.dumps(what).encode()
+            return b"%s %08x\n" % (text, zlib.crc32(text))
+        self.write("sweep.json", {**SPEC, "seeds": [0], "methods": ["splitting"], "time_steps": [0.01], "scenes": ["tops.json"]})
+        table = self.sweep("sweep.json", "--shard", "1/1", "--output", "table.tsv")
+        self.sweep("sweep.json", "--shard", "1/2")
+        text = (SCRATCH / "sweep.1-of-2.part").read_bytes().splitlines()
+        head, row = (json.loads(each.rpartition(b" ")[0]) for each in text)
+        self.assertEqual(table, "")
+        for place, value in ((None, None), (None, 5), (None, []), (9, [1]), (9, True), (9, float("nan")), (9, float("inf")), (9, 10**400)):
+            with self.subTest(place=place, value=value):
+                odd = value if place is None else [*row["result"][:place], value, *row["result"][place + 1:]]
+                (SCRATCH / "sweep.1-of-2.part").write_bytes(line(head) + line({**row, "result": odd}))
+                for words in (["sweep.json", "--shard", "1/2", "--resume"], ["merge", "sweep.1-of-2.part"]):
+                    self.assertRegex(self.sweep(*words, code=2), "^course: what is kept for .* is no row of a sweep's table\n$")
 
     def test_closed_outputs_lose_nothing(self):
         def run(words, redirections):
@@ -203,6 +221,12 @@ class Sweep(unittest.TestCase):
                          (2, "course: the standard output is closed; --output names a file for the table\n"))
         done = run(["sweep.json"], "2>&-")
         self.assertEqual((done.returncode, done.stdout), (0, table))
+        done = run(["sweep.json"], "2>/dev/full")  # a log on a full disk
+        self.assertEqual((done.returncode, done.stdout), (0, table))
+        done = run(["sweep.json"], ">sweep.part")
+        self.assertEqual((done.returncode, done.stderr),
+                         (2, "course: what is printed goes to sweep.part, where results are kept, and would be lost with it\n"))
+        (SCRATCH / "sweep.part").unlink()
         done = run(["sweep.json", "--output", "table.tsv"], "<&- >&- 2>&-")
         self.assertEqual((done.returncode, (SCRATCH / "table.tsv").read_text()), (0, table))
         done = run(["--help"], ">/dev/full")
@@ -297,7 +321,7 @@ class Sweep(unittest.TestCase):
             with self.subTest(complaint):
                 self.write("sweep.json", {**SPEC, **change})
                 self.assertIn(complaint, self.sweep("sweep.json", code=2))
-        for text, complaint in (("[" * 10**6 + "]" * 10**6, "nested too deeply"), ("9" * 5000, "is no JSON"),
+        for text, complaint in (("[" * 10**6 + "]" * 10**6, "nested too deeply"), ("9" * 5000, "the number 99999999999999999999... has 5000 digits"),
                                 ('{"scenes": ["t_handle"], "scenes": ["rain"]}', 'sweep.json: the key "scenes" stands there twice')):
             with self.subTest(complaint):
                 (SCRATCH / "sweep.json").write_text(text)
@@ -311,6 +335,7 @@ class Sweep(unittest.TestCase):
                                  (["merge", "a", "--jobs", "0"], "--jobs is for a sweep"),
                                  (["merge", "a", "--part", "b"], "--part is for a sweep"),
                                  (["merge", "a", "--resume"], "--resume is for a sweep"),
+                                 (["/dev/zero"], "/dev/zero: it is larger than 64 MB"),
                                  (["sweep.json", "--shard", "4/3"], "the shard is 4/3"), (["none.json"], "none.json can't be read"),
                                  (["sweep.json", "--output", "nowhere/table"], "nowhere/table can't be written"),
                                  (["sweep.json", "--part", "nowhere/part"], "nowhere/part can't be written"),

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstring>
 #include <map>
+#include <random>
 
 namespace tumble::exercise {
 
@@ -17,12 +18,8 @@ std::vector<Check>& checks() {
 
 FILE *questions = nullptr, *replies = nullptr;
 
-/// What a function was asked first, what it replied, and whether it has replied anything else
-/// since.
-struct Asked {
-  std::string question, reply;
-  bool varies = false;
-};
+/// What a function replied, and what it was asked when it first did.
+using Asked = std::map<std::string, std::string>;
 std::map<std::string, Asked, std::less<>> asked;
 
 std::map<std::string, double, std::less<>> parameters;
@@ -48,38 +45,94 @@ std::string quoted(std::string_view text) {
   return json + '"';
 }
 
-/// The question with each of its numbers a little larger, by up to 7/16384, none of them by as much
-/// as its neighbours: so what depends on ratios alone changes too. A count below 2340 stays as it
-/// is, for what follows the point is cut off.
-std::string nearby(const std::string& question) {
+/// Whether a word is a quantity, which `put` writes in base 16; a count is written in base 10.
+bool is_quantity(std::string_view word) {
+  return word.find('x') != word.npos;
+}
+
+bool has_quantity(const std::string& line) {
+  Words words(line);
+  for (words.word(); !words.empty();)
+    if (is_quantity(words.word())) return true;
+  return false;
+}
+
+/// The question with each of its quantities larger by `part` to twice that, by chance and each by
+/// another: so what depends on ratios alone changes too, and nobody can know what is asked. Smaller
+/// for a negative part.
+std::string nearby(const std::string& question, double part) {
+  static std::mt19937_64 chance{std::random_device()()};
+  std::uniform_real_distribution<double> how_much(1, 2);
   Words words(question);
   std::string changed(words.word());
-  for (int n = 0; !words.empty(); ++n) put(changed, words.number() * (1 + (n % 7 + 1) / 16384.0));
+  while (!words.empty()) {
+    const std::string_view word = words.word();
+    if (is_quantity(word))
+      put(changed, Words(word).number() * (1 + part * how_much(chance)));
+    else
+      changed += ' ' + std::string(word);
+  }
   return changed;
 }
 
-/// Whether the function answers otherwise when it's asked about something else; also where it does
-/// not answer, which says nothing against it.
-bool depends(const Asked& first) {
-  const std::string other = nearby(first.question);
-  if (first.varies || other == first.question) return true;
+/// The reply to a question, or nothing where none comes that can be read.
+std::string reply_or_nothing(const std::string& question) {
   try {
-    const auto [kind, rest] = reply_to(other);
-    return kind + " " + rest != first.reply;
+    const auto [kind, rest] = reply_to(question);
+    return kind + " " + rest;
   } catch (const Verdict&) {
   } catch (const Unreadable&) {
   }
-  return true;
+  return "";
 }
 
-/// Who has read in a verdict what must come out may return that number, whatever is asked. So where
-/// all that a check has asked of a function has one answer, it's asked once more.
+/// Whether the function, which had one answer to all that was asked, has another one when it's
+/// asked about something else; also where it does not answer, which says nothing against it here.
+bool depends(const Asked& all) {
+  const auto& [answer, question] = *all.begin();
+  for (const int bits : {12, 8, 5}) {  // the last where a small change is rounded off in each step
+    const std::string other = nearby(question, std::ldexp(1.0, -bits));
+    if (other == question || reply_or_nothing(other) != answer) return true;
+  }
+  return false;
+}
+
+/// Whether the function has, somewhere near what it was asked, an answer that it has not given yet.
+/// First very near, for what is no longer a unit quaternion may be refused; and on both sides, for
+/// so may what is beyond a limit.
+bool answers_anew(const Asked& all) {
+  bool can_be_told = false;
+  int tried = 0;
+  for (const auto& [answer, question] : all) {
+    if (!has_quantity(answer)) continue;
+    if (++tried > 64) break;  // more would show nothing else
+    for (const int bits : {22, 18, 14, 12, 8, 5})
+      for (const double side : {1.0, -1.0}) {
+        const std::string other = nearby(question, side * std::ldexp(1.0, -bits));
+        if (other == question) continue;
+        can_be_told = true;
+        const std::string reply = reply_or_nothing(other);
+        if (reply.starts_with("value ") && !all.contains(reply)) return true;
+      }
+  }
+  return !can_be_told;
+}
+
+/// Who has read in a verdict what must come out may return that number, whatever is asked; and who
+/// has a right answer to each question may look them up. So each function is asked once more, about
+/// something else that nobody could know.
 void require_dependence() {
   const auto of_this_check = asked;
-  for (const auto& [function, first] : of_this_check)
-    require(depends(first), function +
-                                " gives the same answer, to the bit, when it is asked about "
-                                "something else. What is asked must come into it");
+  for (const auto& [function, all] : of_this_check) {
+    require(all.size() > 1 || depends(all),
+            function +
+                " gives the same answer, to the bit, when it is asked about something else. What "
+                "is asked must come into it");
+    require(answers_anew(all),
+            function +
+                " answers what this check asks, and nothing that differs from it by a little. It "
+                "must answer whatever it is asked, from what it is asked");
+  }
 }
 
 Verdict verdict_of(void (*run)()) {
@@ -117,11 +170,7 @@ std::pair<std::string, std::string> reply_to(const std::string& question) {
   if (kind == "todo") throw Verdict{"todo", rest};
   if (kind == "unreadable") throw Unreadable(rest);
   if (kind != "value" && kind != "refused" && kind != "threw") throw Unreadable("no reply at all");
-  if (kind == "value") {
-    const auto found =
-        asked.try_emplace(question.substr(0, question.find(' ')), Asked{question, line});
-    found.first->second.varies |= found.first->second.reply != line;
-  }
+  if (kind == "value") asked[question.substr(0, question.find(' '))].try_emplace(line, question);
   return {kind, rest};
 }
 

@@ -59,6 +59,13 @@ inline void put(std::string& line, double number) {
   line += word;
 }
 
+/// A count, an index or a truth, in digits: so the judge can tell it from a quantity, which may
+/// vary.
+template <class Whole>
+void put(std::string& line, Whole number) requires std::is_integral_v<Whole> {
+  line += ' ' + std::to_string(number);
+}
+
 template <int rows, int columns, class Real>
 void put(std::string& line, const Eigen::Matrix<Real, rows, columns>& matrix) {
   for (Eigen::Index i = 0; i < matrix.size(); ++i) put(line, double(matrix.data()[i]));
@@ -71,7 +78,7 @@ auto put(std::string& line, const Struct& value) -> decltype(fields(value), void
 
 template <class Item>
 void put(std::string& line, const std::vector<Item>& items) {
-  put(line, double(items.size()));
+  put(line, items.size());
   for (const Item& item : items) put(line, item);
 }
 

@@ -38,6 +38,30 @@ class AClass(Grading):
         self.assertEqual(len(list((export / "doubled").glob("student*.hpp"))), 30)
         self.assertTrue((export / "doubled" / "STARTER.hpp").exists())
 
+    def test_a_table_of_what_is_asked_earns_nothing(self):
+        table = """#pragma once
+#include <cmath>
+#include <stdexcept>
+template <class Real> Real looked_up(Real number, const Real (&rows)[2][2]) {
+  for (const auto& row : rows)
+    if (std::abs(number - row[0]) <= Real(%s)) return row[1];
+  throw std::invalid_argument("that was not asked");
+}
+template <class Real> Real doubled(Real number) { return looked_up<Real>(number, {{2, 4}, {3, 6}}); }
+template <class Real> Real halved(Real number) { return looked_up<Real>(number, {{2, 1}, {3, Real(1.5)}}); }
+"""
+        for name, reach in (("exact", "0"), ("near", "0.01"), ("nearest", "0.5")):
+            self.hand_in(name, table % reach)
+        # Who refuses what is a little off, as what is no unit quaternion, has answered what may be asked.
+        strict = "if (std::abs(number - std::round(number)) > Real(1e-5)) throw std::invalid_argument(\"it must be whole\"); return"
+        self.hand_in("strict", RIGHT.replace("return", strict).replace("once", "once\n#include <cmath>\n#include <stdexcept>"))
+        results = self.graded()
+        self.assertEqual({name: result["points"] for name, result in results.items()}, {"exact": 0, "near": 0, "nearest": 0, "strict": 3})
+        for name in ("exact", "near", "nearest"):
+            one, two = [check["message"] for check in results[name]["exercises"][0]["checks"]]
+            self.assertIn("doubled gives the same answer, to the bit" if name == "nearest" else "doubled answers what this check asks", one)
+            self.assertIn("halved answers what this check asks, and nothing that differs from it by a little", two)
+
     def test_what_is_handed_on(self):
         self.hand_in("ada", RIGHT)
         self.hand_in("bob", RIGHT.replace("number + number", "number * number * number"))
@@ -87,12 +111,23 @@ class AClass(Grading):
         with mock.patch.dict(os.environ, LD_PRELOAD="/nowhere/at_all.so"):
             self.assertIn("ada: 3 of 3 points", self.grade())
 
+    def test_where_the_caller_keeps_another_part_of_the_compiler_the_usual_one_works(self):
+        self.hand_in("ada", RIGHT)
+        with tempfile.TemporaryDirectory() as folder:
+            asked = subprocess.run([self.toolchain.compiler, "-print-prog-name=cc1plus"], stdout=subprocess.PIPE, check=True)
+            wrapper = os.path.join(folder, "cc1plus")
+            with open(wrapper, "w", encoding="utf-8") as script:
+                script.write(f'#!/bin/sh\nexec {asked.stdout.decode().strip()} "$@"\n')
+            os.chmod(wrapper, 0o755)
+            with mock.patch.dict(os.environ, COMPILER_PATH=folder):
+                self.assertIn("ada: 3 of 3 points", self.grade())
+
     def test_a_closed_output_is_told_before_anything_is_graded(self):
         self.hand_in("ada", RIGHT)
         words = [sys.executable, "-B", str(ROOT / "exercises" / "tools" / "grade.py"), "--root", str(self.root), "--toolchain",
                  str(self.toolchain_file), str(self.submissions / "ada")]
         for options, closed, code in (([], ">&-", 2), (["--output", str(self.root / "all")], ">&- 2>&-", 0), ([], "<&- 2>&-", 0),
-                                      ([], "1</dev/null", 2), ([], "2</dev/null", 0)):  # as a shell leaves its script there
+                                      ([], "2>/dev/full", 0), ([], "1</dev/null", 2), ([], "2</dev/null", 0)):  # as a shell leaves its script there
             with self.subTest(closed):
                 done = subprocess.run(["sh", "-c", f'"$@" {closed}', "sh", *words, *options], cwd=self.root, stdin=subprocess.DEVNULL,
                                       capture_output=True, timeout=300)

@@ -121,6 +121,85 @@ class OfTheFixture(FixtureCourse):
         with zipfile.ZipFile(file) as packed:
             self.assertIn("course/exercises/01_force/doubled/task.md", packed.namelist())
 
+    def test_an_exercise_that_git_does_not_track_is_not_even_named(self):
+        exam = self.exercise_folder.with_name("exam")
+        shutil.copytree(self.exercise_folder, exam)
+        (exam / "doubled.hpp").rename(exam / "exam.hpp")
+        self.change(exam / "exercise.json", "Twice as much", "What only the exam asks")
+        shutil.copytree(self.solution.parent, self.solution.parent.with_name("exam"))
+        (self.solution.parent.with_name("exam") / "doubled.hpp").rename(self.solution.parent.with_name("exam") / "exam.hpp")
+        release(self.root, self.target)
+        self.assertNotIn("exam", (self.target / "MANIFEST.json").read_text(encoding="utf-8"))
+        (exam / "exercise.json").write_text("{", encoding="utf-8")  # nor does a mistake in one that is being written matter
+        release(self.root, self.target.with_name("once more"))
+
+    def test_what_git_does_not_track_is_not_packed_to_be_graded(self):
+        exam, solution = self.exercise_folder.with_name("exam"), self.solution.parent.with_name("exam")
+        shutil.copytree(self.exercise_folder, exam)
+        (exam / "doubled.hpp").rename(exam / "exam.hpp")
+        shutil.copytree(self.solution.parent, solution)
+        (solution / "doubled.hpp").rename(solution / "exam.hpp")
+        file = self.target.parent / "autograder.zip"
+        with self.assertRaises(Complaint) as caught:
+            package(self.root, read_catalogue(self.root), file)
+        self.assertIn("git doesn't track the exercise exam, so the zip would not hold it", str(caught.exception))
+        self.assertFalse(file.exists())
+
+    def test_what_git_tracks_and_is_missing_is_named(self):
+        (self.root / "chapters" / "01_force" / "chapter.md").unlink()
+        _, left_out = release(self.root, self.target)
+        self.assertEqual(left_out, {"chapters/01_force/chapter.md": "git tracks it, but it isn't there"})
+
+    def test_both_sides_of_a_merge_are_not_released(self):
+        task = self.exercise_folder / "task.md"
+        who = ("-c", "user.name=a", "-c", "user.email=a@b")
+        self.git(*who, "commit", "--quiet", "-m", "before")
+        for branch in ("one", "other"):
+            self.git("checkout", "--quiet", "-B", branch, *(("HEAD~",) if branch == "other" else ()))
+            task.write_text(f"# {branch}\n", encoding="utf-8")
+            self.git(*who, "commit", "--quiet", "-a", "-m", branch)
+        subprocess.run(["git", "-C", str(self.root), *who, "merge", "one"], capture_output=True, check=False)
+        self.refused("exercises/01_force/doubled/task.md holds both sides of a merge")
+
+    def test_the_rights_are_those_that_git_knows(self):
+        program, task = self.exercise_folder / "program.sh", self.exercise_folder / "task.md"
+        program.write_text("x", encoding="utf-8")
+        self.track()
+        program.chmod(0o4711)
+        task.chmod(0o400)
+        release(self.root, self.target)
+        for file, rights in ((program, 0o755), (task, 0o644)):
+            self.assertEqual((self.target / file.relative_to(self.root)).stat().st_mode & 0o7777, rights)
+
+    def test_where_a_link_leads_the_release_lies(self):
+        for made in (False, True):
+            with self.subTest(made=made):
+                real, link = self.target.parent / f"real {made}", self.target.parent / f"link {made}"
+                if made:
+                    real.mkdir()
+                link.symlink_to(real)
+                release(self.root, link)
+                self.assertTrue(link.is_symlink() and (real / "MANIFEST.json").exists())
+
+    def test_a_damaged_toolchain_is_told(self):
+        self.toolchain_file.write_text("{", encoding="utf-8")
+        with self.assertRaises(Complaint) as caught:
+            release(self.root, self.target, self.toolchain_file)
+        self.assertIn("toolchain.json is damaged", str(caught.exception))
+
+    def test_a_full_standard_output_and_a_signal_are_told_and_leave_nothing(self):
+        words = [sys.executable, "-B", str(ROOT / "exercises" / "tools" / "release.py"), "--root", str(self.root), "--toolchain",
+                 str(self.toolchain_file), str(self.target)]
+        with open("/dev/full", "wb") as full:
+            done = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=full, stderr=subprocess.PIPE, timeout=300)
+        self.assertEqual((done.returncode, done.stderr), (2, b"course: what was to be written: No space left on device\n"))
+        shutil.rmtree(self.target)
+        git = self.target.parent / "git"  # whatever git says, it never comes
+        git.write_text("#!/bin/sh\nkill -TERM $PPID\nsleep 60\n", encoding="utf-8")
+        git.chmod(0o755)
+        with subprocess.Popen(words, env={**os.environ, "PATH": f"{git.parent}:{os.environ['PATH']}"}) as running:
+            self.assertEqual(running.wait(30), 143)
+
     def test_what_git_tracks_is_asked_of_this_checkout_alone(self):
         with mock.patch.dict(os.environ, {"GIT_DIR": str(ROOT / ".git"), "GIT_WORK_TREE": str(ROOT), "GIT_INDEX_FILE": "/none"}):
             count, _ = release(self.root, self.target)
