@@ -10,7 +10,9 @@
 # a label stands beside them: set label 1 "its name" at x, y textcolor linetype 2. Letters have one size, that of the text.
 # The title states the finding. Its size marks it: the book takes it out and sets it as text above the drawing, where it
 # can break into lines. So leave its font alone. Empty paper around the drawing is cut away.
-set terminal svg size 480,400 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
+# A drawing of another size begins with @drawing WIDTH,HEIGHT.
+drawing = 'set terminal svg dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe" size'
+@drawing 480,400
 set output name.".svg"
 set datafile separator "\t"
 set key autotitle columnhead

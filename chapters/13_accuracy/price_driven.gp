@@ -1,4 +1,4 @@
-set terminal svg size 480,520 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
+@drawing 480,520
 set title "Under a swinging torque high order pays for small errors"
 set xlabel "time for a simulated second (ns)"
 set ylabel "error after 10 s (rad)"

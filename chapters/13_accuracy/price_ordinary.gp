@@ -1,4 +1,4 @@
-set terminal svg size 480,520 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
+@drawing 480,520
 set title "An ordinary body: the order sets how steep a curve is, and the exact solution is one point"
 set xlabel "time for a simulated second (ns)"
 set ylabel "error after 10 s (rad)"

@@ -1,4 +1,4 @@
-set terminal svg size 480,520 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
+@drawing 480,520
 set title "A thin rod: one step of the splitting is worth dozens of evaluations"
 set xlabel "time for a simulated second (ns)"
 set ylabel "error after 1 s (rad)"
