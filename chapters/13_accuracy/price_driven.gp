@@ -16,6 +16,8 @@ run(method) = is(method, "double") ? column(4) : NaN
 named = ""
 name_at(method, level) = is(method, "double") && column(3) < level && named ne method ? (named = method, column(4)) : NaN
 grey = "#555555"
+set label 1 "engines" at 9e5, 1e-3 right textcolor rgb grey
+set label 2 "Odeint" at 1.7e5, 1.5e-11 left textcolor rgb grey
 plot for [m in "'Odeint rk4' 'Odeint Dormand-Prince 5' 'Odeint Fehlberg 7(8)' 'Odeint Bulirsch-Stoer'"] \
        "runs_driven.tsv" using (run(m)):3 with lines linecolor rgb grey linewidth 1 dashtype 1, \
      for [m in "'Simbody Verlet, controlled' 'Simbody Merson, controlled' 'Simbody CPodes'"] \
@@ -27,8 +29,8 @@ plot for [m in "'Odeint rk4' 'Odeint Dormand-Prince 5' 'Odeint Fehlberg 7(8)' 'O
      "" using (run("kicked splitting, Kahan-Li 6")):3 with linespoints linestyle 3, \
      "" using (run("Runge-Kutta")):3 with linespoints linestyle 2, \
      "" using (run("Dormand-Prince 8")):3 with linespoints linestyle 4, \
-     "" using (name_at("kick and drift", 5e-2)):3:("kick, drift 1") with labels left offset 1.2,0.2 textcolor linetype 5, \
+     "" using (name_at("kick and drift", 0.05)):3:("kick, drift 1") with labels left offset 0,-1.1 textcolor linetype 5, \
      "" using (name_at("kicked splitting", 1e-4)):3:("splitting 2") with labels left offset 0.8,0.4 textcolor linetype 1, \
-     "" using (name_at("kicked splitting, Kahan-Li 6", 1e-7)):3:("splitting 6") with labels left offset 0.8,0.4 textcolor linetype 3, \
-     "" using (name_at("Runge-Kutta", 1e-7)):3:("RK 4") with labels left offset 0.8,0.4 textcolor linetype 2, \
+     "" using (name_at("kicked splitting, Kahan-Li 6", 1e-5)):3:("splitting 6") with labels left offset 0.8,0.4 textcolor linetype 3, \
+     "" using (name_at("Runge-Kutta", 1e-12)):3:("RK 4") with labels left offset 1,0 textcolor linetype 2, \
      "" using (name_at("Dormand-Prince 8", 1e-8)):3:("RK 8") with labels right offset -0.8,-0.4 textcolor linetype 4

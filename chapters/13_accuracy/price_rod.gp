@@ -16,6 +16,7 @@ run(method) = is(method, "double") ? column(4) : NaN
 named = ""
 name_at(method, level) = is(method, "double") && column(3) < level && named ne method ? (named = method, column(4)) : NaN
 grey = "#555555"
+set label 1 "engines" at graph 0.98, 1.04 right textcolor rgb grey
 plot for [m in "'Odeint rk4' 'Odeint Dormand-Prince 5' 'Odeint Fehlberg 7(8)' 'Odeint Bulirsch-Stoer'"] \
        "runs_rod.tsv" using (run(m)):3 with lines linecolor rgb grey linewidth 1 dashtype 1, \
      for [m in "'Simbody Verlet, controlled' 'Simbody Merson, controlled' 'Simbody CPodes'"] \
@@ -28,9 +29,10 @@ plot for [m in "'Odeint rk4' 'Odeint Dormand-Prince 5' 'Odeint Fehlberg 7(8)' 'O
      "" using (run("Runge-Kutta")):3 with linespoints linestyle 2, \
      "" using (run("Dormand-Prince 8")):3 with linespoints linestyle 4, \
      "" using (run("exact solution")):3 with points linestyle 6 pointtype 3 pointsize 1.2, \
-     "" using (name_at("momentum-carrying", 5e-2)):3:("carrying 1") with labels left offset 1.2,0.2 textcolor linetype 5, \
-     "" using (name_at("splitting", 1e-4)):3:("splitting 2") with labels left offset 0.8,0.4 textcolor linetype 1, \
-     "" using (name_at("splitting, Blanes-Moan 6", 1e-10)):3:("splitting 6") with labels right offset -0.8,-0.4 textcolor linetype 3, \
-     "" using (name_at("Runge-Kutta", 1e-7)):3:("RK 4") with labels left offset 0.8,0.4 textcolor linetype 2, \
+     "" using (name_at("momentum-carrying", 0.2)):3:("carrying 1") with labels right offset -0.5,-1.2 textcolor linetype 5, \
+     "" using (name_at("splitting", 1e-2)):3:("splitting 2") with labels left offset -1,-1.1 textcolor linetype 1, \
+     "" using (name_at("splitting, Blanes-Moan 6", 1)):3:("splitting 6") with labels right offset 2,0.9 textcolor linetype 3, \
+     "" using (name_at("Runge-Kutta", 1e-2)):3:("RK 4") with labels left offset 0.8,0.4 textcolor linetype 2, \
      "" using (name_at("Dormand-Prince 8", 1e-8)):3:("RK 8") with labels right offset -0.8,-0.4 textcolor linetype 4, \
-     "" using (run("exact solution")):3:("exact") with labels left offset 1.2,0 textcolor linetype 6
+     "" using (run("exact solution")):3:("exact") with labels left offset 1.2,0 textcolor linetype 6, \
+     "" using (name_at("Odeint Fehlberg 7(8)", 1e-11)):3:("Odeint") with labels right offset -1.6,-0.4 textcolor rgb grey
