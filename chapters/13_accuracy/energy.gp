@@ -1,4 +1,4 @@
-@drawing 600,420
+@drawing 560,420
 set title "With symmetric methods the energy wavers and stays; with the others it drifts"
 set xlabel "time (s)"
 set ylabel "relative error of the energy"

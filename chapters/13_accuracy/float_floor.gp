@@ -1,4 +1,4 @@
-@drawing 600,440
+@drawing 540,440
 set title "In float the error stops falling long before it does in double"
 set xlabel "time for a simulated second (ns)"
 set ylabel "error after 10 s (rad)"

@@ -1,4 +1,4 @@
-@drawing 600,400
+@drawing 560,400
 set title "Rules that carry L along keep it to rounding"
 set xlabel "time (s)"
 set ylabel "relative error of L in the world"

@@ -1,4 +1,4 @@
-@drawing 600,400
+@drawing 540,400
 set title "The step shortens near the star"
 set xlabel "time (s)"
 set ylabel "time step (s), distance (m)"

@@ -1,4 +1,4 @@
-@drawing 640,420
+@drawing 565,420
 set title "With steps that are chosen at their start, the energy drifts"
 set xlabel "rounds"
 set ylabel "relative error of the energy"

@@ -1,4 +1,4 @@
-@drawing 640,360
+@drawing 565,400
 set title "With steps that follow the pace symmetrically, the energy is bounded"
 set xlabel "steps"
 set ylabel "largest error of the energy so far"
@@ -7,7 +7,7 @@ set format y "10^{%T}"
 set termoption enhanced
 set xrange [0:100000]
 set yrange [1e-4:0.1]
-set xtics 25000
+set xtics 50000
 set rmargin 21
 unset key
 plot for [i=2:3] "own_steps_pace.tsv" using 1:(column(i)) with lines linestyle i-1, \

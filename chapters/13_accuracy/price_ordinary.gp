@@ -1,4 +1,4 @@
-@drawing 600,480
+@drawing 545,480
 set title "An ordinary body: the order sets how steep a curve is, and the exact solution is one point"
 set xlabel "time for a simulated second (ns)"
 set ylabel "error after 10 s (rad)"

@@ -1,4 +1,4 @@
-@drawing 600,480
+@drawing 545,480
 set title "A thin rod: one step of the splitting is worth dozens of evaluations"
 set xlabel "time for a simulated second (ns)"
 set ylabel "error after 1 s (rad)"
