@@ -30,7 +30,7 @@ plot for [m in "'Odeint rk4' 'Odeint Dormand-Prince 5' 'Odeint Fehlberg 7(8)' 'O
      "" using (run("Runge-Kutta")):3 with linespoints linestyle 2, \
      "" using (run("Dormand-Prince 8")):3 with linespoints linestyle 4, \
      "" using (name_at("kick and drift", 0.05)):3:("kick, drift 1") with labels left offset -1,-1.1 textcolor linetype 5, \
-     "" using (name_at("kicked splitting", 2e-5)):3:("splitting 2") with labels left offset 0.8,0 textcolor linetype 1, \
+     "" using (name_at("kicked splitting", 2e-5)):3:("splitting 2") with labels left offset 1.6,0.1 textcolor linetype 1, \
      "" using (name_at("kicked splitting, Kahan-Li 6", 1e-5)):3:("splitting 6") with labels left offset 0.8,0.4 textcolor linetype 3, \
      "" using (name_at("Runge-Kutta", 1e-12)):3:("RK 4") with labels left offset 1,0 textcolor linetype 2, \
      "" using (name_at("Dormand-Prince 8", 1e-8)):3:("RK 8") with labels right offset -0.8,-0.4 textcolor linetype 4

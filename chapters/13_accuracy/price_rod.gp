@@ -30,7 +30,7 @@ plot for [m in "'Odeint rk4' 'Odeint Dormand-Prince 5' 'Odeint Fehlberg 7(8)' 'O
      "" using (run("Dormand-Prince 8")):3 with linespoints linestyle 4, \
      "" using (run("exact solution")):3 with points linestyle 6 pointtype 3 pointsize 1.2, \
      "" using (name_at("momentum-carrying", 0.2)):3:("carrying 1") with labels right offset -0.5,-1.2 textcolor linetype 5, \
-     "" using (name_at("splitting", 1e-2)):3:("splitting 2") with labels left offset -1,-1.1 textcolor linetype 1, \
+     "" using (name_at("splitting", 1e-2)):3:("splitting 2") with labels left offset -2.2,-1.1 textcolor linetype 1, \
      "" using (name_at("splitting, Blanes-Moan 6", 1)):3:("splitting 6") with labels right offset 2,0.9 textcolor linetype 3, \
      "" using (name_at("Runge-Kutta", 1e-2)):3:("RK 4") with labels left offset 0.8,0.4 textcolor linetype 2, \
      "" using (name_at("Dormand-Prince 8", 1e-8)):3:("RK 8") with labels right offset -0.8,-0.4 textcolor linetype 4, \
