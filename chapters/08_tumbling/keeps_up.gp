@@ -1,4 +1,4 @@
-@drawing 560,420
+@drawing 540,420
 set title "Two rules keep the top up as it is; one keeps it up and turns it too slowly"
 set xlabel "time (s)"
 set ylabel "tilt (degree)"

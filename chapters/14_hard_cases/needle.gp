@@ -1,4 +1,4 @@
-@drawing 560,420
+@drawing 545,420
 set title "A needle's energy: wrong by a hundredfold, by hundredths, or by millionths"
 set xlabel "time (s)"
 set ylabel "relative error of the energy"
