@@ -7,10 +7,13 @@
 #   #555555           what helps to read: frames, arrows, labels
 #   #b9c2c9           the grid
 # A line is named where it ends: title "its name" at end, in its own colour. Where lines end in one place or leave the picture,
-# a label stands beside them: set label 1 "its name" at x, y textcolor linetype 2. Letters have one size, that of the text.
+# a label stands beside them: set label 1 "its name" at x, y textcolor linetype 2. Where the place of a line depends on the
+# machine, the name is plotted with labels, beside a row of the table: see price_rod.gp. Letters have one size, that of the text.
 # The title states the finding. Its size marks it: the book takes it out and sets it as text above the drawing, where it
 # can break into lines. So leave its font alone. Empty paper around the drawing is cut away.
-set terminal svg size 480,400 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
+# A drawing of another size begins with @drawing WIDTH,HEIGHT.
+drawing = 'set terminal svg dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe" size'
+@drawing 480,400
 set output name.".svg"
 set datafile separator "\t"
 set key autotitle columnhead

@@ -1,4 +1,4 @@
-set terminal svg size 640,400 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
+@drawing 640,400
 set output name.".svg"
 unset border
 unset tics

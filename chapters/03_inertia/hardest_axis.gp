@@ -1,4 +1,4 @@
-set terminal svg size 560,290 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
+@drawing 560,290
 set output name.".svg"
 unset border
 unset tics

@@ -1,4 +1,4 @@
-set terminal svg size 600,270 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
+@drawing 600,270
 set output name.".svg"
 set title "A triangle that faces the origin takes its tetrahedron away"
 unset border

@@ -1,4 +1,4 @@
-set terminal svg size 600,330 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
+@drawing 600,330
 set output name.".svg"
 set title "At a pitch of 90 degrees the first and the third axis are one"
 unset border

@@ -1,4 +1,4 @@
-set terminal svg size 640,250 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
+@drawing 640,250
 set output name.".svg"
 set title "Two quarter turns in two orders leave the book in two poses"
 unset border

@@ -1,4 +1,4 @@
-set terminal svg size 560,330 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
+@drawing 560,330
 set output name.".svg"
 set title "One torque: two pairs of numbers, one arrow"
 unset border

@@ -1,4 +1,4 @@
-set terminal svg size 480,470 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
+@drawing 480,470
 set output name.".svg"
 set title "A kick and a drift shear a patch of starts and keep its area"
 set xlabel "position x (m)"

@@ -1,4 +1,4 @@
-set terminal svg size 480,470 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
+@drawing 480,470
 set output name.".svg"
 set title "Explicit Euler spirals out; kick and drift goes round"
 set xlabel "position x (m)"

@@ -1,4 +1,4 @@
-set terminal svg size 600,430 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
+@drawing 600,430
 set output name.".svg"
 set multiplot
 set label 99 "Without torque the angular momentum must not turn" at screen 0.5, 0.97 center font "sans-serif,18"

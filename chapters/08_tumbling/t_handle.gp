@@ -1,11 +1,16 @@
+@drawing 540,420
 set title "With its gyroscopic motion the handle flips; without, it never does"
 set xlabel "time (s)"
 set ylabel "rate (rad/s)"
 set ytics 5
-set yrange [-11:11]
-set key below left Left reverse maxrows 3
-plot "t_handle.tsv" using 1:3 with lines linestyle 1 title "shaft", \
-     "t_handle.tsv" using 1:5 with lines linestyle 7 title "shaft, exact", \
-     "t_handle.tsv" using 1:6 with lines linestyle 2 title "shaft, no term", \
-     "t_handle.tsv" using 1:2 with lines linestyle 3 title "bar", \
-     "t_handle.tsv" using 1:4 with lines linestyle 4 title "third axis"
+set yrange [-11:13]
+unset key
+set label 1 "shaft,\nand exact" at 3.15, -6 center textcolor linetype 1
+set label 2 "shaft, no term" at 6.2, 11.9 center textcolor linetype 2
+set label 3 "bar" at 2.1, 8 left textcolor linetype 3
+set label 4 "third axis" at 6.1, -1.7 center textcolor linetype 4
+plot "t_handle.tsv" using 1:3 with lines linestyle 1, \
+     "t_handle.tsv" using 1:5 with lines linestyle 7, \
+     "t_handle.tsv" using 1:6 with lines linestyle 2, \
+     "t_handle.tsv" using 1:2 with lines linestyle 3, \
+     "t_handle.tsv" using 1:4 with lines linestyle 4

@@ -1,10 +1,17 @@
+@drawing 560,420
 set title "With symmetric methods the energy wavers and stays; with the others it drifts"
 set xlabel "time (s)"
 set ylabel "relative error of the energy"
 set logscale y
 set format y "10^{%T}"
 set termoption enhanced
+set xrange [0:600]
 set yrange [1e-17:10]
 set ytics 1e-16, 1e4
-set key below left Left reverse samplen 1.5 maxrows 3
-plot for [i=2:6] "energy.tsv" using 1:(column(i) > 1e-16 ? column(i) : 1e-16) with lines linestyle i-1 title columnhead(i)
+set rmargin 17
+unset key
+above_rounding(i) = column(i) > 1e-16 ? column(i) : 1e-16
+# Three lines end so near to one another that their names would touch: the upper one is raised, the lower one lowered.
+rise(i) = i == 5 ? 3 : i == 3 ? 0.2 : 1
+plot for [i=2:6] "energy.tsv" using 1:(above_rounding(i)) with lines linestyle i-1, \
+     for [i=2:6] "" using ($1 == 600 ? 600 : NaN):(column(i) * rise(i)):(columnhead(i)) with labels left offset 0.5,0 textcolor linetype i-1

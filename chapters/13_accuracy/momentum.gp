@@ -1,10 +1,16 @@
+@drawing 560,400
 set title "Rules that carry L along keep it to rounding"
 set xlabel "time (s)"
 set ylabel "relative error of L in the world"
 set logscale y
 set format y "10^{%T}"
 set termoption enhanced
+set xrange [0:600]
 set yrange [1e-17:10]
 set ytics 1e-16, 1e4
-set key below left Left reverse samplen 1.5 maxrows 3
-plot for [i=2:6] "momentum.tsv" using 1:(column(i) > 1e-16 ? column(i) : 1e-16) with lines linestyle i-1 title columnhead(i)
+set rmargin 17
+unset key
+above_rounding(i) = column(i) > 1e-16 ? column(i) : 1e-16
+plot for [i=2:6] "momentum.tsv" using 1:(above_rounding(i)) with lines linestyle i-1, \
+     "" using ($1 == 600 ? 600 : NaN):3:(columnhead(3)) with labels left offset 0.5,0 textcolor linetype 2, \
+     "" using ($1 == 600 ? 600 : NaN):2:("the other four") with labels left offset 0.5,0 textcolor linetype 7

@@ -1,10 +1,14 @@
+@drawing 565,400
 set title "With steps that follow the pace symmetrically, the energy is bounded"
 set xlabel "steps"
-set ylabel "largest relative error of the energy so far"
+set ylabel "largest error of the energy so far"
 set logscale y
 set format y "10^{%T}"
 set termoption enhanced
-set yrange [1e-4:1]
-set xtics 25000
-set key below left Left reverse samplen 1.5 maxrows 1
-plot for [i=2:3] "own_steps_pace.tsv" using 1:(column(i)) with lines linestyle i-1 title columnhead(i)
+set xrange [0:100000]
+set yrange [1e-4:0.1]
+set xtics 50000
+set rmargin 21
+unset key
+plot for [i=2:3] "own_steps_pace.tsv" using 1:(column(i)) with lines linestyle i-1, \
+     for [i=2:3] "" using ($1 == 100000 ? 100000 : NaN):(column(i)):(columnhead(i)) with labels left offset 0.5,0 textcolor linetype i-1

@@ -1,4 +1,4 @@
-set terminal svg size 480,520 dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe"
+@drawing 545,480
 set title "A thin rod: one step of the splitting is worth dozens of evaluations"
 set xlabel "time for a simulated second (ns)"
 set ylabel "error after 1 s (rad)"
@@ -9,20 +9,30 @@ set termoption enhanced
 set xrange [50:1e6]
 set yrange [1e-15:10]
 set ytics 1e-15, 1e5
-set key below left Left reverse samplen 1.5 maxrows 4
+unset key
 is(method, precision) = strcol(1) eq method && strcol(2) eq precision
+run(method) = is(method, "double") ? column(4) : NaN
+# A name stands beside the first run whose error is below a level.
+named = ""
+name_at(method, level) = is(method, "double") && column(3) < level && named ne method ? (named = method, column(4)) : NaN
 grey = "#555555"
+set label 1 "engines" at graph 0.98, 1.04 right textcolor rgb grey
 plot for [m in "'Odeint rk4' 'Odeint Dormand-Prince 5' 'Odeint Fehlberg 7(8)' 'Odeint Bulirsch-Stoer'"] \
-       "runs_rod.tsv" using (is(m, "double") ? $4 : NaN):3 with lines linecolor rgb grey linewidth 1 dashtype 1 notitle, \
+       "runs_rod.tsv" using (run(m)):3 with lines linecolor rgb grey linewidth 1 dashtype 1, \
      for [m in "'Simbody Verlet, controlled' 'Simbody Merson, controlled' 'Simbody CPodes'"] \
-       "" using (is(m, "double") ? $4 : NaN):3 with lines linecolor rgb grey linewidth 1 dashtype 2 notitle, \
-     "" using (is("Bullet functions", "double") ? $4 : NaN):3 with lines linecolor rgb grey linewidth 1 dashtype 3 notitle, \
-     "" using (is("ODE QuickStep, finite rotation", "double") ? $4 : NaN):3 with lines linecolor rgb grey linewidth 1 dashtype 4 notitle, \
-     "" using (is("momentum-carrying", "double") ? $4 : NaN):3 with linespoints linestyle 5 title "carrying 1", \
-     "" using (is("splitting", "double") ? $4 : NaN):3 with linespoints linestyle 1 title "splitting 2", \
-     "" using (is("splitting, Blanes-Moan 6", "double") ? $4 : NaN):3 with linespoints linestyle 3 title "splitting 6", \
-     "" using (is("Runge-Kutta", "double") ? $4 : NaN):3 with linespoints linestyle 2 title "RK 4", \
-     "" using (is("Dormand-Prince 8", "double") ? $4 : NaN):3 with linespoints linestyle 4 title "RK 8", \
-     "" using (is("exact solution", "double") ? $4 : NaN):3 with points linestyle 6 pointtype 3 pointsize 1.2 title "exact", \
-     NaN with lines linecolor rgb grey linewidth 1 dashtype 1 title "Odeint", \
-     NaN with lines linecolor rgb grey linewidth 1 dashtype 2 title "engines"
+       "" using (run(m)):3 with lines linecolor rgb grey linewidth 1 dashtype 2, \
+     "" using (run("Bullet functions")):3 with lines linecolor rgb grey linewidth 1 dashtype 3, \
+     "" using (run("ODE QuickStep, finite rotation")):3 with lines linecolor rgb grey linewidth 1 dashtype 4, \
+     "" using (run("momentum-carrying")):3 with linespoints linestyle 5, \
+     "" using (run("splitting")):3 with linespoints linestyle 1, \
+     "" using (run("splitting, Blanes-Moan 6")):3 with linespoints linestyle 3, \
+     "" using (run("Runge-Kutta")):3 with linespoints linestyle 2, \
+     "" using (run("Dormand-Prince 8")):3 with linespoints linestyle 4, \
+     "" using (run("exact solution")):3 with points linestyle 6 pointtype 3 pointsize 1.2, \
+     "" using (name_at("momentum-carrying", 0.2)):3:("carrying 1") with labels right offset -0.5,-1.2 textcolor linetype 5, \
+     "" using (name_at("splitting", 1e-2)):3:("splitting 2") with labels left offset -2.2,-1.1 textcolor linetype 1, \
+     "" using (name_at("splitting, Blanes-Moan 6", 1)):3:("splitting 6") with labels right offset 2,0.9 textcolor linetype 3, \
+     "" using (name_at("Runge-Kutta", 1e-2)):3:("RK 4") with labels left offset 0.8,0.4 textcolor linetype 2, \
+     "" using (name_at("Dormand-Prince 8", 1e-8)):3:("RK 8") with labels right offset -0.8,-0.4 textcolor linetype 4, \
+     "" using (run("exact solution")):3:("exact") with labels left offset 1.2,0 textcolor linetype 6, \
+     "" using (name_at("Odeint Fehlberg 7(8)", 1e-11)):3:("Odeint") with labels right offset -1.6,-0.4 textcolor rgb grey
