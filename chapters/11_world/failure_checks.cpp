@@ -6,6 +6,7 @@
 #include <tumble/solids.hpp>
 #include <tumble/spheres.hpp>
 #include <tumble/springs.hpp>
+#include <tumble/thruster.hpp>
 #include <tumble/world.hpp>
 
 using namespace tumble;
@@ -298,3 +299,63 @@ TEST_CASE_TEMPLATE("The reference run stops where the run by plan does, and says
   CHECK(complaint(true).find("'a' at 0 s (step 0): broken joint gives ") == 0);
   CHECK(complaint(false) == complaint(true));
 }
+
+namespace {
+
+/// Refuses to say how fast a body is.
+template <class Real, Phase when>
+struct Refusal {
+  static constexpr Phase phase = when;
+  static constexpr std::string_view name = "refusal";
+  Vec3<Real> velocity(const Particle<Real>&, const Moment<Real>&) const {
+    throw std::domain_error("off the map");
+  }
+};
+
+template <class Real>
+bool same_motion(const World<Real>& one, const World<Real>& other) {
+  const Snapshot<Real> a = one.save(), b = other.save();
+  bool same = a.ticks == b.ticks && a.positions == b.positions && a.velocities == b.velocities &&
+              a.angular_momenta == b.angular_momenta;
+  for (std::size_t top = 0; top < a.orientations.size(); ++top)
+    same = same && a.orientations[top].real == b.orientations[top].real &&
+           a.orientations[top].imaginary == b.orientations[top].imaginary;
+  return same;
+}
+
+}  // namespace
+
+//! [thrown]
+TEST_CASE_TEMPLATE("What an effect throws in the middle of a step comes through, and nothing moves",
+                   Real, EVERY_PRECISION) {
+  for (const Scheme scheme : {Scheme::semi_implicit_euler, Scheme::verlet, Scheme::suzuki}) {
+    World<Real> world(steps_per_second(16));
+    world.step_by(scheme);
+    world.add("point", make_particle<Real>(1, {0, 0, 0}, {1, 0, 0}));
+    RigidBody<Real> ball = box_body<Real>({3, 0, 0});
+    ball.top.inverse_moments = {1, 1, 1};
+    ball.top.angular_momentum_body = {0, 1, 0};
+    world.add("ball", ball);
+    const BodyHandle box = world.add("box", box_body<Real>({6, 0, 0}));
+    world.add(Gravity<Real>{.gravity = {0, 0, -8}});
+    world.add(Thruster<Real>{.force_body = {4, 0, 0}, .point = {0, 1, 1}}, {box});
+    world.add(LinearDamping<Real>{.rate = 1});
+    world.step();
+    const auto refused = [&]<Phase when>(const Refusal<Real, when>& refusal) {
+      World<Real> twin = world;
+      const EffectHandle effect = world.add(refusal, {box});
+      CHECK_THROWS_WITH_AS(world.step(), "off the map", std::domain_error);
+      CHECK(same_motion(world, twin));
+      world.remove(effect);
+      world.step();  // with no force or torque from before in it
+      twin.step();
+      CHECK(same_motion(world, twin));
+    };
+    refused(Refusal<Real, Phase::force>{});
+    refused(Refusal<Real, Phase::kick>{});
+    refused(Refusal<Real, Phase::impulse>{});
+    refused(Refusal<Real, Phase::damping>{});
+    refused(Refusal<Real, Phase::drift>{});
+  }
+}
+//! [thrown]

@@ -327,3 +327,22 @@ TEST_CASE_TEMPLATE("A chain holds together while bodies before it are removed", 
   CHECK(world.body(a).centre.velocity.x() == Real(0.25));
   CHECK(world.body(b).centre.velocity.x() == Real(-0.25));
 }
+
+TEST_CASE("A slot whose generations are used up is not used again") {
+  Slots slots(std::numeric_limits<std::uint32_t>::max() - 1);
+  const BodyHandle last_but_one = slots.take(0);
+  slots.release(last_but_one);
+  const BodyHandle last = slots.take(0);
+  CHECK(last.slot == last_but_one.slot);
+  CHECK(last.generation == std::numeric_limits<std::uint32_t>::max());
+  slots.release(last);
+  const BodyHandle other = slots.take(0);
+  CHECK(other.slot != last.slot);
+  CHECK(other.generation != 0);
+  CHECK(slots.index_of(other) == 0);
+  for (const BodyHandle gone : {last_but_one, last}) {
+    CHECK(!slots.contains(gone));
+    CHECK_THROWS_WITH_AS(slots.index_of(gone), doctest::Contains("stale handle"),
+                         std::out_of_range);
+  }
+}

@@ -118,3 +118,75 @@ TEST_CASE_TEMPLATE("The books of a world in packs are those of one body after an
   CHECK(same_motion(plain.bodies(), packed.bodies()));
   CHECK(table_of(books, plain) == table_of(packed_books, packed));
 }
+
+namespace {
+
+/// Effects of the user's own that refuse, each at what it sees.
+template <class Real, Phase when>
+struct RefusalOfCentre {
+  static constexpr std::string_view name = "refusal";
+  static constexpr Phase phase = when;
+  Vec3<Real> velocity(const Particle<Real>&, const Moment<Real>&) const {
+    throw std::domain_error("off the map");
+  }
+};
+template <class Real, Phase when>
+struct RefusalOfTop {
+  static constexpr std::string_view name = "refusal";
+  static constexpr Phase phase = when;
+  Vec3<Real> angular_momentum_body(const Top<Real>&, const Moment<Real>&) const {
+    throw std::domain_error("off the map");
+  }
+};
+template <class Real, Phase when>
+struct RefusalOfBody {
+  static constexpr std::string_view name = "refusal";
+  static constexpr Phase phase = when;
+  Vec3<Real> velocity(const BodyState<Real>&, const Moment<Real>&) const {
+    throw std::domain_error("off the map");
+  }
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("What an effect throws comes through packs and threads, and nothing moves", Real,
+                   EVERY_PRECISION) {
+  ManyBodies<Real> world(steps_per_second(64));
+  const MassProperties<Real> ball = mass_properties(Sphere<Real>{1}, 6),
+                             brick = mass_properties(Box<Real>{{1, 2, 3}}, 6);
+  // Blocks of points, balls and bricks for two threads.
+  constexpr int count = 4 * static_cast<int>(InPacks<Real>::smallest_share);
+  for (int n = 0; n < count; ++n) {
+    const std::string name = "body " + std::to_string(n);
+    if (n % 3 == 0)
+      world.add(name, make_particle<Real>(1, {Real(n), 0, 0}, {0, 1, 0}));
+    else
+      world.add(name, make_rigid_body<Real>(name, n % 3 == 1 ? brick : ball, {{Real(n), 0, 0}},
+                                            {0, 0, 1}, {1, 1, Real(n % 7)})
+                          .body);
+  }
+  world.add(Gravity<Real>{.gravity = {0, 0, -8}});
+  const BodyHandle middle = world.find("body " + std::to_string(count / 2));
+  const auto refused = [&](const auto& refusal) {
+    world.step();  // what is remembered of it is no longer where the bodies are
+    World twin = world;
+    const EffectHandle effect = world.add(refusal, {middle});
+    CHECK_THROWS_WITH_AS(world.step(), "off the map", std::domain_error);
+    CHECK(world.ticks() == twin.ticks());
+    CHECK(same_motion(world.bodies(), twin.bodies()));
+    world.remove(effect);
+    world.step();
+    twin.step();
+    CHECK(same_motion(world.bodies(), twin.bodies()));
+  };
+  for (const int threads : {1, 2}) {
+    CAPTURE(threads);
+    world.keeping().use_threads(threads);
+    refused(RefusalOfCentre<Real, Phase::kick>{});
+    refused(RefusalOfCentre<Real, Phase::drift>{});
+    refused(RefusalOfTop<Real, Phase::kick>{});
+    refused(RefusalOfTop<Real, Phase::drift>{});
+    refused(RefusalOfBody<Real, Phase::kick>{});
+    refused(RefusalOfBody<Real, Phase::drift>{});
+  }
+}

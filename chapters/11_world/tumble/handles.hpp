@@ -32,11 +32,14 @@ struct EffectHandle {
 //! [slots]
 class Slots {
  public:
+  /// The generation of the first body in each slot is `first`, at least 1.
+  explicit Slots(std::uint32_t first = 1) : first_(first) {}
+
   /// A handle for the body that is appended at `index`.
   BodyHandle take(BodyIndex index) {
     if (free_.empty()) {
       free_.push_back(static_cast<std::uint32_t>(slots_.size()));
-      slots_.push_back({});
+      slots_.push_back({no_index, first_});
     }
     const std::uint32_t slot = free_.back();
     free_.pop_back();
@@ -45,15 +48,15 @@ class Slots {
     return {slot, slots_[slot].generation, family_};
   }
 
-  /// Forgets a body; the last one moves to its place, as in take_out().
+  /// Forgets a body; the last one moves to its place, as in take_out(). A slot whose generations
+  /// are used up is not used again, or an old handle would name a new body.
   void release(BodyHandle body) {
     Slot& slot = slots_[body.slot];
     slot_of_[slot.index] = slot_of_.back();
     slots_[slot_of_.back()].index = slot.index;
     slot_of_.pop_back();
     slot.index = no_index;
-    ++slot.generation;
-    free_.push_back(body.slot);
+    if (++slot.generation != 0) free_.push_back(body.slot);
   }
 
   bool contains(BodyHandle body) const {
@@ -83,14 +86,15 @@ class Slots {
 
  private:
   struct Slot {
-    BodyIndex index = no_index;
-    std::uint32_t generation = 1;
+    BodyIndex index;
+    std::uint32_t generation;
   };
   static std::uint64_t next_family() {
     static std::atomic<std::uint64_t> families = 0;
     return ++families;
   }
   std::uint64_t family_ = next_family();
+  std::uint32_t first_;
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> slot_of_;  // for each array element
   std::vector<std::uint32_t> free_;

@@ -23,23 +23,29 @@ class OneByOne {
     return {.centre = state.centre, .top = state.top};
   }
 
-  /// One step. @return the body that it led nowhere, if it did: all are then as they were before
+  /// One step. @return the body that it led nowhere, if it did: all are then as they were before,
+  /// and so they are where an effect throws
   //! [step]
   std::optional<BodyIndex> step(const Work<Real>& work, const Moment<Real>& moment) {
     before_.remember(bodies_, work);
-    for (const Portion<Real>& portion : work.portions)  // of Euler's step: kick, fade, drift
-      switch (portion.stroke) {
-        case Stroke::kick:
-          kick_all(work, moment_of(portion, moment));
-          break;
-        case Stroke::fade:
-          run(work, Phase::impulse, bodies_, moment);
-          run(work, Phase::damping, bodies_, moment);
-          break;
-        case Stroke::drift:
-          drift_all(work, moment_of(portion, moment).time_step);
-      }
-    run(work, Phase::drift, bodies_, moment);
+    try {
+      for (const Portion<Real>& portion : work.portions)  // of Euler's step: kick, fade, drift
+        switch (portion.stroke) {
+          case Stroke::kick:
+            kick_all(work, moment_of(portion, moment));
+            break;
+          case Stroke::fade:
+            run(work, Phase::impulse, bodies_, moment);
+            run(work, Phase::damping, bodies_, moment);
+            break;
+          case Stroke::drift:
+            drift_all(work, moment_of(portion, moment).time_step);
+        }
+      run(work, Phase::drift, bodies_, moment);
+    } catch (...) {  // an effect has thrown
+      before_.restore(bodies_, work);
+      throw;
+    }
     const std::optional<BodyIndex> lost = first_lost(bodies_, work);
     if (lost) before_.restore(bodies_, work);
     return lost;

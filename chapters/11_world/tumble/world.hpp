@@ -92,8 +92,8 @@ class World : public Scenery<Real, Keeping> {
 
   // --- The step ---------------------------------------------------------------------------------
 
-  /// One step. @throws SimulationError if a number would become infinite or NaN; the world is then
-  /// as it was before the step.
+  /// One step. @throws SimulationError if a number would become infinite or NaN, and whatever an
+  /// effect throws; the world is then as it was before the step.
   //! [step]
   void step() {
     if (news_.is_pending()) tell_changes();

@@ -34,18 +34,26 @@ class InPacks {
   std::optional<BodyIndex> step(const Work<Real>& work, const Moment<Real>& moment) {
     prepare(work);
     std::atomic<bool> lost = false;
-    for (const Stage<Real, width>& stage : schedule_.stages) {
-      for (const Pass& pass : stage.on_both) acts_.act_on_both(work, pass, moment);
-      const auto run_share = [&](int member, int members) {
-        const bool centres =
-            run_row(work, stage.on_centres, acts_.bodies.centres, moment, member, members);
-        const bool tops = run_row(work, stage.on_tops, acts_.bodies.tops, moment, member, members);
-        if (centres || tops) lost = true;
-      };
-      if (is_small(stage))
-        run_share(0, 1);
-      else
-        team_.run([&](int member) { run_share(member, team_.size()); });
+    try {
+      for (const Stage<Real, width>& stage : schedule_.stages) {
+        for (const Pass& pass : stage.on_both) acts_.act_on_both(work, pass, moment);
+        const auto run_share = [&](int member, int members) {
+          std::exception_ptr thrown;
+          const bool centres = run_row(work, stage.on_centres, acts_.bodies.centres, moment, member,
+                                       members, thrown);
+          const bool tops =
+              run_row(work, stage.on_tops, acts_.bodies.tops, moment, member, members, thrown);
+          if (thrown) std::rethrow_exception(thrown);
+          if (centres || tops) lost = true;
+        };
+        if (is_small(stage))
+          run_share(0, 1);
+        else
+          team_.run([&](int member) { run_share(member, team_.size()); });
+      }
+    } catch (...) {  // an effect has thrown
+      (void)acts_.taken_back(work);
+      throw;
     }
     return lost ? acts_.taken_back(work) : std::nullopt;
   }
@@ -119,21 +127,29 @@ class InPacks {
            smallest_share * static_cast<std::size_t>(team_.size());
   }
 
-  /// One thread's share of the blocks of a row. @return whether a body was led nowhere
+  /// One thread's share of the blocks of a row. Once an effect has `thrown`, the blocks to come are
+  /// remembered and not stepped, so that all can be put back. @return whether a body was led
+  /// nowhere
   //! [run_row]
   template <class Array>
   bool run_row(const Work<Real>& work, const Row<Real, width>& row, Array& array,
-               const Moment<Real>& moment, int member, int members) {
+               const Moment<Real>& moment, int member, int members, std::exception_ptr& thrown) {
     const auto share = [&](int m) {
       return row.blocks.size() * static_cast<std::size_t>(m) / static_cast<std::size_t>(members);
     };
     bool lost = false;
     for (std::size_t n = share(member); n < share(member + 1); ++n)
-      for (const Pass& pass : row.passes)
-        lost |= acts_.act(work, pass, array, row.blocks[n], row.blocks[n] + packs_in_block, moment);
+      for (const Pass& pass : row.passes) {
+        if (thrown && pass.act != Act::remember) continue;
+        const std::uint32_t begin = row.blocks[n];
+        try {
+          lost |= acts_.act(work, pass, array, begin, begin + packs_in_block, moment);
+        } catch (...) {
+          thrown = std::current_exception();
+        }
+      }
     return lost;
   }
-
   //! [run_row]
 
   template <class Visit>
