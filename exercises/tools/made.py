@@ -46,10 +46,12 @@ def make(target, command, inputs=(), dependencies=None, limit=120):
 def _make(target, command, inputs, dependencies, limit):
     record = Path(f"{target}.made")
     known = _read(record)
-    if known and known["command"] == command and target.exists() and _stamps(known["stamps"]) == known["stamps"]:
+    inputs = list(map(str, inputs))
+    if (known and known["command"] == command and known["stamps"].keys() >= set(inputs) and target.exists()
+            and _stamps(known["stamps"]) == known["stamps"]):
         return Made(known["output"], 0.0)
     record.unlink(missing_ok=True)
-    began = time.monotonic()
+    began, clock = time.monotonic(), time.time_ns()
     # Made beside it and given its name when it is whole: who has the old one open, such as a compiler a precompiled header, goes on.
     beside = f"{target}.new"
     words = [beside if word == str(target) else word for word in command]
@@ -62,9 +64,11 @@ def _make(target, command, inputs, dependencies, limit):
         raise CommandFailed(command, output)
     if beside in words:
         os.replace(beside, target)
-    read = list(map(str, inputs)) + (dependencies_in(dependencies) if dependencies else [])
+    read = inputs + (dependencies_in(dependencies) if dependencies else [])
     stamps = _stamps(dict.fromkeys(read))
-    record.write_text(json.dumps({"command": command, "output": output, "stamps": stamps}), encoding="utf-8")
+    # What was saved while the command ran may have been read before or after that, so it's made again the next time.
+    if not any(stamp and clock <= stamp[0] <= time.time_ns() for stamp in stamps.values()):
+        record.write_text(json.dumps({"command": command, "output": output, "stamps": stamps}), encoding="utf-8")
     return Made(output, time.monotonic() - began)
 
 

@@ -50,7 +50,7 @@ def _build_answers(toolchain, exercise, real, header_folder, folder):
         source.write_text(text, encoding="utf-8")
     compiled, worker = folder / f"answers_{real}.o", folder / f"worker_{real}"
     command, dependencies = toolchain.compile(source, compiled, exercise.chapter, first_folders=[header_folder])
-    made = make(compiled, command, dependencies=dependencies)
+    made = make(compiled, command, inputs=[toolchain.precompiled_header], dependencies=dependencies)
     parts = [compiled, shared(toolchain, "serve.o")]
     make(worker, toolchain.link(parts, worker), inputs=parts)
     return made
@@ -62,7 +62,7 @@ def build_show(toolchain, exercise, header_folder, folder):
     folders = toolchain.player_folders
     command, dependencies = toolchain.compile(exercise.folder / "show.cpp", compiled, list(toolchain.floors)[-1],
                                               first_folders=[header_folder], last_folders=folders)
-    made = make(compiled, command, dependencies=dependencies)
+    made = make(compiled, command, inputs=[toolchain.precompiled_header], dependencies=dependencies)
     show = folder / "show"
     make(show, toolchain.link([compiled], show), inputs=[compiled])
     return show, made.output
@@ -116,4 +116,4 @@ def shared(toolchain, name):
 
 def _compile(toolchain, source, target, floor):
     command, dependencies = toolchain.compile(source, target, floor)
-    make(target, command, dependencies=dependencies)
+    make(target, command, inputs=[toolchain.precompiled_header], dependencies=dependencies)

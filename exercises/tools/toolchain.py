@@ -33,6 +33,11 @@ class Toolchain:
         """The folder of the precompiled header; by its real name, for a compiler asked by another would make it again."""
         return (self.build / "precompiled").resolve()
 
+    @property
+    def precompiled_header(self):
+        """Each file that is compiled with it depends on it; a compiler that ccache calls doesn't name it."""
+        return self.precompiled / "exercise.hpp.gch"
+
     def compile(self, source, target, floor, first_folders=(), last_folders=(), precompiled=True):
         """The command that compiles one file, and the file in which it names what it has read."""
         dependencies = f"{target}.d"
@@ -47,7 +52,7 @@ class Toolchain:
     def precompile(self):
         """The command for the precompiled header, its target, and the file that names what it read."""
         header = self.precompiled / "exercise.hpp"
-        target = f"{header}.gch"
+        target = self.precompiled_header
         command, dependencies = self.compile(header, target, "common", precompiled=False)
         command[command.index("-c"):command.index("-c") + 1] = ["-x", "c++-header"]
         return header, command, target, dependencies

@@ -78,7 +78,7 @@ def earned_by_little(toolchain, exercise, parameters, limits=Limits()):
     source, compiled, program = folder / "search.cpp", folder / "search.o", folder / "search"
     _write(source, _source(exercise, places))
     command, dependencies = toolchain.compile(source, compiled, exercise.chapter, first_folders=[folder])
-    make(compiled, [*command, "-w"], dependencies=dependencies)
+    make(compiled, [*command, "-w"], inputs=[toolchain.precompiled_header], dependencies=dependencies)
     parts = [compiled, judge_of(toolchain, exercise).with_name("checks.o"),
              *(compile_shared(toolchain, name) for name in ("trivial", "serve"))]
     make(program, toolchain.link(parts, program), inputs=parts)

@@ -8,6 +8,7 @@ from pathlib import Path
 from unittest import mock
 
 from made import CommandFailed, held, make
+from programs import build_show, build_worker, compile_shared
 
 
 def make_slowly(folder):
@@ -32,6 +33,20 @@ class Made(unittest.TestCase):
             seconds = pool.map(make_slowly, [self.folder] * 4, chunksize=1)
         self.assertEqual(self.runs(), 1)
         self.assertEqual(sum(each > 0 for each in seconds), 1)
+
+    def test_what_is_saved_while_the_command_runs_is_made_again(self):
+        source, target = self.folder / "source", self.folder / "target"
+        saving = f"cp '{source}' '{target}'; sleep 0.1; echo 2 > '{source}'"
+        make(target, ["sh", "-c", saving], inputs=[source])
+        self.assertEqual(target.read_text(encoding="utf-8"), "1")
+        make(target, ["sh", "-c", saving], inputs=[source])
+        self.assertEqual(target.read_text(encoding="utf-8"), "2\n")
+
+    def test_what_was_made_of_less_is_made_again(self):
+        source, target = self.folder / "source", self.folder / "target"
+        self.assertGreater(make(target, ["cp", source, target]).seconds, 0)
+        self.assertGreater(make(target, ["cp", source, target], inputs=[source]).seconds, 0)
+        self.assertEqual(make(target, ["cp", source, target], inputs=[source]).seconds, 0)
 
     def test_who_has_the_old_one_open_goes_on(self):
         source, target = self.folder / "source", self.folder / "target"
@@ -77,3 +92,17 @@ class Made(unittest.TestCase):
                 make(target, ["sh", "-c", "echo no; exit 3"])
             self.assertEqual(failed.exception.output, "no\n")
         self.assertEqual(make(target, ["sh", "-c", f"touch '{target}'"]).output, "")
+
+    def test_whatever_is_compiled_is_made_again_with_a_new_precompiled_header(self):
+        toolchain, exercise = mock.MagicMock(build=self.folder, floors={"01_force": []}), mock.MagicMock(chapter="01_force", functions=[])
+        toolchain.compile.return_value = ["compiler"], "dependencies"
+        exercise.name = "moon"
+        for build in (lambda: build_worker(toolchain, exercise, self.folder, self.folder),
+                      lambda: build_show(toolchain, exercise, self.folder, self.folder),
+                      lambda: compile_shared(toolchain, "judge")):
+            with mock.patch("programs.make") as made:
+                build()
+            compiled = [call for call in made.call_args_list if call.args[1] == ["compiler"]]
+            self.assertTrue(compiled)
+            for call in compiled:
+                self.assertIn(toolchain.precompiled_header, call.kwargs["inputs"])
