@@ -32,6 +32,7 @@ function in_the_old_way(html, file) {
     .replace(/<h2 id="header-[\w-]*" class="groupheader">/g, '<h2 class="groupheader">')
     .replace(/<a name="doc-[\w-]*" id="doc-[\w-]*"><\/a>(?=<h2 class="groupheader">)/g, '')
     .replace(/<td class="paramname"><span class="paramname">(<em>\w*<\/em>)<\/span>/g, '<td class="paramname">$1')
+    .replace(/<span class="tt">((?:(?!<\/?span\b).)*)<\/span>/gs, '<code>$1</code>')
     .replace(/ href="#(a[0-9a-f]{32,})"/g, ` href="${file}#$1"`) // a member on the same page
     .replace(/<a href="doxygen_crawl\.html"\s*\/?>(?:<\/a>)?/g, '');
 }
