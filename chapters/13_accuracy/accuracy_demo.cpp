@@ -157,8 +157,8 @@ void compare_with_odeint(Notebook& notebook, const std::vector<Measurement>& all
       if (problem == "heavy top, fast" || problem[0] == 'C' || problem[0] == 'D')
         worst_fast = std::min(worst_fast, ratio);
       if (ratio < 1)
-        lost += (lost.empty() ? "in " : "; ") + problem + " for " + power_of_ten(wanted) + ", by " +
-                odeint->method + ", " + number("%.2f", ratio) + " times as long as ours";
+        lost += (lost.empty() ? "here: " : "; ") + problem + " for " + power_of_ten(wanted) + ", " +
+                odeint->method + ", " + number("%.2f", ratio) + " of ours";
     }
   notebook.value("pairs", std::to_string(pairs));
   notebook.value("won", std::to_string(won));

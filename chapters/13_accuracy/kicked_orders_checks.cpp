@@ -60,8 +60,8 @@ TEST_CASE("On a driven top two ladders meet, and each rung has its order") {
 }
 
 TEST_CASE(
-    "On the slow heavy top and the driven one Fehlberg's rule errs less than Dormand and "
-    "Prince's") {
+    "With 64 steps and 128 Fehlberg's rule errs less than Dormand and Prince's on the slow heavy "
+    "top and the driven one") {
   const auto compare = [](const auto& problem, const Top<Wide>& truth) {
     using Gather = std::decay_t<decltype(problem.gather)>;
     const auto error_of = [&]<class Rule>(Rule, int steps) {
