@@ -1,8 +1,8 @@
 """Compiles a chapter's checks once with all mutants in them, and runs each.
 
 Everything is kept in BUILD/mutants/CHAPTER, so that what has not changed is not compiled again: the switched headers, the
-objects, the program `checks`, and what its runs said: ran.tsv, and slow.tsv of the mutations of a list that needed the slow
-checks too. TUMBLE_MUTANT=17 checks runs one mutant as doctest would."""
+objects, the program `checks`, and what its runs said: ran.tsv, and slow.tsv of the mutants that needed the slow checks too.
+TUMBLE_MUTANT=17 checks runs one mutant as doctest would."""
 import hashlib
 import json
 import subprocess
@@ -50,8 +50,8 @@ def plain_words(words):
 
 
 class Engine:
-    def __init__(self, build, jobs, patient, say):
-        self.build, self.jobs, self.say = build, jobs, say
+    def __init__(self, build, jobs, patient, thorough, say):
+        self.build, self.jobs, self.thorough, self.say = build, jobs, thorough, say
         self.longest = float("inf") if patient else longest
         self.precision = [] if patient else ["-DTUMBLE_ONE_PRECISION=double"]
         self.folder = build.folder / "mutants"
@@ -114,8 +114,10 @@ class Engine:
             refused |= found
             (folder / "refused.json").write_text(json.dumps(sorted(refused)))
         ends = self.run_mutants(chapter, folder, active, self.longest)
-        # What somebody thought out is not given up for the sake of time: the slow checks are for such as these.
-        left = [mutant for mutant in active if mutant.listed and ends.get(mutant.number, ("",))[0] == "survived"]
+        # What somebody thought out is not given up for the sake of time, nor a survivor of a run that will be quoted, which
+        # must not depend on which checks were slow that day.
+        left = [mutant for mutant in active
+                if (mutant.listed or self.thorough) and ends.get(mutant.number, ("",))[0] == "survived"]
         return {**ends, **self.run_mutants(chapter, folder, left, float("inf"), "slow")} if left else ends
 
     def site(self, mutant):

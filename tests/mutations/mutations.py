@@ -3,7 +3,8 @@
 
     mutations.py BUILD_FOLDER                 all that the generator makes of the library's headers, and all lists beside
                                               this file
-    mutations.py BUILD_FOLDER --write         the same, and writes what came of it into caught.tsv, which the book shows
+    mutations.py BUILD_FOLDER --write         the same, shows survivors the slow checks too, and writes what came of it into
+                                              caught.tsv, which the book shows
     mutations.py BUILD_FOLDER --chapters 03_inertia,04_quaternions    those of these chapters alone; common and exact stand
                                               for the headers in common/tumble and common/exact
     mutations.py BUILD_FOLDER --generated 01_force    all lists, and the generated mutants of these chapters
@@ -169,8 +170,8 @@ def is_for_the_compiler(mutant):
     return mutant.result in ("unreached", "none") and (mutant.may_be_constant or mutant.listed is not None)
 
 
-def try_all(by_lists, made, late, build, patient, sample):
-    engine = Engine(build, jobs, patient, say)
+def try_all(by_lists, made, late, build, patient, thorough, sample):
+    engine = Engine(build, jobs, patient, thorough, say)
     chapters = [name for name in [*build.chapters(), "exact"] if name in build.commands]
     # Those of common have no checks of their own: they are tried at home, and on what is tried besides.
     tried = {mutant.chapter for mutant in [*by_lists, *made]} | {home_of(m, build) for m in made if m.chapter == "common"}
@@ -297,7 +298,7 @@ def main():
         elif wanted == every or "common" in options.chapters.split(","):
             wanted.insert(0, "common")
         made, late = ([], {}) if options.lists else generated(wanted, build, equal)
-        unseen = try_all(by_lists, made, late, build, options.patient, options.sample)
+        unseen = try_all(by_lists, made, late, build, options.patient, options.write, options.sample)
     except (ListError, EngineError, OSError) as error:
         sys.exit(f"mutations: {error}")
     wrong = unseen + tell_of_lists(by_lists)
