@@ -151,6 +151,44 @@ std::array<long, 2> steps_of_scaled(double scale) {
   return {carry_freely<DormandPrince54>(top, 1, 1e-6).steps, wrong.steps};
 }
 
+/// Steps of a pair with a tolerance in rad a step, where it should be rad a second.
+//! [per_step]
+template <class Steps>
+struct PerStep {
+  static constexpr int power = Steps::power + 1;  // the error of a step falls by one order more
+  double attempt(double h) { return steps.attempt(h) * h * h; }  // (error/(τ h))² h²
+  void accept() { steps.accept(); }
+  Steps steps;
+};
+//! [per_step]
+
+/// What a free top errs by in a second, rad, if it spins as in problem A and `faster` times as
+/// fast, and a millionth is allowed in each step or in each second.
+template <bool per_step>
+std::array<double, 2> errors_of_spins(double faster) {
+  const auto problem = free_problems<double>()[0];
+  using Motion = FreeTurn<double>;
+  using Steps = ReducedSteps<DormandPrince54, Motion, double>;
+  std::array<double, 2> errors{};
+  for (std::size_t n = 0; n < 2; ++n) {
+    Topd top = problem.start;
+    if (n == 1) top.angular_momentum_body *= faster;
+    Steps steps(Motion(top), 0, 1e-6);
+    const auto truth = exactly_after(exactly(problem.gather), exactly(top), 1.0L);
+    const auto pass = [](double, double) {};
+    if constexpr (per_step) {
+      PerStep<Steps> all{steps};
+      travel(all, 1.0, 1e-4, pass);
+      top = all.steps.top();
+    } else {
+      travel(steps, 1.0, 1e-4, pass);
+      top = steps.top();
+    }
+    errors[n] = static_cast<double>(angle_between(truth.orientation, exactly(top).orientation));
+  }
+  return errors;
+}
+
 /// Rejected steps on a particle that a strong damper stops at once: what is left moves slowly, but
 /// a step may be no longer than the damper allows.
 //! [hunting]
@@ -221,6 +259,19 @@ int main(int argument_count, char** arguments) {
   notebook.value("seven_large", std::to_string(large[1]));
   expect(small[0] == large[0] && large[1] > 5 * small[1],
          "an angle knows no units, and seven numbers do");
+
+  const auto each_second = errors_of_spins<false>(1000), each_step = errors_of_spins<true>(1000);
+  std::printf(
+      "A top, and one that spins a thousand times as fast, off after a second:\n%.0e and %.0e rad "
+      "with a tolerance for each second, %.0e and %.0e rad with one for each step.\n",
+      each_second[0], each_second[1], each_step[0], each_step[1]);
+  notebook.value("second_slow", number("%.0e", each_second[0]));
+  notebook.value("second_fast", number("%.0e", each_second[1]));
+  notebook.value("step_slow", number("%.0e", each_step[0]));
+  notebook.value("step_fast", number("%.0e", each_step[1]));
+  expect(each_second[1] < 1e-6, "a tolerance for each second bounds what is added in a second");
+  expect(each_step[1] > 1e-5 && each_step[1] > 100 * each_step[0],
+         "with a tolerance for each step a faster top errs by more, since it takes more of them");
 
   const Journey remembering = with_damper(true), forgetful = with_damper(false);
   std::printf(
