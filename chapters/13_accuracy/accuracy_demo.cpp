@@ -62,15 +62,13 @@ void write_runs(const Notebook& notebook, const std::string& table,
 /// A row a problem: what meets the tolerance at what price.
 void write_prices(const Notebook& notebook, const std::vector<Measurement>& all,
                   const std::vector<std::string>& problems, double wanted) {
-  Table table = notebook.table("prices_" + power_of_ten(wanted),
-                               {"problem", "cheapest", "price of 1 s", "next", "its price",
-                                "cheapest that steps, its step or tolerance", "its price",
-                                "Odeint's", "Simbody's", "Bullet's", "ODE's"});
+  Table table = notebook.table(
+      "prices_" + power_of_ten(wanted),
+      {"problem", "cheapest", "price of 1 s", "cheapest that steps, its step or tolerance",
+       "its price", "Odeint's", "Simbody's", "Bullet's", "ODE's"});
   for (const std::string& problem : problems) {
     const auto list = cheapest(all, problem, wanted);
     const auto first = first_of(list, is_ours), step = first_of(list, is_rung);
-    const auto next = first_of(
-        list, [&](const Measurement& run) { return is_ours(run) && run.method != first->method; });
     if (!first) continue;
     const auto price = [&](const auto& run) {
       return run ? times(run->nanoseconds / first->nanoseconds) : std::string("–");
@@ -79,8 +77,8 @@ void write_prices(const Notebook& notebook, const std::vector<Measurement>& all,
     const auto price_of = [&](const char* library) {
       return price(first_of(list, is_of(library)));
     };
-    table.row(problem, name(first), time_of(first->nanoseconds / first->seconds), name(next),
-              price(next), name(step) + (step ? ", " + knob_of(*step) : std::string()), price(step),
+    table.row(problem, name(first), time_of(first->nanoseconds / first->seconds),
+              name(step) + (step ? ", " + knob_of(*step) : std::string()), price(step),
               price_of("Odeint"), price_of("Simbody"), price_of("Bullet"), price_of("ODE"));
   }
 }

@@ -64,8 +64,8 @@ void write_energies(Notebook& notebook, const Orbit& orbit) {
   notebook.value("energy_pair", number("%.0e", last[2]));
   notebook.value("energy_transformed", number("%.0e", worst[3]));
   std::printf(
-      "Energy after 100 rounds, relative: %.0e with steps of one length, %.0e with steps "
-      "chosen at their start,\n%.0e by the pair, %.0e in transformed time.\n",
+      "Energy after 100 rounds, relative: %.0e with steps of one length, %.0e with steps chosen\n"
+      "at their start, %.0e by the pair, %.0e in transformed time.\n",
       last[0], last[1], last[2], last[3]);
   expect(worst[0] < 1.5 * first[0], "with steps of one length the energy is bounded");
   expect(worst[1] > 1.8 * first[1] && worst[2] > 1.8 * first[2],
@@ -101,9 +101,8 @@ void write_paces(Notebook& notebook) {
   }
   //! [paced]
   std::printf(
-      "A heavy top in 100000 steps from %.3f s to %.3f s: its energy is off by up to %.0e with "
-      "steps "
-      "chosen at their\nstart, by up to %.0e with symmetric ones.\n",
+      "A heavy top in 100000 steps from %.3f s to %.3f s: its energy is off by up to %.0e\n"
+      "with steps chosen at their start, by up to %.0e with symmetric ones.\n",
       shortest, longest, of_chosen, of_paced);
   notebook.value("pace_shortest", number("%.3f", shortest));
   notebook.value("pace_longest", number("%.3f", longest));
@@ -275,7 +274,7 @@ int main(int argument_count, char** arguments) {
 
   const Journey remembering = with_damper(true), forgetful = with_damper(false);
   std::printf(
-      "A strong damper: %ld steps and %ld rejected by the controller that remembers, %ld and "
+      "A strong damper: %ld steps and %ld rejected by the controller that remembers,\n%ld and "
       "%ld by one that does not.\n",
       remembering.steps, remembering.rejected, forgetful.steps, forgetful.rejected);
   notebook.value("hunting_rejected", std::to_string(forgetful.rejected));

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdarg>
 #include <cstdio>
 
@@ -16,8 +17,26 @@ namespace {
   return buffer;
 }
 
+/// A line, and more of them where it is longer than 100 letters, each indented to where the first
+/// one's text begins.
 std::string line(const char* name, const std::string& text) {
-  return formatted("%-19s", name) + text + "\n";
+  constexpr std::size_t margin = 19, longest = 100;
+  std::string lines = formatted("%-*s", static_cast<int>(margin), name);
+  std::size_t column = margin;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    if (column > margin && column + 1 + (end - begin) > longest) {
+      lines += "\n" + std::string(margin, ' ');
+      column = margin;
+    } else if (column > margin) {
+      lines += ' ';
+      ++column;
+    }
+    lines.append(text, begin, end - begin);
+    column += end - begin;
+    begin = end + 1;
+  }
+  return lines + "\n";
 }
 
 std::string counted(double number, const char* noun) {
