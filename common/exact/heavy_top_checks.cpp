@@ -95,8 +95,13 @@ TEST_CASE(
         HeavyTopCase{"a pendulum that turns over", 0.5, 1, 1, 0.6, {5, 0, 0}},
         HeavyTopCase{"past upright by a hair", 0.5, 1, 1, 0.3, {5, 0, 1e-7}},
         HeavyTopCase{"past upright by a hand", 0.5, 1, 1, 0.3, {5, 0, 0.1}},
+        HeavyTopCase{"upright and pushed about one axis", 0.5, 0.2, 1, 0, {0, 0.5, 3}},
+        HeavyTopCase{"upright and pushed about the other", 0.5, 0.2, 1, 0, {0.5, 0, 3}},
         HeavyTopCase{"a whirl from below", 0.5, 1, 1, 3.1, {30, 1, -2}}})
     agrees(given, {0, 0, -given.pull});
+  // Upright against a pull upwards: it hangs, without a rounding, and its tilt has no direction.
+  agrees({"hanging to the bit and pushed", 0.5, 1, 1, 0, {3, 1, -2}}, {0, 0, 1});
+  agrees({"a pendulum, let go at its lowest", 0.5, 1, 1, 0, {1, 0, 0}}, {0, 0, 1});
 }
 
 TEST_CASE("The heavy top keeps its digits at the instant when it all but stands upright") {
@@ -132,6 +137,16 @@ TEST_CASE("Upright and without a push the heavy top sleeps, even where that is n
         start.orientation *
         quaternion_about<double>({0, 0, 1}, std::remainder(100 * spin, 4 * M_PI));
     CHECK(angle_between(later.orientation, turned) <= rounding_of_heavy_top(100 * spin));
+  }
+}
+
+TEST_CASE("A heavy top that sleeps keeps its tilt, upright and hanging") {
+  const Topd start = start_of({"asleep", 0.5, 0.2, 1, 0, {0, 0, 3}});
+  for (const double up : {1.0, -1.0}) {
+    const HeavyTop<double> exact(start, {0, 0, -up});
+    CHECK(exact.lowest() == up);
+    CHECK(exact.highest() == up);
+    CHECK(std::isinf(exact.nutation_period()));
   }
 }
 

@@ -45,7 +45,7 @@ template <class Real>
 class FreeTop {
  public:
   /// A locked axis (inverse moment 0) leaves a top that turns steadily, as in chapter 8.
-  explicit FreeTop(const Top<Real>& start) : start_(start), steady_(is_steady()) {
+  explicit FreeTop(const Top<Real>& start) : start_(start), steady_(has_nothing_to_solve()) {
     if (!steady_) solve();
   }
 
@@ -86,18 +86,10 @@ class FreeTop {
   Real parameter() const { return jacobi_.parameter(); }
 
  private:
-  /// True where L × ω is zero: all axes that L has a part along resist alike.
-  bool is_steady() const {
-    const Vec3<Real>& L = start_.angular_momentum_body;
-    const Vec3<Real>& i = start_.inverse_moments;
-    if ((i.array() == 0).any()) return true;
-    Real common = 0;
-    for (int n = 0; n < 3; ++n) {
-      if (L[n] == 0) continue;
-      if (common != 0 && i[n] != common) return false;
-      common = i[n];
-    }
-    return true;
+  /// True without L, and with a locked axis. Where else L × ω is zero, solve() finds out: one of
+  /// the D_k vanishes then.
+  bool has_nothing_to_solve() const {
+    return start_.angular_momentum_body.isZero(0) || (start_.inverse_moments.array() == 0).any();
   }
 
   static Quaternion<Real> turn_about(const Vec3<Real>& spin, Real time) {

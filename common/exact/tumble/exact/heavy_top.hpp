@@ -66,13 +66,15 @@ class HeavyTop {
     require_finite("pull", pull, "N m");
     const Real size = pull.norm();
     if (!(size > 0)) reject("pull", pull, "N m", "it must not be zero; without it the top is free");
-    const Vec3<Real> up = -pull / size;
-    up_body_ = rotate_back(start.orientation, up);
+    up_body_ = rotate_back(start.orientation, Vec3<Real>(-pull));
     up_body_ /= up_body_.norm();
     const Vec3<Real>& L = start.angular_momentum_body;
     spin_excess_ = (i.z() - i.x()) * L.z();
     steady_ = L.x() == 0 && L.y() == 0 && up_body_.x() == 0 && up_body_.y() == 0;
-    if (!steady_) solve(size);
+    if (steady_)
+      roots_.low_gap = roots_.top_gap = 1 - up_body_.z();
+    else
+      solve(size);
   }
 
   /// The top `time` seconds after the start; before it, if that is negative.
