@@ -156,6 +156,10 @@ TEST_CASE("Any direction can be down for the heavy top") {
   agrees(given, {0, 3, 0});
 }
 
+TEST_CASE("A heavy top may weigh tonnes") {
+  agrees({"a carousel", 4000, 3000, 20000, 0.6, {0.3, -0.2, 4}}, {0, 0, -20000});
+}
+
 //! [steady_precession]
 TEST_CASE("A heavy top that starts with the speed of steady precession keeps its tilt") {
   // I1 cos(tilt) W² - I3 w3 W + M g l = 0 for I1 = 0.5, I3 = 0.2, w3 = 20, M g l = 1.
@@ -221,6 +225,11 @@ TEST_CASE("A heavy top without a pull, or with three moments, is refused") {
             HeavyTop<double>(locked, {0, 0, -1});
           }).find("inverse moments of a heavy top is (") == 0);
   }
+  Topd needle = start;  // locked across its axis, both ways alike
+  needle.inverse_moments = {0, 0, 5};
+  CHECK(complaint_of([&] {
+          HeavyTop<double>(needle, {0, 0, -1});
+        }).find("inverse moments of a heavy top is (0, 0, 5) 1/(kg m^2)") == 0);
   Topd uneven = start;
   uneven.inverse_moments = {1, 2, 3};
   CHECK(complaint_of([&] {
