@@ -1,6 +1,6 @@
 // Figures that one can touch: their files for the book, and what stands on a page.
 import {existsSync, readFileSync, readdirSync} from 'node:fs';
-import {join} from 'node:path';
+import {dirname, join} from 'node:path';
 import vm from 'node:vm';
 import '../player/vectors.js';
 import '../player/solids.js';
@@ -10,7 +10,7 @@ import '../live/module.js';
 import '../live/plot.js';
 import '../live/still.js';
 import {light_palette} from './players.mjs';
-import {BookError} from './results.mjs';
+import {BookError, table_in} from './results.mjs';
 import {escape} from './text.mjs';
 
 const live = globalThis.tumble_live;
@@ -31,6 +31,15 @@ function described(file, name) {
 }
 
 /**
+ * The tables that a figure draws from besides its columns, {NAME: {columns, rows}}, as the programs of its chapter wrote them to
+ * `folder`. One that nobody wrote, such as of a contest that lacks a library, is absent, and the figure says so.
+ */
+export function tables_of(figure, folder) {
+  const files = (figure.tables ?? []).map(name => [name, join(folder, `${name}.tsv`)]);
+  return Object.fromEntries(files.filter(([, file]) => existsSync(file)).map(([name, file]) => [name, table_in(readFileSync(file, 'utf8'))]));
+}
+
+/**
  * {html, script}: what stands on the page, and the text of the script that brings it to life, undefined without a module.
  * `printed` is what the figure's program printed, `module` the file of its module, `says` tells what one sees.
  */
@@ -39,9 +48,11 @@ export function live_figure({name, file, printed, module, says, source}) {
   const run = live.run_of_program(printed);
   for (const knob of run.knobs)
     if (!figure.knobs[knob.name]) throw new BookError(`${file} describes no knob "${knob.name}"; its program has it`);
+  live.tables = tables_of(figure, dirname(module));
   const still = live.still_of(figure, run, light_palette(source));
+  const tables = figure.tables ? `tumble_live.tables = {...tumble_live.tables, ...${JSON.stringify(live.tables)}};\n` : '';
   const script = existsSync(module)
-    ? `${readFileSync(file, 'utf8')}tumble_live.modules.${name} = '${readFileSync(module).toString('base64')}';\n`
+    ? `${readFileSync(file, 'utf8')}${tables}tumble_live.modules.${name} = '${readFileSync(module).toString('base64')}';\n`
     : undefined;
   const absent = script ? '' : '<p class="live-absent">This figure moves where the book is built with clang’s packages for ' +
     'WebAssembly; here they were missing, so it shows its first picture.</p>';

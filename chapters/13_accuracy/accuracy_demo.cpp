@@ -166,6 +166,31 @@ void compare_step_by_step(Notebook& notebook, const std::vector<Measurement>& al
   notebook.value("stepping_spread", number("%.0f", 100 * (widest - 1)));
 }
 
+/// What a step of each rung takes on chapter 8's problems, and an answer of the exact solution, ns:
+/// what the live figure multiplies its numbers of steps by.
+void write_step_prices(const Notebook& notebook, const std::vector<Measurement>& all) {
+  Table table = notebook.table("step_prices", {"rung", "A", "B", "C", "D"});
+  const auto row = [&](const std::string& name, const auto& price) {
+    std::array<std::string, 4> cells;
+    for (std::size_t n = 0; n < cells.size(); ++n) {
+      const TumblingProblem& problem = tumbling_problems[n];
+      const double ns = price(std::string(1, problem.letter) + " " + std::string(problem.name));
+      cells[n] = std::isfinite(ns) ? number("%.3g", ns) : std::string("–");
+    }
+    table.row(name, cells[0], cells[1], cells[2], cells[3]);
+  };
+  for (const auto& rung : tumble::turning_ladder<double>)
+    row(std::string(rung.name), [&](const std::string& problem) {
+      return step_of(all, problem, std::string(rung.name).c_str());
+    });
+  row("exact solution", [&](const std::string& problem) {
+    const auto answer = std::find_if(all.begin(), all.end(), [&](const Measurement& m) {
+      return m.problem == problem && m.precision == "double" && m.kind == "exact";
+    });
+    return answer == all.end() ? std::numeric_limits<double>::infinity() : answer->nanoseconds;
+  });
+}
+
 /// Over all problems and wanted errors: how often ours is no dearer than Odeint's cheapest.
 void compare_with_odeint(Notebook& notebook, const std::vector<Measurement>& all,
                          const std::vector<std::string>& problems) {
@@ -331,6 +356,7 @@ int main(int argument_count, char** arguments) {
   compare_with_odeint(notebook, all, problems);
   compare_step_by_step(notebook, all, problems);
   compare_with_the_others(notebook, all, problems);
+  write_step_prices(notebook, all);
   notebook.value("runs", std::to_string(all.size()));
   notebook.value("problems", std::to_string(problems.size()));
   notebook.value("float_floor", number("%.0e", floor_of(all, problems[0], "float")));

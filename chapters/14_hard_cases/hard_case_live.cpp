@@ -1,6 +1,7 @@
 // A hard case, live: any rung of the ladder, in either precision, with steps longer or shorter than
 // the chapter's, and the chapter's own judge.
 #include <course/live.hpp>
+#include <course/live_truth.hpp>
 #include <course/trial.hpp>
 
 using namespace tumble;
@@ -21,18 +22,6 @@ Topd in_double(const Top<Real>& top) {
           .angular_momentum_body = top.angular_momentum_body.template cast<double>(),
           .torque = Vec3d::Zero(),
           .inverse_moments = top.inverse_moments.template cast<double>()};
-}
-
-/// The length of the chord between two orientations: their angle, but for its third power over 24.
-/// The angle itself would need a library's arc tangent.
-double chord_between(const Quaternion<double>& p, const Quaternion<double>& q) {
-  return 2 * (conjugate(p) * q).imaginary.norm();
-}
-
-/// Turns a top by the tenth order, so finely that it is right to a few roundings.
-void turn_finely(Topd& top, double seconds, double fastest) {
-  const int parts = static_cast<int>(std::ceil(fastest * seconds / 0.5));
-  for (int n = 0; n < parts; ++n) turn_by_row<SofroniouSpaletta>(top, seconds / parts);
 }
 
 template <class Real>
@@ -76,10 +65,10 @@ void fly(course::Live& live, std::size_t which, std::size_t rung, double factor)
     motion.momentum_error = std::max(motion.momentum_error, worst_momentum);
     worst_energy = worst_momentum = 0;
     if (!has_phase || n > hard.steps_to_angle) continue;
-    turn_finely(exact, (n - compared) * double(h), fastest);
+    course::turn_finely(exact, (n - compared) * double(h), fastest);
     compared = n;
     until.push_back(n * double(h));
-    chords.push_back(chord_between(exact.orientation, now.orientation));
+    chords.push_back(course::chord_between(exact.orientation, now.orientation));
     motion.angle = chords.back();
   }
 

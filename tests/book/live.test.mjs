@@ -16,6 +16,7 @@ import '../../book/player/scene.js';
 import '../../book/live/module.js';
 import '../../book/live/plot.js';
 import '../../book/live/still.js';
+import {tables_of} from '../../book/tools/live.mjs';
 
 const live = globalThis.tumble_live;
 const chapters = fileURLToPath(new URL('../../chapters', import.meta.url));
@@ -51,6 +52,7 @@ function assert_same(mine, its, where) {
 for (const [chapter, name] of process.env.TUMBLE_LIVE.split(',').map(figure => figure.split('/'))) {
   vm.runInThisContext(readFileSync(join(chapters, chapter, `${name}_live.js`), 'utf8'));
   const figure = live.figures[name];
+  live.tables = {...live.tables, ...tables_of(figure, join(results, chapter))};
   const module = await live.Module.from(readFileSync(join(results, chapter, `${name}.wasm`)));
 
   test(`${name}: the module's numbers are the program's to the bit, at the start and in three settings.`, async () => {
