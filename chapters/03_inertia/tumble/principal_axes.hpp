@@ -29,7 +29,8 @@ struct PrincipalAxes {
 template <class Real>
 void remove_product(Mat3<Real>& I, Mat3<Real>& axes, int p, int q) {
   const Real theta = (I(q, q) - I(p, p)) / (2 * I(p, q));
-  const Real t = std::copysign(Real(1), theta) / (std::abs(theta) + std::hypot(theta, Real(1)));
+  // Where θ² overflows, t is 0: the product is far below a rounding of the moments.
+  const Real t = std::copysign(Real(1), theta) / (std::abs(theta) + std::sqrt(theta * theta + 1));
   const Real cosine = 1 / std::sqrt(t * t + 1), sine = t * cosine;
 
   I(p, p) -= t * I(p, q);

@@ -59,7 +59,7 @@ Top<Real> set_spinning(const Gyroscope<Real>& gyroscope, Same<Real> tilt, Same<R
   Top<Real> top{.orientation = quaternion_about<Real>(Vec3<Real>::UnitX(), tilt),
                 .inverse_moments =
                     Vec3<Real>(gyroscope.across, gyroscope.across, gyroscope.along).cwiseInverse()};
-  set_angular_velocity_body(top, Vec3<Real>(0, precession * std::sin(tilt), spin));
+  set_angular_velocity_body(top, Vec3<Real>(0, precession * sine_cosine(tilt).sine, spin));
   return top;
 }
 //! [set_spinning]
