@@ -10,7 +10,7 @@ import re
 import sys
 from pathlib import Path
 
-# Those that IEEE 754 does not make round correctly; sqrt, fma, fmod, remainder and the like are exact or correctly rounded.
+# Those that IEEE 754 does not make round correctly, as it does roots and remainders.
 functions = ("sin cos tan asin acos atan atan2 sinh cosh tanh asinh acosh atanh hypot pow exp exp2 expm1 log log1p log2 log10 "
              "cbrt tgamma lgamma erf erfc").split()
 call = re.compile(rf"(?<![\w.>:])(?:std::)?({'|'.join(functions)})\s*\(")
