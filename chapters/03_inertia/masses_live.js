@@ -30,21 +30,19 @@
             {label: 'y', unit: 'm', least: -1.1, most: 1.1}, {equal: true});
           picture.plot = plot;
           const [cx, cy] = columns.centre;
-          ranks.forEach((rank, axis) => {
-            const colour = palette.bodies[axis];
-            if (is_upright(columns, axis)) {
-              plot.points([cx], [cy], colour, 9);
-              plot.note(`${rank}, towards you`, [cx, cy], colour);
-              return;
-            }
-            const [dx, dy] = [columns['axes x'][axis], columns['axes y'][axis]];
-            plot.line([cx - 3 * dx, cx + 3 * dx], [cy - 3 * dy, cy + 3 * dy], colour, {width: 2});
-            const sign = dx < 0 ? -1 : 1;
-            plot.note(rank, [cx + sign * 0.6 * dx, cy + sign * 0.6 * dy], colour);
-          });
+          const along = (axis, distance) => [cx + distance * columns['axes x'][axis], cy + distance * columns['axes y'][axis]];
+          const flat = ranks.map((_, axis) => axis).filter(axis => !is_upright(columns, axis));
+          for (const axis of flat) {
+            const [from, to] = [along(axis, -3), along(axis, 3)];
+            plot.line([from[0], to[0]], [from[1], to[1]], palette.bodies[axis], {width: 2});
+          }
           columns.mass.forEach((mass, n) => plot.points([columns.x[n]], [columns.y[n]], n === (figure.held ?? 0) ? palette.bodies[3] : palette.ink,
             9 * Math.cbrt(mass)));
+          const upright = ranks.findIndex((_, axis) => is_upright(columns, axis));
+          plot.points([cx], [cy], palette.bodies[upright] ?? palette.ink, 9);
           plot.points([cx], [cy], palette.paper, 3);
+          if (upright >= 0) plot.note(`${ranks[upright]}, towards you`, [cx + 0.04, cy - 0.2], palette.bodies[upright]);
+          for (const axis of flat) plot.note(ranks[axis], along(axis, columns['axes x'][axis] < 0 ? 0.62 : -0.62), palette.bodies[axis]);
         },
         drag(plot, at, {columns, figure}, begins) {
           const here = plot.value_at(at);

@@ -73,7 +73,7 @@
           plot.note('post', at('post'), palette.ink);
           plot.note('ball', [at('ball')[0] + 0.1, at('ball')[1]], palette.bodies[0]);
           plot.note('drop', at('drop'), palette.bodies[1]);
-          plot.note('box', at('box'), palette.bodies[2]);
+          plot.note('box', [at('box')[0] + 0.4, at('box')[1]], palette.bodies[2]);
         },
       },
       {
@@ -83,7 +83,7 @@
           const {painter, palette, size} = picture;
           const lines = lines_of(columns), row = Math.min(34, (size.height - 34) / lines.length), most = bodies.length;
           painter.text('the plan', 10, 12, 'left', palette.ink);
-          painter.text('visited of', size.width - 10, 12, 'right', palette.ink);
+          painter.text('visits', size.width - 10, 12, 'right', palette.ink);
           lines.forEach(({name, visited, of}, n) => {
             const top = 32 + n * row, colour = visited > 0 ? palette.bodies[0] : palette.ink;
             painter.text(name, 10, top, 'left', colour);

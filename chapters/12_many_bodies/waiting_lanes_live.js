@@ -25,7 +25,7 @@
     const balls = columns.touching.length / columns.time.length;
     const rows = balls / across, cell = Math.min((size.width - 20) / across, (size.height - 66) / rows);
     const [left, top] = [(size.width - across * cell) / 2, 26];
-    painter.text('one square is a ball, in the lane of its pack', 10, 12, 'left', palette.ink);
+    painter.text('each square is a ball in its lane', 10, 12, 'left', palette.ink);
     for (let first = 0; first < balls; first += width) {
       const lanes = columns.touching.slice(n * balls + first, n * balls + first + width);
       const works = lanes.some(touches => touches > 0);
@@ -51,11 +51,13 @@
     const balls = columns.touching.length / columns.time.length, packs = balls / widths[values.width];
     const percent = (numbers, whole) => Array.from(numbers, number => (100 * number) / whole);
     const plot = new live.Plot(painter, palette, size, {label: 'time', unit: 's', least: 0, most: 2},
-      {label: 'share that takes the branch', unit: '%', least: 0, most: 100});
+      {label: 'share that takes the branch', unit: '%', least: 0, most: 110});
     picture.plot = plot;
     plot.line(columns.time, percent(columns.packs, packs), palette.bodies[0]);
     plot.line(columns.time, percent(columns['on the ground'], balls), palette.bodies[1]);
-    plot.legend([['packs', palette.bodies[0]], ['balls', palette.bodies[1]]]);
+    const named = Math.round(columns.time.length * 0.55);
+    plot.note('packs', [columns.time[named], (100 * columns.packs[named]) / packs + 14], palette.bodies[0]);
+    plot.note('balls', [columns.time[named], -2], palette.bodies[1]);
     const n = step_at(state);
     plot.points([columns.time[n]], [(100 * columns.packs[n]) / packs], palette.bodies[0], 4);
   }
@@ -63,16 +65,17 @@
   function draw_gain(picture, state) {
     const {painter, palette, size} = picture;
     const all = costs(state), alone = all[0].skipping;
-    const plot = new live.Plot(painter, palette, size, {label: 'bodies in a pack', unit: '', log: true, least: 1, most: 16},
-      {label: 'times as fast as one by one', unit: '', least: 0, most: 16});
+    const plot = new live.Plot(painter, palette, size, {label: 'bodies in a pack', unit: '', least: 0, most: 16},
+      {label: 'times as fast', unit: '', least: 0, most: 16});
     picture.plot = plot;
     plot.line(widths, widths, palette.ink, {width: 1, dash: [5, 4]});
     plot.line(widths, all.map(({skipping}) => alone / skipping), palette.bodies[1]);
     plot.line(widths, all.map(({both}) => alone / both), palette.bodies[0]);
     const shown = all[state.values.width];
     plot.points([shown.width, shown.width], [alone / shown.skipping, alone / shown.both], palette.ink, 4);
-    plot.legend([['without an if', palette.ink, [5, 4]], ['skipped if none needs it', palette.bodies[1]]]);
-    plot.note('both branches always', [16, alone / all.at(-1).both], palette.bodies[0], 'right');
+    plot.note('no branch', [10.5, 11.5], palette.ink, 'right');
+    plot.note('skipping', [14, alone / all.at(-1).skipping], palette.bodies[1], 'right');
+    plot.note('both branches', [16, 0.4], palette.bodies[0], 'right');
   }
 
   live.figures.waiting_lanes = {

@@ -52,7 +52,7 @@
     const exact = exact_price(state);
     if (Number.isFinite(exact)) {
       plot.line([exact, exact], [least_error, most_error], palette.bodies[2], {width: 1.5, dash: [2, 3]});
-      plot.note('exact solution', [Math.max(exact, plot.x.least), least_error * 3], palette.bodies[2]);
+      plot.note('exact solution', [exact, 1e-9], palette.bodies[2], exact > 100 * plot.x.least ? 'right' : 'left');
     }
   }
 
