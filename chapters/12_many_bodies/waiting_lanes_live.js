@@ -55,9 +55,8 @@
     picture.plot = plot;
     plot.line(columns.time, percent(columns.packs, packs), palette.bodies[0]);
     plot.line(columns.time, percent(columns['on the ground'], balls), palette.bodies[1]);
-    const named = Math.round(columns.time.length * 0.55);
-    plot.note('packs', [columns.time[named], (100 * columns.packs[named]) / packs + 14], palette.bodies[0]);
-    plot.note('balls', [columns.time[named], -2], palette.bodies[1]);
+    plot.note('packs', [0.58, 80], palette.bodies[0]);
+    plot.note('balls', [0.56, 22], palette.bodies[1]);
     const n = step_at(state);
     plot.points([columns.time[n]], [(100 * columns.packs[n]) / packs], palette.bodies[0], 4);
   }
