@@ -14,6 +14,18 @@
 
   const button = (text, action, attributes = {}) => make('button', {type: 'button', textContent: text, onclick: action}, attributes);
   const steps = 400; // of a slider
+  const work_of_a_frame = 3; // ms
+
+  /** Asked between the parts of a long work: waits for the next picture where this one's time is up. */
+  function frame_by_frame() {
+    let began = performance.now();
+    return async () => {
+      if (performance.now() - began < work_of_a_frame) return true;
+      await new Promise(done => { requestAnimationFrame(done); });
+      began = performance.now();
+      return true;
+    };
+  }
 
   /** One knob: a slider or a list of choices, with its name and its value in words. */
   class Knob {
@@ -202,7 +214,10 @@
       this.running ??= (async () => {
         while (this.is_stale) {
           this.is_stale = false;
-          const run = await this.module.run(this.knobs.map(({name}) => this.values[name]), this.drawn);
+          const has_time = frame_by_frame();
+          const run = await this.module.run(this.knobs.map(({name}) => this.values[name]), this.drawn,
+            async () => (await has_time()) && !this.is_stale);
+          if (!run) continue; // a knob was turned meanwhile
           if (run.refusal) this.finding.textContent = run.refusal;
           else this.#take(run);
         }
@@ -315,7 +330,7 @@
       });
       const module = await live.Module.from(bytes_of(live.modules[name]));
       delete live.modules[name];
-      element.live = new Figure(element, name, module, await module.run());
+      element.live = new Figure(element, name, module, await module.run([], [], frame_by_frame()));
       return element.live;
     })();
     return element.waking;

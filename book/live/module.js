@@ -43,15 +43,25 @@
 
     /**
      * {knobs: [{name, unit, start, least, most}], columns: {NAME: Float64Array}, units: {NAME: unit}}, or {refusal} where
-     * the knobs cannot stand as they do. `values` in the order of the knobs; none: all at their start.
+     * the knobs cannot stand as they do. `values` in the order of the knobs; none: all at their start. A module may do its
+     * work in parts: after each but the last `between` is awaited, and where it answers false the result is undefined.
      */
-    async run(values = [], drawn = []) {
+    async run(values = [], drawn = [], between = () => true) {
+      for (;;) {
+        const {goes_on, ...run} = await this.#run_part(values, drawn);
+        if (!goes_on) return run;
+        if (!(await between())) return undefined;
+      }
+    }
+
+    async #run_part(values, drawn) {
       try {
         this.#write(this.#exports.live_knobs(values.length), values);
         this.#write(this.#exports.live_drawn(drawn.length), drawn);
-        const {knobs, columns} = JSON.parse(this.#text(this.#exports.live_run()));
+        const {goes_on, knobs, columns} = JSON.parse(this.#text(this.#exports.live_run()));
         const {buffer} = this.#exports.memory;
         return {
+          goes_on,
           knobs,
           columns: Object.fromEntries(columns.map(({name, at, length}) => [name, new Float64Array(buffer, at, length).slice()])),
           units: Object.fromEntries(columns.map(({name, unit}) => [name, unit])),

@@ -3,6 +3,7 @@
 #include <random>
 #include <tumble/semi_implicit_euler.hpp>
 #include <tumble/step_clock.hpp>
+#include <utility>
 
 using namespace tumble;
 using namespace tumble::course;
@@ -32,6 +33,16 @@ std::vector<StepLength> step_lengths() {
 }
 
 }  // namespace
+
+TEST_CASE("As many steps as were asked for last a second, in lowest terms") {
+  for (std::int64_t rate = 1; rate <= 1'000'000; ++rate) {
+    const StepLength step = steps_per_second(rate);
+    REQUIRE(step.numerator * rate == 1'000'000'000 * step.denominator);
+    std::int64_t divisor = step.numerator, rest = step.denominator;  // by Euclid, with divisions
+    while (rest != 0) divisor = std::exchange(rest, divisor % rest);
+    REQUIRE(divisor == 1);
+  }
+}
 
 //! [books]
 TEST_CASE("Time in is what was simulated, dropped and left over, exactly, in integers") {

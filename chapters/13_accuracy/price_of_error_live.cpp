@@ -11,45 +11,70 @@ namespace {
 
 using Column = std::vector<double>;
 
-constexpr int most_halvings = 24;  // of half a power of two each: 4096 steps
+constexpr int most_halvings = 24;     // of half a power of two each: 4096 steps
+constexpr int steps_of_a_part = 500;  // a millisecond of the dearest rung
 
 /// What one rung errs by with so many steps.
 struct Curve {
   Column steps, errors;  // rad
 };
 
-double error_with(const TurningRung<double>& rung, const Topd& start, const Topd& truth,
-                  double seconds, double steps) {
-  Topd top = start;
-  for (double n = 0; n < steps; ++n) rung.turn(top, seconds / steps);
-  // A rung that keeps no norm to rounding is judged by where it points.
-  return course::chord_between(truth.orientation, normalized(top.orientation));
+/// All rungs on one problem, as far as they have come.
+struct Search {
+  Topd start, truth;
+  double seconds = 0;
+  std::vector<Curve> curves;  ///< the last may lack runs
+  Topd top;                   ///< of the run that is under way
+  double steps = 1, done = 0;
+  int halvings = 0, since_best = 0;
+  double best = 4;  ///< no chord is longer than 2
+};
+
+Search searched(const course::TumblingProblem& problem) {
+  Search search;
+  search.seconds = static_cast<double>(problem.seconds_to_angle);
+  search.top = search.truth = search.start = course::top_of<double>(problem);
+  course::turn_finely(search.truth, search.seconds, angular_velocity_body(search.start).norm());
+  search.curves.emplace_back();
+  return search;
 }
 
-/// All rungs, on one problem. Kept, so that who moves the tolerance alone waits for nothing.
-const std::vector<Curve>& curves_of(std::size_t which) {
-  static std::array<std::vector<Curve>, std::size(course::tumbling_problems)> known;
-  std::vector<Curve>& curves = known[which];
-  if (!curves.empty()) return curves;
-  const course::TumblingProblem& problem = course::tumbling_problems[which];
-  const double seconds = static_cast<double>(problem.seconds_to_angle);
-  const Topd start = course::top_of<double>(problem);
-  Topd truth = start;
-  course::turn_finely(truth, seconds, angular_velocity_body(start).norm());
-  for (const TurningRung<double>& rung : turning_ladder<double>) {
-    Curve curve;
-    double best = 4;  // no chord is longer than 2
-    for (int n = 0, since_best = 0; n <= most_halvings && since_best < 6; ++n) {
-      const double steps = std::floor(std::ldexp(n % 2 == 0 ? 1 : std::sqrt(2.0), n / 2) + 0.5);
-      const double error = error_with(rung, start, truth, seconds, steps);
-      curve.steps.push_back(steps);
-      curve.errors.push_back(error);
-      since_best = error < 0.9 * best || !(error < 0.1) ? 0 : since_best + 1;
-      if (error < best) best = error;
-    }
-    curves.push_back(curve);
+bool is_complete(const Search& search) {
+  return search.curves.size() > std::size(turning_ladder<double>);
+}
+
+/// What a finished run errs by, and the next run: of the same rung, or of the next one where finer
+/// steps make nothing better.
+void take_run(Search& search) {
+  // A rung that keeps no norm to rounding is judged by where it points.
+  const double error =
+      course::chord_between(search.truth.orientation, normalized(search.top.orientation));
+  search.curves.back().steps.push_back(search.steps);
+  search.curves.back().errors.push_back(error);
+  search.since_best = error < 0.9 * search.best || !(error < 0.1) ? 0 : search.since_best + 1;
+  if (error < search.best) search.best = error;
+  if (++search.halvings > most_halvings || search.since_best == 6) {
+    search.curves.emplace_back();
+    search.halvings = search.since_best = 0;
+    search.best = 4;
   }
-  return curves;
+  const int n = search.halvings;
+  search.steps = std::floor(std::ldexp(n % 2 == 0 ? 1 : std::sqrt(2.0), n / 2) + 0.5);
+  search.done = 0;
+  search.top = search.start;
+}
+
+/// All rungs, a part at a time. Kept, so that who moves the tolerance alone waits for nothing.
+const Search& continued(std::size_t which) {
+  static std::array<std::vector<Search>, std::size(course::tumbling_problems)> known;
+  if (known[which].empty()) known[which].push_back(searched(course::tumbling_problems[which]));
+  Search& search = known[which].front();
+  for (int n = 0; n < steps_of_a_part && !is_complete(search); ++n) {
+    const TurningRung<double>& rung = turning_ladder<double>[search.curves.size() - 1];
+    rung.turn(search.top, search.seconds / search.steps);
+    if (++search.done == search.steps) take_run(search);
+  }
+  return search;
 }
 
 /// The first of a curve's runs that is near enough, and the next finer one as well, since an error
@@ -68,12 +93,12 @@ void tumble::course::run_live(Live& live) {
   const auto which =
       static_cast<std::size_t>(live.choice("problem", 0, std::size(tumbling_problems)));
   const double wanted = live.knob("wanted", "rad", 1e-4, 1e-10, 0.1);
-  const std::vector<Curve>& curves = curves_of(which);
-  live.column("seconds", "s")
-      .push_back(static_cast<double>(tumbling_problems[which].seconds_to_angle));
+  const Search& search = continued(which);
+  if (!is_complete(search)) return live.go_on();
+  live.column("seconds", "s").push_back(search.seconds);
   Column &needed = live.column("needed", ""), &reached = live.column("reached", "rad");
-  for (std::size_t rung = 0; rung < curves.size(); ++rung) {
-    const Curve& curve = curves[rung];
+  for (std::size_t rung = 0; rung < std::size(turning_ladder<double>); ++rung) {
+    const Curve& curve = search.curves[rung];
     const std::size_t n = first_within(curve, wanted);
     const bool is_met = n < curve.steps.size();
     needed.push_back(is_met ? curve.steps[n] : 0);

@@ -57,6 +57,12 @@ class Live {
     return columns_.emplace_back(Column{std::string(name), std::string(unit), {}}).values;
   }
 
+  /// Says that this run has done only a part of the work, so that a page has time for a picture.
+  /// Whoever called run_live() calls it again with the same knobs, until a run says nothing. What
+  /// is done already must be kept meanwhile; the columns of the last run alone have to be right.
+  void go_on() { goes_on_ = true; }
+  bool goes_on() const { return goes_on_; }
+
   const std::vector<Knob>& knobs() const { return knobs_; }
   const std::deque<Column>& columns() const { return columns_; }
 
@@ -64,6 +70,7 @@ class Live {
   std::vector<double> set_, drawn_;
   std::vector<Knob> knobs_;
   std::deque<Column> columns_;
+  bool goes_on_ = false;
 };
 
 /// What a figure is: each defines it once, in a file of its own.
@@ -72,7 +79,7 @@ void run_live(Live& live);
 /// Knobs and columns as JSON, without the columns' numbers, for `with_numbers(column)` to add.
 template <class Numbers>
 std::string as_json(const Live& live, const Numbers& with_numbers) {
-  std::string json = "{\"knobs\":[";
+  std::string json = live.goes_on() ? "{\"goes_on\":true,\"knobs\":[" : "{\"knobs\":[";
   const auto add = [&json](const char* key, std::string_view text) {
     json.append(key).append(text).append("\"");
   };

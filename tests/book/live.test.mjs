@@ -83,3 +83,14 @@ for (const [chapter, name] of process.env.TUMBLE_LIVE.split(',').map(figure => f
     assert_same(await module.run(), by_program(name, []), 'afterwards');
   });
 }
+
+test('A long work comes in parts: who gives up between them gets nothing, and who goes on gets the whole.', async () => {
+  const bytes = readFileSync(join(results, '13_accuracy/price_of_error.wasm'));
+  const [patient, hasty] = [await live.Module.from(bytes), await live.Module.from(bytes)];
+  const whole = await patient.run();
+  let parts = 0;
+  assert.equal(await hasty.run([], [], () => ++parts < 5), undefined);
+  assert.equal(parts, 5);
+  await hasty.run([2]); // another problem meanwhile
+  assert_same(await hasty.run(), whole, 'taken up again');
+});

@@ -25,8 +25,12 @@ struct StepLength {
 /// @throws std::invalid_argument if the rate is not between 1 and 1 000 000 per second.
 inline StepLength steps_per_second(std::int64_t rate) {
   require_between<std::int64_t>("steps per second", rate, "", 1, 1'000'000);
-  const std::int64_t second = 1'000'000'000, divisor = std::gcd(second, rate);
-  return {.numerator = second / divisor, .denominator = rate / divisor};
+  // Without signs gcd takes no absolute values. Where all this was inlined, g++ 12.2 made −rate of
+  // |rate|, and 241 steps a second became 125.
+  const std::uint64_t second = 1'000'000'000, steps = static_cast<std::uint64_t>(rate);
+  const std::uint64_t divisor = std::gcd(second, steps);
+  return {.numerator = static_cast<std::int64_t>(second / divisor),
+          .denominator = static_cast<std::int64_t>(steps / divisor)};
 }
 
 /// A step of `nanoseconds`.

@@ -26,8 +26,11 @@ int main(int argument_count, char** arguments) try {
   const auto given = [&](int n) {
     return n < argument_count ? numbers_of(arguments[n]) : std::vector<double>();
   };
-  course::Live live(given(1), given(2));
-  course::run_live(live);
+  course::Live live;
+  do {
+    live = course::Live(given(1), given(2));
+    course::run_live(live);
+  } while (live.goes_on());
   const auto with_values = [](std::string& json, const course::Live::Column& column) {
     json.append(",\"values\":[");
     for (const double& value : column.values)
