@@ -106,6 +106,42 @@ class MadeFiles(InAFolder):
         target.unlink()
         self.assertGreater(make(target, command + ["another"], inputs=[source]).seconds, 0)
 
+    def test_a_damaged_record_makes_the_target_again(self):
+        target = self.folder / "target"
+        command = [sys.executable, "-c", f"open({str(target)!r}, 'w').close()"]
+        for damaged in ("", "5", "[]", "{}", '{"command": 1, "output": "", "stamps": {}}', '{"command": [], "output": "", "stamps": 7}',
+                        '{"command": [], "output": 3, "stamps": {}}', "[" * 100000):
+            with self.subTest(record=damaged[:50]):
+                Path(f"{target}.made").write_text(damaged, encoding="utf-8")
+                self.assertGreater(make(target, command).seconds, 0)
+
+    def test_what_is_saved_while_it_is_made_is_made_again_whatever_time_it_bears(self):
+        source, target = self.folder / "source", self.folder / "target"
+        hour = 3600
+        for shift in (-hour, 0, hour):
+            with self.subTest(shift=shift):
+                source.write_text("old", encoding="utf-8")
+                os.utime(source, (1e9, 1e9))
+                saved = time.time() + shift
+                command = [sys.executable, "-c", f"import os, shutil; shutil.copy({str(source)!r}, {str(target)!r})\n"
+                           f"if open({str(source)!r}).read() == 'old':\n"
+                           f"    open({str(source)!r}, 'w').write('new'); os.utime({str(source)!r}, ({saved}, {saved}))"]
+                make(target, command, inputs=[source])
+                make(target, command, inputs=[source])
+                self.assertEqual(target.read_text(encoding="utf-8"), "new")
+                self.assertEqual(make(target, command, inputs=[source]).seconds, 0)
+
+    def test_a_time_yet_to_come_hides_no_later_save(self):
+        source, target = self.folder / "source", self.folder / "target"
+        source.write_text("old", encoding="utf-8")
+        os.utime(source, (4e9, 4e9))
+        command = [sys.executable, "-c", f"import shutil; shutil.copy({str(source)!r}, {str(target)!r})"]
+        make(target, command, inputs=[source])
+        self.assertEqual(make(target, command, inputs=[source]).seconds, 0)
+        source.write_text("new", encoding="utf-8")
+        make(target, command, inputs=[source])
+        self.assertEqual(target.read_text(encoding="utf-8"), "new")
+
     def test_a_failure_is_not_remembered_as_made(self):
         command = [sys.executable, "-c", "print('bad'); raise SystemExit(1)"]
         for _ in range(2):
