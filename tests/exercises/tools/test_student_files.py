@@ -11,6 +11,7 @@ from pathlib import Path
 from complaint import Complaint
 from made import CommandFailed, dependencies_in, make
 from progress import Progress, bar
+from submission import LARGEST, why_not_taken
 from test_texts import exercise
 from watch import Watch
 from workplace import Workplace
@@ -77,6 +78,37 @@ class Copies(InAFolder):
         backups = sorted(self.place.folder_of(self.exercise).glob("hammer.2*.hpp"))
         self.assertEqual({backup.read_text(encoding="utf-8") for backup in backups}, {"first", "second", "third"})
         self.assertEqual(self.place.header_of(self.exercise).read_text(encoding="utf-8"), "starter")
+
+    def test_what_a_grader_would_not_take_is_told_to_whoever_wrote_it(self):
+        file = self.folder / "hammer.hpp"
+        for data, why in ((b"// H\xf6he\n", "not UTF-8: byte 4 is 0xf6; save hammer.hpp as UTF-8"),
+                          ("// one\n".encode("utf-16"), "not UTF-8: byte 0 is 0xff; save hammer.hpp as UTF-8"),
+                          ("// one\n".encode("utf-16-le"), "zero byte"), (b" \n", "is empty"),
+                          (b" " * LARGEST + b"x", f"larger than {LARGEST // 1024} KB")):
+            with self.subTest(why=why):
+                file.write_bytes(data)
+                self.assertIn(why, why_not_taken(file))
+        for data in (b"\xef\xbb\xbfint a;", b"int a;\r\nint b;", b"x" * LARGEST):
+            file.write_bytes(data)
+            self.assertEqual(why_not_taken(file), "")
+        link = self.folder / "link.hpp"
+        link.symlink_to("hammer.hpp")
+        self.assertEqual(why_not_taken(link), "")
+        file.unlink()
+        self.assertIn("No such file", why_not_taken(link))
+
+    def test_what_bears_the_name_and_is_no_file_is_left_alone(self):
+        header = self.place.header_of(self.exercise)
+        header.parent.mkdir(parents=True)
+        for put, away in ((header.mkdir, header.rmdir), (lambda: os.mkfifo(header), header.unlink),
+                          (lambda: header.symlink_to("nowhere"), header.unlink)):
+            put()
+            self.assertFalse(self.place.start(self.exercise))
+            self.assertNotEqual(why_not_taken(header), "")
+            with self.assertRaises(Complaint):
+                self.place.reset(self.exercise)
+            away()
+        self.assertEqual([each.name for each in header.parent.iterdir()], ["task.md"])
 
     def test_reset_of_nothing_is_refused(self):
         with self.assertRaises(Complaint):
