@@ -157,16 +157,22 @@ def _end(process):
 
 
 def _digests_of(exercises, root):
-    """By exercise, of what decides on points: its checks, and the headers that these and the answers may include."""
+    """By exercise, of what decides on points: its checks, and the headers that these and the answers may include, those beside the checks
+    among them. The starter decides on nothing."""
     last = max(exercise.chapter for exercise in exercises)
     chapters = sorted(folder for folder in (root / "chapters").glob("[0-9]*") if folder.name <= last)
     folders = [root / "common", root / "exercises" / "common", *chapters]
     headers = [(folder.name, _digest(*(part for header in sorted(folder.rglob("*.[ch]pp"))
                                        for part in (os.fsencode(header.relative_to(folder)), header.read_bytes()))))
                for folder in folders]
-    return {exercise.path: _digest(*((exercise.folder / name).read_bytes() for name in ("exercise.json", "checks.cpp")),
+    return {exercise.path: _digest(*(part for file in _files_of_checks(exercise) for part in (os.fsencode(file.name), file.read_bytes())),
                                    *(digest.encode() for name, digest in headers if name == "common" or name <= exercise.chapter))
             for exercise in exercises}
+
+
+def _files_of_checks(exercise):
+    beside = sorted(file for file in exercise.folder.glob("*.hpp") if file.name != exercise.header)
+    return [exercise.folder / "exercise.json", exercise.folder / "checks.cpp", *beside]
 
 
 def _is_of(result, folder, exercises):

@@ -52,6 +52,7 @@ def _make(target, command, inputs, dependencies, limit):
         return Made(known["output"], 0.0)
     record.unlink(missing_ok=True)
     began, clock = time.monotonic(), time.time_ns()
+    before = _states([*inputs, *(known["stamps"] if known else [])])
     # Made beside it and given its name when it is whole: who has the old one open, such as a compiler a precompiled header, goes on.
     beside = f"{target}.new"
     words = [beside if word == str(target) else word for word in command]
@@ -66,8 +67,9 @@ def _make(target, command, inputs, dependencies, limit):
         os.replace(beside, target)
     read = inputs + (dependencies_in(dependencies) if dependencies else [])
     stamps = _stamps(dict.fromkeys(read))
-    # What was saved while the command ran may have been read before or after that, so it's made again the next time.
-    if not any(stamp and clock <= stamp[0] <= time.time_ns() for stamp in stamps.values()):
+    # What was saved while the command ran may have been read before or after that, so it's made again the next time. Where the file's
+    # state before is known, the clock isn't asked: it may have been set, and a copy may bring an old time along, or one yet to come.
+    if not any(before[name] != after if name in before else _is_since(clock, after) for name, after in _states(read).items()):
         record.write_text(json.dumps({"command": command, "output": output, "stamps": stamps}), encoding="utf-8")
     return Made(output, time.monotonic() - began)
 
@@ -109,10 +111,14 @@ def dependencies_in(file):
 
 
 def _read(record):
+    """What was noted when it was made; None where that is missing or damaged."""
     try:
-        return json.loads(record.read_text(encoding="utf-8"))
-    except (FileNotFoundError, ValueError):
+        known = json.loads(record.read_text(encoding="utf-8"))
+    except (FileNotFoundError, ValueError, RecursionError):
         return None
+    shape = {"command": list, "output": str, "stamps": dict}
+    sound = isinstance(known, dict) and all(isinstance(known.get(key), kind) for key, kind in shape.items())
+    return known if sound else None
 
 
 def _stamps(files):
@@ -124,3 +130,19 @@ def _stamps(files):
         except OSError:
             stamps[name] = None
     return stamps
+
+
+def _states(files):
+    """Tells apart what has been written in between, whatever times it was given: nobody but the system sets that of a file's last change."""
+    states = {}
+    for name in files:
+        try:
+            status = os.stat(name)
+            states[name] = (status.st_ino, status.st_size, status.st_mtime_ns, status.st_ctime_ns)
+        except OSError:
+            states[name] = None
+    return states
+
+
+def _is_since(clock, state):
+    return state is not None and clock <= max(state[2:])

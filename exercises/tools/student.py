@@ -18,6 +18,7 @@ from programs import build_worker, folder_of, judge_of, prepare
 from progress import Progress, bar
 from replay import has_replay, make_replay
 from starter import solution_without_marks
+from submission import why_not_taken
 from toolchain import read_toolchain
 from verdict import judge, said
 from watch import Watch
@@ -136,6 +137,9 @@ class Student:
             raise Complaint("this copy of the course holds no solutions, so there is nothing to compare with")
         if not self.progress.standing(exercise.path).solved:
             raise Complaint(f"first solve it: ./course check {exercise.name}. ./course hint {exercise.name} helps")
+        why = why_not_taken(self.place.header_of(exercise))
+        if why:
+            raise Complaint(why)
         mine = self.place.header_of(exercise).read_text(encoding="utf-8", errors="replace")
         other = solution_without_marks((solutions / exercise.header).read_text(encoding="utf-8"))
         difference = difflib.unified_diff(mine.splitlines(), other.splitlines(), "yours", "the course's", lineterm="", n=2)
@@ -154,6 +158,11 @@ class Student:
         toolchain, header = self.toolchain(), self.place.header_of(exercise)
         folder = folder_of(toolchain, exercise) / "mine"
         say(exercise.title)
+        why = why_not_taken(header)
+        if why:
+            say(f"\nIt can't be graded: {why}.")
+            self._times(began, None)
+            return False
         try:
             judge_program = prepare(toolchain, exercise)
             worker = build_worker(toolchain, exercise, header.parent, folder)

@@ -60,6 +60,19 @@ def read_header(folder, exercise):
     return Header(reason=f"{exercise.header} was not handed in{_but_elsewhere(folder, exercise)}")
 
 
+def why_not_taken(file):
+    """Why a grader would give nothing for a student's own copy, whatever the compiler makes of it; empty if it is taken. A link is
+    followed, since what is handed in is what it leads to."""
+    place = Path(os.path.realpath(file))
+    try:
+        reason = _judged(_bytes_of(place.parent, place)).reason
+    except Complaint as complaint:
+        return str(complaint)
+    except OSError as error:
+        return f"{file.name} can't be read: {error.strerror}"
+    return f"{reason}; save {file.name} as UTF-8" if reason else ""
+
+
 def _but_elsewhere(folder, exercise):
     """Where a file lies that may be meant: in another folder, in capitals, or numbered as browsers number what they fetch twice. A person
     has to decide; who hands in a thousand files is not searched for it."""

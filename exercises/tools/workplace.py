@@ -1,6 +1,7 @@
 """A student's own copies in work/, which git ignores: only they are edited, so no update of the course meets them."""
 
 import hashlib
+import os
 import re
 import shutil
 from datetime import datetime
@@ -21,9 +22,9 @@ class Workplace:
         return self.folder_of(exercise) / exercise.header
 
     def started(self, exercise):
-        """An empty file holds nobody's work: it is what a full disk leaves."""
+        """An empty file holds nobody's work: it is what a full disk leaves. What bears the name and is no file is left alone."""
         header = self.header_of(exercise)
-        return header.exists() and header.stat().st_size > 0
+        return os.path.lexists(header) and not (header.is_file() and header.stat().st_size == 0)
 
     def start(self, exercise):
         """Copies the starter and the task. A copy that is there already is left as it is; says whether it made one."""
@@ -41,6 +42,8 @@ class Workplace:
         header = self.header_of(exercise)
         if not self.started(exercise):
             raise Complaint(f"{exercise.name} was not started, so there is nothing to reset")
+        if not header.is_file():
+            raise Complaint(f"{header} is no file, so no copy of it can be kept; remove it first")
         stamp = datetime.now().strftime("%Y-%m-%d_%H-%M-%S")
         backup = header.with_name(f"{exercise.name}.{stamp}.hpp")
         count = 1

@@ -128,6 +128,13 @@ class Way(FixtureCourse):
                 self.assertIn(expected, text)
                 self.assertIn("+ Half of two is one", text)
 
+    def test_what_compiles_and_a_grader_would_not_take_gets_no_points_here_either(self):
+        self.says("start", "doubled")
+        self.mine.write_bytes(b"// H\xf6he\n" + SOLVED.encode())
+        text = self.says("check", code=1)
+        self.assertIn("It can't be graded: the header is not UTF-8: byte 4 is 0xf6; save doubled.hpp as UTF-8.", text)
+        self.assertIn("no points yet", text)
+
     def test_nothing_that_a_student_writes_steers_the_terminal(self):
         self.says("start", "doubled")
         steering = '\\x1b]0;owned\\x07\\x1b[2J\\xc2\\x9b" "31m'

@@ -11,6 +11,7 @@ from pathlib import Path
 from complaint import Complaint
 from made import CommandFailed, dependencies_in, make
 from progress import Progress, bar
+from submission import LARGEST, why_not_taken
 from test_texts import exercise
 from watch import Watch
 from workplace import Workplace
@@ -78,6 +79,37 @@ class Copies(InAFolder):
         self.assertEqual({backup.read_text(encoding="utf-8") for backup in backups}, {"first", "second", "third"})
         self.assertEqual(self.place.header_of(self.exercise).read_text(encoding="utf-8"), "starter")
 
+    def test_what_a_grader_would_not_take_is_told_to_whoever_wrote_it(self):
+        file = self.folder / "hammer.hpp"
+        for data, why in ((b"// H\xf6he\n", "not UTF-8: byte 4 is 0xf6; save hammer.hpp as UTF-8"),
+                          ("// one\n".encode("utf-16"), "not UTF-8: byte 0 is 0xff; save hammer.hpp as UTF-8"),
+                          ("// one\n".encode("utf-16-le"), "zero byte"), (b" \n", "is empty"),
+                          (b" " * LARGEST + b"x", f"larger than {LARGEST // 1024} KB")):
+            with self.subTest(why=why):
+                file.write_bytes(data)
+                self.assertIn(why, why_not_taken(file))
+        for data in (b"\xef\xbb\xbfint a;", b"int a;\r\nint b;", b"x" * LARGEST):
+            file.write_bytes(data)
+            self.assertEqual(why_not_taken(file), "")
+        link = self.folder / "link.hpp"
+        link.symlink_to("hammer.hpp")
+        self.assertEqual(why_not_taken(link), "")
+        file.unlink()
+        self.assertIn("No such file", why_not_taken(link))
+
+    def test_what_bears_the_name_and_is_no_file_is_left_alone(self):
+        header = self.place.header_of(self.exercise)
+        header.parent.mkdir(parents=True)
+        for put, away in ((header.mkdir, header.rmdir), (lambda: os.mkfifo(header), header.unlink),
+                          (lambda: header.symlink_to("nowhere"), header.unlink)):
+            put()
+            self.assertFalse(self.place.start(self.exercise))
+            self.assertNotEqual(why_not_taken(header), "")
+            with self.assertRaises(Complaint):
+                self.place.reset(self.exercise)
+            away()
+        self.assertEqual([each.name for each in header.parent.iterdir()], ["task.md"])
+
     def test_reset_of_nothing_is_refused(self):
         with self.assertRaises(Complaint):
             self.place.reset(self.exercise)
@@ -105,6 +137,42 @@ class MadeFiles(InAFolder):
         self.assertGreater(make(target, command + ["another"], inputs=[source]).seconds, 0)
         target.unlink()
         self.assertGreater(make(target, command + ["another"], inputs=[source]).seconds, 0)
+
+    def test_a_damaged_record_makes_the_target_again(self):
+        target = self.folder / "target"
+        command = [sys.executable, "-c", f"open({str(target)!r}, 'w').close()"]
+        for damaged in ("", "5", "[]", "{}", '{"command": 1, "output": "", "stamps": {}}', '{"command": [], "output": "", "stamps": 7}',
+                        '{"command": [], "output": 3, "stamps": {}}', "[" * 100000):
+            with self.subTest(record=damaged[:50]):
+                Path(f"{target}.made").write_text(damaged, encoding="utf-8")
+                self.assertGreater(make(target, command).seconds, 0)
+
+    def test_what_is_saved_while_it_is_made_is_made_again_whatever_time_it_bears(self):
+        source, target = self.folder / "source", self.folder / "target"
+        hour = 3600
+        for shift in (-hour, 0, hour):
+            with self.subTest(shift=shift):
+                source.write_text("old", encoding="utf-8")
+                os.utime(source, (1e9, 1e9))
+                saved = time.time() + shift
+                command = [sys.executable, "-c", f"import os, shutil; shutil.copy({str(source)!r}, {str(target)!r})\n"
+                           f"if open({str(source)!r}).read() == 'old':\n"
+                           f"    open({str(source)!r}, 'w').write('new'); os.utime({str(source)!r}, ({saved}, {saved}))"]
+                make(target, command, inputs=[source])
+                make(target, command, inputs=[source])
+                self.assertEqual(target.read_text(encoding="utf-8"), "new")
+                self.assertEqual(make(target, command, inputs=[source]).seconds, 0)
+
+    def test_a_time_yet_to_come_hides_no_later_save(self):
+        source, target = self.folder / "source", self.folder / "target"
+        source.write_text("old", encoding="utf-8")
+        os.utime(source, (4e9, 4e9))
+        command = [sys.executable, "-c", f"import shutil; shutil.copy({str(source)!r}, {str(target)!r})"]
+        make(target, command, inputs=[source])
+        self.assertEqual(make(target, command, inputs=[source]).seconds, 0)
+        source.write_text("new", encoding="utf-8")
+        make(target, command, inputs=[source])
+        self.assertEqual(target.read_text(encoding="utf-8"), "new")
 
     def test_a_failure_is_not_remembered_as_made(self):
         command = [sys.executable, "-c", "print('bad'); raise SystemExit(1)"]
