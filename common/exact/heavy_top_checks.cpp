@@ -187,6 +187,20 @@ TEST_CASE("A heavy top that starts with the speed of steady precession keeps its
 }
 //! [steady_precession]
 
+TEST_CASE("Where all roots meet to the bit a heavy top goes round steadily, and nothing is 0/0") {
+  // Its axis is horizontal, L3 W = M g l = 1, and none of it rounds: the tilt has no range at all.
+  Topd start{.angular_momentum_body = {1, 0, 1}, .inverse_moments = {1, 1, 2}};
+  const HeavyTop<double> exact(start, {-1, 0, 0});
+  CHECK(exact.lowest() == exact.highest());
+  for (const double time : {-3.0, 0.5, 100.0}) {
+    const Topd now = exact.at(time);
+    const Vec3d axis = rotate(now.orientation, Vec3d(0, 0, 1));
+    CHECK((axis - Vec3d(0, -std::sin(time), std::cos(time))).norm() <=
+          rounding_of_heavy_top(4 * std::abs(time)));
+    CHECK(now.angular_momentum_body.z() == 1);
+  }
+}
+
 TEST_CASE_TEMPLATE("The heavy top's energy and both its momenta stay, for as long as one likes",
                    Real, double, long double) {
   const Topd given = start_of({"swing", 0.5, 0.2, 1, 0.6, {0.3, -0.2, 3}});
