@@ -70,10 +70,9 @@
           plot.points([at('ball')[0]], [at('ball')[1]], palette.bodies[0], 9);
           plot.points([at('drop')[0]], [at('drop')[1]], palette.bodies[1], 4);
           painter.clipped(plot.box, () => draw_box(plot, columns, n, palette.bodies[2]));
-          plot.note('post', at('post'), palette.ink);
-          plot.note('ball', [at('ball')[0] + 0.1, at('ball')[1]], palette.bodies[0]);
-          plot.note('drop', at('drop'), palette.bodies[1]);
-          plot.note('box', [at('box')[0] + 0.4, at('box')[1]], palette.bodies[2]);
+          [['post', palette.ink, 0], ['ball', palette.bodies[0], 0.1], ['drop', palette.bodies[1], 0], ['box', palette.bodies[2], 0.4]]
+            .filter(([name]) => at(name)[1] > plot.y.least)
+            .forEach(([name, colour, aside]) => plot.note(name, [at(name)[0] + aside, at(name)[1]], colour));
         },
       },
       {

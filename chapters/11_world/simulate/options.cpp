@@ -16,26 +16,28 @@ namespace {
 
 constexpr const char* help = R"(simulate SCENE [OPTION...]
 
-SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or the path of a scene
-file.
+SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or the path of a
+scene file.
 
   --plan              print the plan and do nothing else
-  --check-plan        step the scene by its plan, and beside it without: every effect visits every
-                      body, and all are kicked, drift and turn; say where the two part, if they do
+  --check-plan        step the scene by its plan, and beside it without: every effect visits
+                      every body, and all are kicked, drift and turn; say where the two
+                      part, if they do
   --dt SECONDS        another time step, 1e-6 to 3600; rounded to whole nanoseconds
-  --until SECONDS     simulate this long instead of the scene's duration, to the nearest whole
-                      number of steps
-  --method METHOD     turn by another rule of chapter 8, or by a rung of chapter 13; for a METHOD
-                      that does not exist the answer lists those that do
-  --scheme SCHEME     step all bodies by semi_implicit_euler, verlet or suzuki: order 1, 2 or 4
-                      where nothing limits it; --plan says what does
+  --until SECONDS     simulate this long instead of the scene's duration, to the nearest
+                      whole number of steps
+  --method METHOD     turn by another rule of chapter 8, or by a rung of chapter 13; for a
+                      METHOD that does not exist the answer lists those that do
+  --scheme SCHEME     step all bodies by semi_implicit_euler, verlet or suzuki: order 1, 2
+                      or 4 where nothing limits it; --plan says what does
   --precision KIND    double (the default) or float
-  --seed N            draw other random bodies: N, 0 to 2^53, is added to each seed of the file
-  --threads N         let N threads share the work, 1 to 1024; by default one for each processor. No
-                      bit depends on it
+  --seed N            draw other random bodies: N, 0 to 2^53, is added to each seed of the
+                      file
+  --threads N         let N threads share the work, 1 to 1024; by default one for each
+                      processor. No bit depends on it
 
-  --csv FILE          write the trajectory: time, body, position and velocity of the centre of mass,
-                      orientation of the model, angular velocity; world axes
+  --csv FILE          write the trajectory: time, body, position and velocity of the centre
+                      of mass, orientation of the model, angular velocity; world axes
   --jsonl FILE        the same, an object of JSON in each line
   --plot FILE.svg     draw paths and energies
   --view FILE.html    write a page that replays the motion
@@ -46,11 +48,11 @@ file.
   --bill              measure what each effect costs
   --help              this text
 
-Ctrl-C ends the simulation; the files then hold what was computed. A lost terminal, SIGTERM, and the
-end of the program that reads the output do the same. The exit status is 0 if everything was
-simulated, 1 if a step could not be taken, 2 if the command line or the scene is wrong, 3 if a file
-could not be written, 4 if memory or threads did not suffice, and 128 plus the number of the signal
-that ended it: 130 after Ctrl-C.
+Ctrl-C ends the simulation; the files then hold what was computed. A lost terminal, SIGTERM,
+and the end of the program that reads the output do the same. The exit status is 0 if
+everything was simulated, 1 if a step could not be taken, 2 if the command line or the scene
+is wrong, 3 if a file could not be written, 4 if memory or threads did not suffice, and 128
+plus the number of the signal that ended it: 130 after Ctrl-C.
 )";
 
 const std::vector<std::string> options_with_value = {

@@ -17,10 +17,10 @@ namespace {
   return buffer;
 }
 
-/// A line, and more of them where it is longer than 100 letters, each indented to where the first
+/// A line, and more of them where it is longer than 92 letters, each indented to where the first
 /// one's text begins.
 std::string line(const char* name, const std::string& text) {
-  constexpr std::size_t margin = 19, longest = 100;
+  constexpr std::size_t margin = 19, longest = 92;
   std::string lines = formatted("%-*s", static_cast<int>(margin), name);
   std::size_t column = margin;
   for (std::size_t begin = 0; begin < text.size();) {

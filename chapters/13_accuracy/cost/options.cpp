@@ -13,31 +13,31 @@ namespace {
 constexpr const char* help = R"(cost SCENE --for SECONDS --angle RAD | --place METRES [OPTION...]
 cost --inertia A,B,C --spin X,Y,Z --for SECONDS --angle RAD [OPTION...]
 
-Measures on this machine which method, precision and time step is the cheapest that keeps every
-orientation within --angle and every centre of mass within --place, at each state on the way. It
-runs the winner again before it promises.
+Measures on this machine which method, precision and time step is the cheapest that keeps
+every orientation within --angle and every centre of mass within --place, at each state on
+the way. It runs the winner again before it promises.
 
-SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or the path of a scene
-file.
+SCENE is the name of a scene in chapters/11_world/scenes, such as t_handle, or the path of a
+scene file.
 
   --inertia A,B,C     a free top instead: its principal moments, kg m^2
   --spin X,Y,Z        its angular velocity at the start about these axes, rad/s
   --for SECONDS       for how long; a whole number of states
   --angle RAD         the largest error of an orientation
   --place METRES      the largest error of a centre of mass; scenes only
-  --rate N            how many states a second are wanted, 1 to 1000000; 60 if not given. No step is
-                      longer
+  --rate N            how many states a second are wanted, 1 to 1000000; 60 if not given. No
+                      step is longer
   --precision KIND    float, double or any (the default)
-  --steps KIND        even: methods with steps of one length; own: methods that choose their steps,
-                      which a free top has and a scene has not; any (the default): both, and the
-                      exact solution, which takes none
-  --longest-run S     a method is not tried with shorter steps once a run takes so many seconds,
-                      0.001 to 600; 1 if not given
+  --steps KIND        even: methods with steps of one length; own: methods that choose their
+                      steps, which a free top has and a scene has not; any (the default):
+                      both, and the exact solution, which takes none
+  --longest-run S     a method is not tried with shorter steps once a run takes so many
+                      seconds, 0.001 to 600; 1 if not given
   --json              answer in JSON, as answer.schema.json says
   --help              this text
 
-The exit status is 0 if the promise is confirmed, 1 if none can be, and 2 if the command line or the
-scene is wrong.
+The exit status is 0 if the promise is confirmed, 1 if none can be, and 2 if the command
+line or the scene is wrong.
 )";
 
 const std::vector<std::string> options_with_value = {
