@@ -2,9 +2,6 @@
 
 namespace tumble::cost {
 
-template <class Real>
-void append_free_top(std::vector<Candidate>& candidates, const FreeTopQuestion& question,
-                     const Frames& frames, const StepKinds& kinds, double longest_run);
 extern template void append_free_top<float>(std::vector<Candidate>&, const FreeTopQuestion&,
                                             const Frames&, const StepKinds&, double);
 extern template void append_free_top<double>(std::vector<Candidate>&, const FreeTopQuestion&,

@@ -116,7 +116,6 @@ Candidate own_steps(const FreeJourney<Real>& rung, const std::string& precision,
   return made;
 }
 
-/// See free_top_candidates(); nothing if this precision can't store the top.
 template <class Real>
 void append_free_top(std::vector<Candidate>& candidates, const FreeTopQuestion& question,
                      const Frames& frames, const StepKinds& kinds, double longest_run) {

@@ -84,4 +84,10 @@ std::vector<Trial<Real>> trials_of(const FreeTopQuestion& question, const Frames
   return list;
 }
 
+/// Appends the candidates in one precision, see free_top_candidates(); none if it can't store the
+/// top. It is compiled in a file for each.
+template <class Real>
+void append_free_top(std::vector<Candidate>& candidates, const FreeTopQuestion& question,
+                     const Frames& frames, const StepKinds& kinds, double longest_run);
+
 }  // namespace tumble::cost
