@@ -94,7 +94,7 @@ tumble_precompile(tumble_program_headers program)
 
 # With the sanitizers clang takes half as long for -O0 as for -O1, and what it makes runs a fifteenth as fast. So -O1 is for
 # the chapters' checks and the programs that compute for more than a tenth of a second, and for libraries.
-set(TUMBLE_BUSY exact 03_inertia 07_orientation 08_tumbling 11_world 12_many_bodies 13_accuracy
+set(TUMBLE_BUSY exact scene_reader bench 03_inertia 07_orientation 08_tumbling 11_world 12_many_bodies 13_accuracy
   particle_cloud tiny_turns_demo rules_demo clock_demo plan_demo packs_demo hard_cases_demo accuracy_demo random_tops_demo
   slow_bodies_demo long_run_demo)
 if(TUMBLE_SANITIZE)
@@ -112,7 +112,7 @@ function(tumble_use_precompiled target use name)
     target_precompile_headers(${target} REUSE_FROM tumble_${use}_headers)
   endif()
 endfunction()
-add_library(tumble_check_main OBJECT ${PROJECT_SOURCE_DIR}/common/course/check_main.cpp)
+add_library(tumble_check_main OBJECT ${PROJECT_SOURCE_DIR}/common/support/check_main.cpp)
 target_link_libraries(tumble_check_main PUBLIC tumble_check_flags)
 
 add_custom_target(results)  # everything that the book quotes
@@ -130,6 +130,14 @@ function(tumble_add_result chapter target)
   tumble_chapter_target(results ${chapter})
   add_dependencies(results_${chapter} ${target})
   add_dependencies(results ${target})
+endfunction()
+
+# tumble_add_tool(NAME CHAPTER): the pages in this folder stand in the book behind those of CHAPTER, and what they quote lies in
+# results/NAME. The functions below take NAME for a chapter.
+function(tumble_add_tool name chapter)
+  set_property(GLOBAL APPEND PROPERTY TUMBLE_TOOLS ${name})
+  set_property(GLOBAL APPEND PROPERTY TUMBLE_TOOLS_CHAPTERS ${chapter})
+  set_property(GLOBAL APPEND PROPERTY TUMBLE_TOOLS_FOLDERS ${CMAKE_CURRENT_SOURCE_DIR})
 endfunction()
 
 # tumble_add_checks(CHAPTER FILE...): one program with the chapter's checks, one CTest, one checks.xml. For whoever works
@@ -194,7 +202,7 @@ endfunction()
 
 # tumble_add_program(CHAPTER NAME [LONG] [IN_ITEMS] [MEASURES]): compiles NAME.cpp; it is run with the results folder as
 # its one argument. A LONG one finds TUMBLE_FULL in its environment when it shall take its time; one IN_ITEMS uses
-# <course/items.hpp>. One that MEASURES time is run alone, after everything else.
+# <support/items.hpp>. One that MEASURES time is run alone, after everything else.
 function(tumble_add_program chapter name)
   set(run_in_full "")
   set(measured "")
@@ -378,7 +386,7 @@ endfunction()
 function(tumble_add_live chapter name)
   set(program live_${name})
   if(NOT TARGET live_program)
-    add_library(live_program OBJECT ${PROJECT_SOURCE_DIR}/common/course/live/live_program.cpp)
+    add_library(live_program OBJECT ${PROJECT_SOURCE_DIR}/common/support/live/live_program.cpp)
     target_link_libraries(live_program PUBLIC tumble_program_flags)
     target_precompile_headers(live_program REUSE_FROM tumble_program_headers)
   endif()
@@ -395,7 +403,7 @@ function(tumble_add_live chapter name)
   if(TUMBLE_WASM_COMPILER)
     set(objects ${PROJECT_BINARY_DIR}/wasm)
     if(NOT TARGET live_module)
-      tumble_compile_for_wasm(${objects}/live_module.o ${PROJECT_SOURCE_DIR}/common/course/live/live_module.cpp ${program})
+      tumble_compile_for_wasm(${objects}/live_module.o ${PROJECT_SOURCE_DIR}/common/support/live/live_module.cpp ${program})
       add_custom_target(live_module DEPENDS ${objects}/live_module.o)
     endif()
     tumble_compile_for_wasm(${objects}/${name}.o ${CMAKE_CURRENT_SOURCE_DIR}/${name}_live.cpp ${program})

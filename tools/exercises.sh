@@ -43,7 +43,7 @@ configure_exercises() {
   ensure "$base_packages $exercise_packages" "$speed_packages"
   # A build folder may be older than the exercises, or than a chapter that has come since; only CMake itself would notice.
   [ -f "$toolchain" ] || rm -f build/default/configured
-  for file in CMakeLists.txt common/CMakeLists.txt chapters/CMakeLists.txt chapters/*/CMakeLists.txt exercises/CMakeLists.txt; do
+  for file in CMakeLists.txt common/CMakeLists.txt chapters/CMakeLists.txt chapters/*/CMakeLists.txt exact/CMakeLists.txt exercises/CMakeLists.txt; do
     if [ "$file" -nt build/default/configured ]; then rm -f build/default/configured; fi
   done
   [ -f build/default/configured ] || echo "Once, the build has to be configured:"

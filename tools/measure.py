@@ -32,7 +32,7 @@ from running import Running  # noqa: E402
 from shards import Job, Part, Stopped, job_of_part, merge, run, shard_of, stoppable  # noqa: E402
 
 IN_VAIN = "expected, but not so: "  # so begins what a program tells of an expectation
-SOURCES = ("CMakeLists.txt", "CMakePresets.json", "cmake", "common", "chapters")
+SOURCES = ("CMakeLists.txt", "CMakePresets.json", "cmake", "common", "chapters", "exact", "tools/bench")
 KINDS = {".hpp", ".cpp", ".h", ".cmake", ".txt", ".json"}
 
 

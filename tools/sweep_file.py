@@ -11,7 +11,7 @@ from pathlib import Path
 from complaint import Complaint
 from shards import Job
 
-SCENES = Path(__file__).resolve().parent.parent / "chapters" / "11_world" / "scenes"
+SCENES = Path(__file__).resolve().parent / "scenes"
 MOST = 1000000  # combinations
 LARGEST = 64 * 2**20  # bytes of the file; that many combinations need less
 MOST_DIGITS = 1000  # of a whole number; the largest double has 309

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs clang-tidy over every .cpp file of common/ and chapters/, many files at a time.
+"""Runs clang-tidy over every .cpp file of common/, chapters/, exact/ and tools/, many files at a time.
 
     tidy.py BUILD_FOLDER [JOBS]    the build folder holds compile_commands.json, made for clang
 
@@ -46,7 +46,7 @@ def folders_of(entries):
         own[file] = flags
         together.setdefault(file.parent, {}).update(dict.fromkeys(flags))
     folders = {}
-    for file in sorted([*root.glob("common/**/*.cpp"), *root.glob("chapters/**/*.cpp")]):
+    for file in sorted(file for name in ("common", "chapters", "exact", "tools") for file in root.glob(f"{name}/**/*.cpp")):
         if file.name == "live_module.cpp":  # compiled for WebAssembly alone, with attributes of that machine
             continue
         nearest = next((together[folder] for folder in file.parents if folder in together), {})

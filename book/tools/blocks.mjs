@@ -86,26 +86,32 @@ export class Blocks {
   #of(page, text) {
     const [, chapter = page.chapter, name] = /^(?:(\w+)\/)?(.*)$/s.exec(text);
     if (!chapter) throw new BookError(`"${text}" must name its chapter here, as in 01_force/${text}`);
-    if (!this.settings.floors.some(floor => floor.name === chapter)) {
-      throw new BookError(`no chapter ${chapter}; there are ${this.settings.floors.map(floor => floor.name).join(', ')}`);
-    }
+    this.#folder(chapter);
     return [chapter, name];
   }
 
+  /** Of a chapter, or of a tool. */
+  #folder(chapter) {
+    const rooms = [...this.settings.floors, ...this.settings.tools];
+    const room = rooms.find(({name}) => name === chapter);
+    if (!room) throw new BookError(`no chapter ${chapter}; there are ${rooms.map(({name}) => name).join(', ')}`);
+    return room.folder;
+  }
+
   #program_link(chapter, program) {
-    const {folder} = this.settings.floors.find(floor => floor.name === chapter);
+    const folder = this.#folder(chapter);
     const path = join(folder, `${program}.cpp`);
     if (existsSync(join(this.settings.source, path))) return source_link(path, 0, code(program));
-    // A big program has a folder of its own, and its runs are called PROGRAM_WORD.
-    const [big] = program.split('_');
-    const in_folder = join(folder, big, `${big}.cpp`);
-    if (!existsSync(join(this.settings.source, in_folder))) throw new BookError(`there is no program ${path}`);
-    return source_link(in_folder, 0, code(big));
+    // The runs of a tool are called PROGRAM_WORD.
+    const [tool] = program.split('_');
+    const of_tool = join(folder, `${tool}.cpp`);
+    if (!existsSync(join(this.settings.source, of_tool))) throw new BookError(`there is no program ${path}`);
+    return source_link(of_tool, 0, code(tool));
   }
 
   #path(file) {
     // ccache makes the compiler see paths from the folder that it runs in.
-    return file.replace(/^.*\/(?=chapters\/)/, '');
+    return file.replace(/^.*\/(?=(?:chapters|exact|tools)\/)/, '');
   }
 
   value_of(page, argument) {
@@ -137,7 +143,7 @@ export class Blocks {
     }
     const first = lines.findIndex((line, index) => index > marks[0] && line && !line.startsWith('//! ['));
     if (first >= marks[1]) throw new BookError(`the snippet ${match[2]} of ${path} is empty`);
-    const shown = /(?:(?:tumble|course)\/)?[^/]+$/.exec(path)[0];
+    const shown = /(?:(?:tumble|support)\/)?[^/]+$/.exec(path)[0];
     return {caption: `${source_link(path, first + 1, code(shown))}, line ${first + 1}`, command: `\\snippet ${path} ${match[2]}`};
   }
 
@@ -213,7 +219,7 @@ export class Blocks {
   #live(page, argument) {
     const [reference, says] = this.#described(page, argument, 'live', 'name');
     const [chapter, name] = this.#of(page, reference);
-    const {folder} = this.settings.floors.find(floor => floor.name === chapter);
+    const folder = this.#folder(chapter);
     const {html, script} = live_figure({
       name,
       file: join(this.settings.source, folder, `${name}_live.js`),
@@ -247,8 +253,8 @@ export class Blocks {
   }
 
   #check(page, argument) {
-    const prefixed = /^\d\d_\w+\//.test(argument);
-    const [chapter, sentence] = prefixed || !page.chapter ? this.#of(page, argument) : [page.chapter, argument];
+    const is_prefixed = [...this.settings.floors, ...this.settings.tools].some(({name}) => argument.startsWith(`${name}/`));
+    const [chapter, sentence] = is_prefixed || !page.chapter ? this.#of(page, argument) : [page.chapter, argument];
     const all = this.results.checks(chapter);
     const matches = all.filter(check => check.sentence === sentence);
     if (matches.length !== 1) {
@@ -268,13 +274,19 @@ export class Blocks {
     this.folded.add(page.chapter);
     return () => {
       const others = all.filter(check => !this.quoted.has(check));
-      return folded_checks(others, check => check_line(check, this.#path(check.file), source_link), file => this.#path(file));
+      return folded_checks(others, this.#kind(page.chapter), check => check_line(check, this.#path(check.file), source_link), file => this.#path(file));
     };
   }
 
   /** The verdicts of a chapter in one line. */
   verdict(chapter) {
-    return verdict_of_all(this.results.checks(chapter));
+    const checks = this.results.checks(chapter);
+    return checks.length ? verdict_of_all(checks, this.#kind(chapter)) : '';
+  }
+
+  /** Checks are a chapter's, or those of a tool, which has one page. */
+  #kind(chapter) {
+    return this.settings.tools.some(({name}) => name === chapter) ? 'page' : 'chapter';
   }
 
   /** The failed checks and programs of a chapter that its pages do not show. */

@@ -112,12 +112,12 @@ function write_pages(folder, pages, written, directives) {
   for (const file of reachable(is_ours, [...by_file.keys()], name => finish(name).html)) {
     const {html, headings, title} = finish(file);
     const page = by_file.get(file) ?? (reference.by_file.has(file) ? {file, under: 'reference.html', title, name: title} : source_page(file, title));
-    const is_chapter = page.chapter && !page.further && !page.is_being_made;
-    const more = is_chapter ? directives.makers.unquoted_failures(page.chapter) : '';
+    const leads = page.leads && !page.is_being_made;
+    const more = leads ? directives.makers.unquoted_failures(page.chapter) : '';
     const whole =
       html +
       (more && `<h2 id="failed_checks">What failed and no page quotes</h2>${more}`) +
-      (is_chapter ? directives.makers.verdict(page.chapter) : '');
+      (leads ? directives.makers.verdict(page.chapter) : '');
     if (!file.endsWith('_source.html'))
       documents.push(
         ...sections(page, whole).map(section => ({
@@ -175,9 +175,9 @@ function publish(fresh, folder) {
 
 function build() {
   mkdirSync(settings.work, {recursive: true});
-  const pages = read_pages(settings.source, settings.floors);
+  const pages = read_pages(settings.source, settings.floors, settings.tools);
   for (const page of pages.chapters) page.is_being_made = made !== undefined && !made.has(page.chapter);
-  const results = new Results(settings.results);
+  const results = new Results(settings.results, settings.tools);
   const exercises = read_exercises(settings);
   for (const page of pages.chapters) {
     if (page.further) continue;

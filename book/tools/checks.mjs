@@ -57,7 +57,7 @@ const comparisons = checks =>
   checks.reduce((sum, {runs}) => sum + runs.reduce((all, {assertions}) => all + assertions, 0), 0).toLocaleString('en-GB');
 
 /** One line for many checks, which opens; it is open where one failed. They stand by the file that holds them. */
-export function folded_checks(checks, line_of, path_of) {
+export function folded_checks(checks, where, line_of, path_of) {
   if (!checks.length) return '';
   const files = [...new Set(checks.map(({file}) => path_of(file)))];
   const group = file =>
@@ -65,16 +65,16 @@ export function folded_checks(checks, line_of, path_of) {
     checks.filter(check => path_of(check.file) === file).map(line_of).join('');
   const open = checks.some(check => !check.passed) ? ' open' : '';
   return (
-    `<details class="fold others"${open}><summary>The other ${counted(checks.length, 'check')} of this chapter: ` +
+    `<details class="fold others"${open}><summary>The other ${counted(checks.length, 'check')} of this ${where}: ` +
     `<span class="verdict">${summary(checks)}</span></summary>${files.map(group).join('')}</details>`
   );
 }
 
-/** The last line of a chapter: all its checks, and how they went. */
-export function verdict_of_all(checks) {
+/** The last line of a chapter, or of a tool's page: all its checks, and how they went. */
+export function verdict_of_all(checks, where) {
   const failed = checks.filter(check => !check.passed).length;
   return (
-    `<p class="verdict-of-all${failed ? ' failed' : ''}">${failed ? '✗' : '✓'} ${counted(checks.length, 'check')} of this chapter: ` +
+    `<p class="verdict-of-all${failed ? ' failed' : ''}">${failed ? '✗' : '✓'} ${counted(checks.length, 'check')} of this ${where}: ` +
     `${summary(checks)}; ${comparisons(checks)} comparisons, made by the build of this book.</p>`
   );
 }

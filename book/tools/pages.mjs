@@ -51,11 +51,11 @@ function brief(source, path) {
 function public_headers(source, floors, chapters) {
   const of_chapter = name => chapters.find(page => page.chapter === name && !page.further);
   const folders = floors.map(({folder, name}) => ({below: join(folder, 'tumble'), inside: 'tumble', page: of_chapter(name)}));
-  const scenes = chapters.find(page => page.id === 'scene_files'),
+  const scenes = chapters.find(page => page.chapter === 'scene_reader'),
     hard = chapters.find(page => page.id === 'chapter_13_accuracy');
   folders.push(
-    {below: 'chapters/11_world/scene/tumble/scene', inside: 'tumble/scene', page: scenes, only: /^(scene|read_scene|read_scene_text|scene_error|solid|keys)\.hpp$/},
-    {below: 'common/exact/tumble/exact', inside: 'tumble/exact', page: hard},
+    {below: 'tools/scene_reader/tumble/scene', inside: 'tumble/scene', page: scenes, only: /^(scene|read_scene|read_scene_text|scene_error|solid|keys)\.hpp$/},
+    {below: 'exact/tumble/exact', inside: 'tumble/exact', page: hard},
   );
   return folders.flatMap(({below, inside, page, only = /\.hpp$/}) =>
     (existsSync(join(source, below)) ? readdirSync(join(source, below)) : [])
@@ -65,8 +65,8 @@ function public_headers(source, floors, chapters) {
   );
 }
 
-/** {front, chapters, back, teaching, all}: floors are {name, folder}, from the ground up. */
-export function read_pages(source, floors) {
+/** {front, chapters, back, teaching, all}: floors are {name, folder}, from the ground up; tools also have the chapter that their pages follow. */
+export function read_pages(source, floors, tools) {
   const front = ['index', 'how_to_read', 'conventions', 'chapter_map'].map(name =>
     read_page(source, `book/pages/${name}.md`),
   );
@@ -81,8 +81,11 @@ export function read_pages(source, floors) {
       const page = read_page(source, join(folder, file), name);
       if (file === 'chapter.md' && page.id !== `chapter_${name}`)
         throw new BookError(`${page.path}:1: the address is {#${page.id}}; it must be {#chapter_${name}}`);
-      chapters.push({...page, further: file !== 'chapter.md'});
+      chapters.push({...page, further: file !== 'chapter.md', leads: file === 'chapter.md'});
     }
+    for (const tool of tools.filter(({chapter}) => chapter === name))
+      for (const [index, file] of readdirSync(join(source, tool.folder)).filter(file => file.endsWith('.md')).sort().entries())
+        chapters.push({...read_page(source, join(tool.folder, file), tool.name), further: true, leads: index === 0});
   }
   const headers = public_headers(source, floors, chapters);
   const back = ['exercises', 'cheat_sheet', 'scene_keys', 'reference', 'colophon'].map(name =>

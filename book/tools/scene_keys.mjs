@@ -5,7 +5,7 @@ import {BookError} from './results.mjs';
 import {table} from './tables.mjs';
 import {escape} from './text.mjs';
 
-const schema_file = 'chapters/11_world/scenes/scene.schema.json';
+const schema_file = 'tools/scenes/scene.schema.json';
 
 // The longer of two that begin alike comes first.
 const units = ['kg m^2', 'kg/m^3', 'm^3/s^2', 'm/s^2', 'N s/m', 'N/m', 'kg/m', 'rad/s', 'm/s', '1/s', 'rad', 'kg', 'ns', 's', 'm', 'N'];

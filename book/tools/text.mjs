@@ -51,10 +51,10 @@ export function typeset_in_formula(value) {
   return sign + digits + (exponent ? ` \\cdot 10^{${Number(exponent)}}` : '') + (unit ? `\\,\\mathrm{${unit}}` : '');
 }
 
-/** A cell of a table: programs write every digit they have, a reader gets five that count. */
+/** A cell of a table: programs write every digit they have, a reader gets five that count, but a whole number as it is. */
 export function cell(value) {
   const short =
-    /^-?\d+\.?\d*(e[+-]?\d+)?$/.test(value) && value.replace(/[^\d]/g, '').length > 6
+    /^-?\d+(\.\d*|(?=e))(e[+-]?\d+)?$/.test(value) && value.replace(/[^\d]/g, '').length > 6
       ? String(Number(Number(value).toPrecision(5)))
       : value;
   return typeset(short);

@@ -1,9 +1,9 @@
-#include <course/bad_vectors.hpp>
 #include <cstdlib>
+#include <support/bad_vectors.hpp>
 #include <tumble/force.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 TEST_CASE_TEMPLATE(
     "A mass that is zero, negative, NaN or infinite is refused by name, value and rule", Real,

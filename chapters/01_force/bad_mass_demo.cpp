@@ -1,9 +1,9 @@
 // What a mass that cannot be gets: a sentence, before anything moves.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/particle.hpp>
 
 int main(int argument_count, char** arguments) {
-  tumble::course::Notebook notebook(argument_count, arguments);
+  tumble::support::Notebook notebook(argument_count, arguments);
   int refused = 0;
   using Limits = std::numeric_limits<float>;
   for (const float mass : {0.0f, -2.0f, Limits::quiet_NaN(), Limits::infinity(), 1e-41f}) {
@@ -14,7 +14,7 @@ int main(int argument_count, char** arguments) {
       ++refused;
     }
   }
-  tumble::course::expect(refused == 5, "every one of the five masses is refused");
+  tumble::support::expect(refused == 5, "every one of the five masses is refused");
   // Below the normal numbers a digit is lost with every halving; the smallest of all has one left.
   notebook.value("digits_left",
                  std::to_string(std::ilogb(1e-41f) - std::ilogb(Limits::denorm_min()) + 1));

@@ -1,9 +1,9 @@
-#include <course/checks.hpp>
+#include <support/checks.hpp>
 #include <tumble/force.hpp>
 #include <vector>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 //! [coasts]
 TEST_CASE_TEMPLATE("Without force a particle coasts: its velocity never changes by a single bit",

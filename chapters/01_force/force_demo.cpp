@@ -1,9 +1,9 @@
 // A ball is thrown three times, with coarser and finer steps, and compared with the exact parabola.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/force.hpp>
 
 using namespace tumble;
-using tumble::course::number;
+using tumble::support::number;
 
 namespace {
 
@@ -16,7 +16,7 @@ Vec3d exact_position(double time) {
 }
 
 /// Throws the ball and writes a row for every step; returns the height at the end.
-double throw_ball(int steps_per_second, course::Table table) {
+double throw_ball(int steps_per_second, support::Table table) {
   const auto write_row = [&](int n, const Particled& ball) {
     const double time = double(n) / steps_per_second;
     table.row(time, ball.position.x(), ball.position.z(), exact_position(time).z());
@@ -38,7 +38,7 @@ double throw_ball(int steps_per_second, course::Table table) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const double exact = exact_position(seconds).z();
   std::printf("The parabola is at %.4f m after %d s.\n\n", exact, seconds);
   std::printf("steps per second   height      too low by   g h t / 2\n");
@@ -51,7 +51,7 @@ int main(int argument_count, char** arguments) {
     std::printf("%16d   %8.4f m   %8.4f m   %8.4f m\n", steps_per_second, height, exact - height,
                 predicted);
     notebook.value("error" + suffix, number("%.4f m", exact - height));
-    course::expect(std::abs(exact - height - predicted) < 1e-12 * seconds * steps_per_second,
-                   "the ball is too low by g h t / 2");
+    support::expect(std::abs(exact - height - predicted) < 1e-12 * seconds * steps_per_second,
+                    "the ball is too low by g h t / 2");
   }
 }

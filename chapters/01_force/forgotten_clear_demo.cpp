@@ -1,12 +1,12 @@
 // A mistake, run on purpose: the accumulator is never emptied, so every step pulls once more.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/force.hpp>
 
 using namespace tumble;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
-  course::Table table =
+  support::Notebook notebook(argument_count, arguments);
+  support::Table table =
       notebook.table("forgotten_clear", {"time (s)", "cleared (m)", "never cleared (m)"});
   const Vec3d gravity(0, 0, -9.81);
   const int steps_per_second = 60;
@@ -25,8 +25,8 @@ int main(int argument_count, char** arguments) {
   const double ratio = wrong.position.z() / right.position.z();
   std::printf("after 1 s the cleared ball fell %.2f m, the other %.1f m: %.1f times as far\n",
               -right.position.z(), -wrong.position.z(), ratio);
-  notebook.value("fell", course::number("%.2f m", -right.position.z()));
-  notebook.value("ratio", course::number("%.1f", ratio));
-  course::expect(std::abs(ratio - (steps_per_second + 2) / 3.0) < 1e-9,
-                 "after n steps the fall is (n + 2)/3 times as far");
+  notebook.value("fell", support::number("%.2f m", -right.position.z()));
+  notebook.value("ratio", support::number("%.1f", ratio));
+  support::expect(std::abs(ratio - (steps_per_second + 2) / 3.0) < 1e-9,
+                  "after n steps the fall is (n + 2)/3 times as far");
 }

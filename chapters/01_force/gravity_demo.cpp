@@ -1,5 +1,5 @@
 // Gravity as a force and as an acceleration, on a pebble, on a boulder and on a wall.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/force.hpp>
 
 using namespace tumble;
@@ -29,7 +29,7 @@ double fall_by_acceleration(Particled body) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   std::printf("after 1 s         by force              by acceleration\n");
   const auto drop = [](const char* name, const Particled& body) {
     const double by_force = fall_by_force(body), by_acceleration = fall_by_acceleration(body);
@@ -38,8 +38,8 @@ int main(int argument_count, char** arguments) {
   };
   drop("stone, 0.17 kg", make_particle(0.17));
   drop("boulder, 700 kg", make_particle(700.0));
-  course::expect(drop("wall, static", make_static_particle<double>(Vec3d::Zero())) == 0,
-                 "a static body does not fall either way");
+  support::expect(drop("wall, static", make_static_particle<double>(Vec3d::Zero())) == 0,
+                  "a static body does not fall either way");
 
   int different = 0;
   double largest = 0;
@@ -51,5 +51,5 @@ int main(int argument_count, char** arguments) {
   }
   std::printf("\nOf 1000 masses up to 10 kg, %d differ, by %.1g m at most.\n", different, largest);
   notebook.value("different", std::to_string(different));
-  notebook.value("difference", course::number("%.0e m", largest));
+  notebook.value("difference", support::number("%.0e m", largest));
 }

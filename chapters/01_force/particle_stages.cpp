@@ -1,6 +1,6 @@
 // The particle as it grows in chapter 1: each stage compiles and runs, and the page says what is
 // wrong with it.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/particle.hpp>
 
 using tumble::Vec3d;
@@ -41,7 +41,7 @@ struct Particle {
 //! [stage_3]
 
 int main(int argument_count, char** arguments) {
-  tumble::course::Notebook notebook(argument_count, arguments);
+  tumble::support::Notebook notebook(argument_count, arguments);
   const Vec3d force(0, 0, 12);
 
   first_try::Particle first{.mass = 3, .acceleration = force / 3, .position = Vec3d::Zero()};

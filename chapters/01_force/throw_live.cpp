@@ -1,10 +1,10 @@
 // The thrown ball, live: its first velocity, the time step, and gravity in both ways.
-#include <course/live.hpp>
+#include <support/live.hpp>
 #include <tumble/force.hpp>
 
 using namespace tumble;
 
-void tumble::course::run_live(Live& live) {
+void tumble::support::run_live(Live& live) {
   const double h = live.knob("h", "s", 0.1, 0.005, 0.5);
   const int way = live.choice("gravity", 0, 2);
   const double mass = live.knob("mass", "kg", 0.5, 0.01, 100);

@@ -1,11 +1,11 @@
 // A mistake, run on purpose: p x F - x x F is the same on paper and loses its digits far away.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/torque.hpp>
 
 using namespace tumble;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   std::printf("from the origin   (p - x) x F is off by   p x F - x x F is off by\n");
   const Vec3f arm(0.5f, 0.25f, -0.125f), force(0.1f, -0.7f, 0.3f);
   const Vec3d exact = arm.cast<double>().cross(force.cast<double>());
@@ -21,9 +21,9 @@ int main(int argument_count, char** arguments) {
     };
     last = relative_error(far);
     std::printf("%12g km   %18.1e   %24.1e\n", kilometres, relative_error(near), last);
-    course::expect(relative_error(near) < 1e-6, "the lever arm keeps its digits");
+    support::expect(relative_error(near) < 1e-6, "the lever arm keeps its digits");
     if (kilometres == 10.0f)
-      notebook.value("error_10_km", course::number("%.2f %%", 100 * relative_error(far)));
+      notebook.value("error_10_km", support::number("%.2f %%", 100 * relative_error(far)));
   }
-  course::expect(last > 1e-3, "the difference of two large torques loses them");
+  support::expect(last > 1e-3, "the difference of two large torques loses them");
 }

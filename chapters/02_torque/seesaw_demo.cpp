@@ -1,11 +1,11 @@
 // A seesaw in balance, and the torque of its forces about different points.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/torque.hpp>
 
 using namespace tumble;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   //! [seesaw]
   Wrenchd children;  // about the pivot, which is the origin
   add_force_at(children, Vec3d(0, 0, -300), Vec3d(-1.0, 0, 0));

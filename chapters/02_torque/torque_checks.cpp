@@ -1,9 +1,9 @@
-#include <course/checks.hpp>
 #include <random>
+#include <support/checks.hpp>
 #include <tumble/torque.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,6 +1,6 @@
 // A door pushed at different places and angles; and what the page's two diagrams are drawn from.
-#include <course/record.hpp>
 #include <numbers>
+#include <support/record.hpp>
 #include <tumble/torque.hpp>
 
 using namespace tumble;
@@ -11,7 +11,7 @@ namespace {
 /// A row for each thing of a diagram: what it is, where it begins and how far it goes, or its name.
 class Diagram {
  public:
-  Diagram(const course::Notebook& notebook, std::string_view name)
+  Diagram(const support::Notebook& notebook, std::string_view name)
       : table_(notebook.table(name, {"kind", "x (m)", "y (m)", "dx (m)", "dy (m)", "text"})) {}
   void arrow(const char* kind, const Vec3d& from, const Vec3d& by) {
     table_.row(kind, from.x(), from.y(), by.x(), by.y(), "");
@@ -30,10 +30,10 @@ class Diagram {
   }
 
  private:
-  course::Table table_;
+  support::Table table_;
 };
 
-void draw_lever_arm(const course::Notebook& notebook) {
+void draw_lever_arm(const support::Notebook& notebook) {
   const Vec3d centre(0, 0, 0), point(1.7, 0.6, 0), force(0.5, 1.5, 0);
   const Vec3d along = force.normalized();
   const Vec3d foot = point - along * along.dot(point - centre);
@@ -52,7 +52,7 @@ void draw_lever_arm(const course::Notebook& notebook) {
   diagram.label((centre + foot) / 2 + Vec3d(0, -0.3, 0), "d");
 }
 
-void draw_couple(const course::Notebook& notebook) {
+void draw_couple(const support::Notebook& notebook) {
   const Vec3d here(1.6, 0.5, 0), there(-1.6, -0.5, 0), force(0.2, 1.4, 0);
   Diagram diagram(notebook, "couple");
   diagram.body();
@@ -70,7 +70,7 @@ void draw_couple(const course::Notebook& notebook) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   //! [door]
   const Vec3d hinge(0, 0, 0), handle(0.8, 0, 0), middle(0.4, 0, 0);
   const Vec3d push(0, 10, 0);
@@ -82,7 +82,7 @@ int main(int argument_count, char** arguments) {
   std::printf("10 N in the middle, 0.4 m from the hinge:   %4.1f N m\n", in_the_middle);
   std::printf("10 N at the handle, towards the hinge:      %4.1f N m\n", along_the_door);
 
-  course::Table table =
+  support::Table table =
       notebook.table("angle", {"angle (degree)", "torque (N m)", "10 N times distance (N m)"});
   for (int degree = 0; degree <= 180; degree += 5) {
     const double angle = degree * pi / 180;

@@ -1,8 +1,8 @@
-#include <course/bad_vectors.hpp>
+#include <support/bad_vectors.hpp>
 #include <tumble/torque.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 TEST_CASE_TEMPLATE(
     "In a mirror the torque keeps its sign along the mirrored axis and turns the other two", Real,

@@ -1,12 +1,12 @@
 // A mistake, run on purpose: the lever arm taken from the world's origin, or from the mesh's.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/torque.hpp>
 
 using namespace tumble;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
-  course::Table table =
+  support::Notebook notebook(argument_count, arguments);
+  support::Table table =
       notebook.table("wrong_lever_arm", {"distance of the body (m)", "centre of mass (N m)",
                                          "world origin (N m)", "mesh origin (N m)"});
   // A crate 2 m long is pushed at its right end. Its mesh was modelled from the left end.
@@ -23,14 +23,14 @@ int main(int argument_count, char** arguments) {
     if (metres % 25 == 0)
       std::printf("%4d m     %10.0f N m   %12.0f N m   %12.0f N m\n", metres, right,
                   about_world_origin, about_mesh_origin);
-    course::expect(right == 10, "the right torque does not depend on where the crate stands");
-    course::expect(about_world_origin == 10 * (metres + 1), "the wrong one grows with distance");
-    course::expect(about_mesh_origin == 20, "the mesh's origin doubles the arm");
+    support::expect(right == 10, "the right torque does not depend on where the crate stands");
+    support::expect(about_world_origin == 10 * (metres + 1), "the wrong one grows with distance");
+    support::expect(about_mesh_origin == 20, "the mesh's origin doubles the arm");
   }
   // Pushed between the two, half a metre from the left end.
   const double right = torque_about<double>({0, 0, 0}, {-0.5, 0, 0}, push).z();
   const double wrong = torque_about<double>(from_centre_to_mesh_origin, {-0.5, 0, 0}, push).z();
-  course::expect(right < 0 && wrong > 0, "between the two origins even the sign is wrong");
-  notebook.value("between_right", course::number("%.0f N m", right));
-  notebook.value("between_wrong", course::number("%.0f N m", wrong));
+  support::expect(right < 0 && wrong > 0, "between the two origins even the sign is wrong");
+  notebook.value("between_right", support::number("%.0f N m", right));
+  notebook.value("between_wrong", support::number("%.0f N m", wrong));
 }

@@ -1,18 +1,18 @@
 // What a mesh gets that encloses nothing, or does not say what.
-#include <course/mesh_shapes.hpp>
-#include <course/record.hpp>
-#include <course/refusals.hpp>
+#include <support/mesh_shapes.hpp>
+#include <support/record.hpp>
+#include <support/refusals.hpp>
 #include <tumble/mesh_mass_properties.hpp>
 
 using namespace tumble;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
-  const Mesh<double> box = course::box_mesh(Vec3d(1, 2, 4));
+  support::Notebook notebook(argument_count, arguments);
+  const Mesh<double> box = support::box_mesh(Vec3d(1, 2, 4));
   const auto spoiled = [&box](const char* what, const auto& spoil) {
     Mesh<double> mesh = box;
     spoil(mesh);
-    return course::try_it(what, [&] { mass_properties(mesh, 1); });
+    return support::try_it(what, [&] { mass_properties(mesh, 1); });
   };
   int refused = 0;
   refused += spoiled("one triangle is missing", [](auto& mesh) { mesh.triangles.pop_back(); });
@@ -26,5 +26,5 @@ int main(int argument_count, char** arguments) {
   refused += spoiled("two corners of a triangle are one", [](auto& mesh) {
     mesh.triangles[3] = {4, 7, 7};
   });
-  course::expect(refused == 5, "all five are refused");
+  support::expect(refused == 5, "all five are refused");
 }

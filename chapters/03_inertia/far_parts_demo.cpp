@@ -1,10 +1,10 @@
 // A mistake, run on purpose: a compound body summed about the model's origin and shifted back, in
 // float.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/spheres.hpp>
 
 using namespace tumble;
-using course::number;
+using support::number;
 
 namespace {
 
@@ -26,8 +26,8 @@ MassPropertiesf by_way_of_the_origin(const std::vector<MassPropertiesf>& parts) 
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
-  course::Table table =
+  support::Notebook notebook(argument_count, arguments);
+  support::Table table =
       notebook.table("far_parts", {"distance (m)", "by way of the origin", "seen from within"});
   const MassPropertiesf light = mass_properties(Sphere<float>{0.1f}, 2.2f);
   const MassPropertiesf heavy = mass_properties(Sphere<float>{0.1f}, 3.1f);
@@ -54,7 +54,7 @@ int main(int argument_count, char** arguments) {
     if (distance == 10000) notebook.value("error_10000", number("%.0f", error));
     if (distance == 1000) notebook.value("at_1000", number("%.3g kg m²", naive));
   }
-  course::expect(lost, "far away the sum has lost the body altogether");
-  course::expect(kept, "seen from within, the body keeps its digits");
+  support::expect(lost, "far away the sum has lost the body altogether");
+  support::expect(kept, "seen from within, the body keeps its digits");
   notebook.value("truth", number("%.4f kg m²", truth));
 }

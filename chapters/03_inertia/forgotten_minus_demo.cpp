@@ -1,13 +1,13 @@
 // A mistake, run on purpose: a product of inertia read with the other sign convention.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/solids.hpp>
 #include <tumble/validate_inertia.hpp>
 
 using namespace tumble;
-using course::number;
+using support::number;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   // A bar that lies aslant, from the lower left to the upper right.
   //! [slanted_bar]
   const double angle = 0.5;
@@ -27,8 +27,8 @@ int main(int argument_count, char** arguments) {
     return degrees;
   };
   const double right = print("right", bar.inertia), wrong = print("misread", misread);
-  course::expect(std::abs(right + wrong) < 1e-9,
-                 "the misread bar lies in the mirror, with the same moments");
+  support::expect(std::abs(right + wrong) < 1e-9,
+                  "the misread bar lies in the mirror, with the same moments");
   notebook.value("right", number("%.1f", right));
   notebook.value("wrong", number("%.1f", wrong));
 }

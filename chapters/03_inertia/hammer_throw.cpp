@@ -1,13 +1,13 @@
 // A hammer is put together from two solids and thrown by one push that misses its centre of mass.
-#include <course/record.hpp>
 #include <numbers>
+#include <support/record.hpp>
 #include <tumble/force.hpp>
 #include <tumble/solids.hpp>
 #include <tumble/torque.hpp>
 #include <tumble/validate_inertia.hpp>
 
 using namespace tumble;
-using course::number;
+using support::number;
 
 namespace {
 
@@ -35,7 +35,7 @@ Mat3d turn(double angle) {
 }
 
 /// Writes a rectangle of the hammer's own x-z plane as it stands in the world.
-void outline(course::Table& table, const std::string& kind, const Vec3d& low, const Vec3d& high,
+void outline(support::Table& table, const std::string& kind, const Vec3d& low, const Vec3d& high,
              const auto& to_world) {
   for (const auto& [x, z] : {std::pair{low.x(), low.z()},
                              {high.x(), low.z()},
@@ -50,7 +50,7 @@ void outline(course::Table& table, const std::string& kind, const Vec3d& low, co
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const MassPropertiesd hammer = make_hammer();
   const double first_angle = 0.64;
   const Mat3d first_turn = turn(first_angle);
@@ -63,13 +63,13 @@ int main(int argument_count, char** arguments) {
       in_other_axes(inverse_inertia("hammer", hammer.inertia), first_turn);
   const Vec3d spin = inverse_inertia_world * torque_about(Vec3d::Zero().eval(), grip, push);
   //! [throw]
-  course::expect(std::abs(spin.x()) + std::abs(spin.z()) < 1e-12 * std::abs(spin.y()),
-                 "the hammer is mirrored in the plane of the throw, so it turns about y alone");
+  support::expect(std::abs(spin.x()) + std::abs(spin.z()) < 1e-12 * std::abs(spin.y()),
+                  "the hammer is mirrored in the plane of the throw, so it turns about y alone");
 
   const double flight = -2 * velocity.z() / gravity.z();
   const int poses = 10, steps_per_pose = 100;
   const double time_step = flight / (poses * steps_per_pose);
-  course::Table table = notebook.table("hammer_throw", {"kind", "x (m)", "z (m)", "dx", "dz"});
+  support::Table table = notebook.table("hammer_throw", {"kind", "x (m)", "z (m)", "dx", "dz"});
   Particled centre = make_particle(hammer.mass, Vec3d(0, 0, 0), velocity);
   std::vector<Vec3d> path, parabola, end_of_handle;
   double farthest = 0;
@@ -103,8 +103,8 @@ int main(int argument_count, char** arguments) {
   const Vec3d arrow = push / (hammer.mass * 14);
   table.row("push", grip.x() - arrow.x(), grip.z() - arrow.z(), arrow.x(), arrow.z());
   // First order: the steps fall behind by g h t / 2, and by a rounding or two.
-  course::expect(farthest < 9.81 * time_step * flight / 2 * 1.0001,
-                 "the stepped centre of mass stays on the parabola");
+  support::expect(farthest < 9.81 * time_step * flight / 2 * 1.0001,
+                  "the stepped centre of mass stays on the parabola");
 
   const double miss = torque_about(Vec3d::Zero().eval(), grip, push).norm() / push.norm();
   const double turns = std::abs(spin.y()) * flight / (2 * std::numbers::pi);

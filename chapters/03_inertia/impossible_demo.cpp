@@ -1,14 +1,14 @@
 // What a tensor gets that no real body can have.
-#include <course/record.hpp>
-#include <course/refusals.hpp>
+#include <support/record.hpp>
+#include <support/refusals.hpp>
 #include <tumble/solids.hpp>
 #include <tumble/validate_inertia.hpp>
 
 using namespace tumble;
-using course::try_it;
+using support::try_it;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const auto tensor = [](double x, double y, double z, double xy = 0, double yx = 0) {
     Mat3d inertia = Vec3d(x, y, z).asDiagonal();
     inertia(0, 1) = xy;
@@ -23,5 +23,5 @@ int main(int argument_count, char** arguments) {
   refused += try_it("a product without its mirror image", [&] { check(tensor(1, 1, 1, 0.5, 0)); });
   refused += try_it("a rod without thickness",
                     [] { inverse_inertia("rod", mass_properties(ThinRod<double>{6}, 1).inertia); });
-  course::expect(refused == 4, "all but the plate are refused");
+  support::expect(refused == 4, "all but the plate are refused");
 }

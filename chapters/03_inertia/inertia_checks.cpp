@@ -1,13 +1,13 @@
 // From the particles to the tensor: the steps of the chapter's derivation, one by one.
-#include <course/checks.hpp>
-#include <course/particle_cloud.hpp>
+#include <support/checks.hpp>
+#include <support/particle_cloud.hpp>
 #include <tumble/force.hpp>
 #include <tumble/spheres.hpp>
 #include <tumble/torque.hpp>
 #include <tumble/validate_inertia.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 TEST_CASE_TEMPLATE(
     "A particle resists turning by its mass times its squared distance from the axis", Real,

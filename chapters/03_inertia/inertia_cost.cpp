@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include <course/mesh_shapes.hpp>
+#include <support/mesh_shapes.hpp>
 #include <tumble/mesh_mass_properties.hpp>
 #include <tumble/spheres.hpp>
 #include <tumble/validate_inertia.hpp>
@@ -27,7 +27,7 @@ void slanted(benchmark::State& state, auto function) {
 }
 
 void sphere_mesh(benchmark::State& state) {
-  const Mesh<double> mesh = course::sphere_mesh(1.0, 3);
+  const Mesh<double> mesh = support::sphere_mesh(1.0, 3);
   for (auto _ : state) benchmark::DoNotOptimize(mass_properties(mesh, 2));
 }
 

@@ -1,12 +1,12 @@
 // A long thin box: three axes, three answers to the same torque; and a sphere beside it.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/force.hpp>
 #include <tumble/spheres.hpp>
 #include <tumble/torque.hpp>
 #include <tumble/validate_inertia.hpp>
 
 using namespace tumble;
-using course::number;
+using support::number;
 
 namespace {
 
@@ -17,8 +17,8 @@ Vec3d drawn(const Vec3d& r) {
   return {0.92 * r.x() + 0.4 * r.y(), 0, r.z() - 0.14 * r.x() + 0.3 * r.y()};
 }
 
-void draw_box(const course::Notebook& notebook, const Vec3d& moments) {
-  course::Table table =
+void draw_box(const support::Notebook& notebook, const Vec3d& moments) {
+  support::Table table =
       notebook.table("hardest_axis", {"kind", "x (m)", "z (m)", "dx (m)", "dz (m)", "text"});
   const Vec3d half = size / 2;
   const auto face = [&](const char* kind, const Vec3d& middle, const Vec3d& a, const Vec3d& b) {
@@ -45,7 +45,7 @@ void draw_box(const course::Notebook& notebook, const Vec3d& moments) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const double mass = 3;
   const MassPropertiesd box = mass_properties(Box<double>{size}, mass);
   const MassPropertiesd sphere = mass_properties(Sphere<double>{0.3}, mass);

@@ -1,14 +1,14 @@
 // Where the refusals of this chapter begin: the last input that is taken, and the first that is
 // not.
-#include <course/bad_vectors.hpp>
-#include <course/particle_cloud.hpp>
+#include <support/bad_vectors.hpp>
+#include <support/particle_cloud.hpp>
 #include <tumble/mesh_mass_properties.hpp>
 #include <tumble/spheres.hpp>
 #include <tumble/tetrahedron.hpp>
 #include <tumble/validate_inertia.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,11 +1,11 @@
 // Other points, other axes, other places, several parts.
-#include <course/checks.hpp>
-#include <course/particle_cloud.hpp>
+#include <support/checks.hpp>
+#include <support/particle_cloud.hpp>
 #include <tumble/principal_axes.hpp>
 #include <tumble/spheres.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

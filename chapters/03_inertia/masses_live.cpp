@@ -1,11 +1,11 @@
 // Masses that can be dragged, live, and the axes that follow them.
-#include <course/live.hpp>
+#include <support/live.hpp>
 #include <tumble/mass_properties.hpp>
 #include <tumble/principal_axes.hpp>
 
 using namespace tumble;
 
-void tumble::course::run_live(Live& live) {
+void tumble::support::run_live(Live& live) {
   const double heavy = live.knob("heavy", "kg", 2, 0.1, 5);
   const double apart = live.knob("apart", "m", 0.4, 0, 2);
 

@@ -1,14 +1,14 @@
 // Meshes: against the solids they draw, and against everything that is wrong with some of them.
-#include <course/checks.hpp>
-#include <course/mesh_shapes.hpp>
-#include <course/particle_cloud.hpp>
+#include <support/checks.hpp>
+#include <support/mesh_shapes.hpp>
+#include <support/particle_cloud.hpp>
 #include <tumble/mesh_mass_properties.hpp>
 #include <tumble/principal_axes.hpp>
 #include <tumble/spheres.hpp>
 #include <tumble/tetrahedron.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,13 +1,13 @@
 // Solids that turn into each other: the same body, reached in two ways.
-#include <course/checks.hpp>
-#include <course/mesh_shapes.hpp>
-#include <course/quadrature.hpp>
+#include <support/checks.hpp>
+#include <support/mesh_shapes.hpp>
+#include <support/quadrature.hpp>
 #include <tumble/mesh_mass_properties.hpp>
 #include <tumble/spheres.hpp>
 #include <tumble/tetrahedron.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,8 +1,8 @@
-#include <course/checks.hpp>
+#include <support/checks.hpp>
 #include <tumble/mass_properties.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 TEST_CASE_TEMPLATE("Each column alone can be too long, and each two can lean towards each other",
                    Real, EVERY_PRECISION) {

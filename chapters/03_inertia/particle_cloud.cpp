@@ -1,12 +1,12 @@
 // A body of 1000 particles against the integral over the solid that they are strewn in; and the
 // same for more and more particles.
-#include <course/particle_cloud.hpp>
-#include <course/record.hpp>
+#include <support/particle_cloud.hpp>
+#include <support/record.hpp>
 #include <tumble/principal_axes.hpp>
 #include <tumble/solids.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

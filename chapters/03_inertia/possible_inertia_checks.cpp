@@ -1,12 +1,12 @@
 // Which tensors matter can have, and what the others get.
-#include <course/checks.hpp>
-#include <course/particle_cloud.hpp>
+#include <support/checks.hpp>
+#include <support/particle_cloud.hpp>
 #include <tumble/spheres.hpp>
 #include <tumble/tetrahedron.hpp>
 #include <tumble/validate_inertia.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,12 +1,12 @@
 // Three numbers and a right-handed frame, for every tensor there is.
 #include <Eigen/Eigenvalues>
-#include <course/checks.hpp>
-#include <course/particle_cloud.hpp>
+#include <support/checks.hpp>
+#include <support/particle_cloud.hpp>
 #include <tumble/mass_properties.hpp>
 #include <tumble/principal_axes.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

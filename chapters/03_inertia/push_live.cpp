@@ -1,5 +1,5 @@
 // A hammer on ice, live: one push, somewhere on it, seen from above.
-#include <course/live.hpp>
+#include <support/live.hpp>
 #include <tumble/force.hpp>
 #include <tumble/mass_properties.hpp>
 #include <tumble/sine_cosine.hpp>
@@ -8,7 +8,7 @@
 
 using namespace tumble;
 
-void tumble::course::run_live(Live& live) {
+void tumble::support::run_live(Live& live) {
   const double at = live.knob("at", "m", -0.15, -0.15, 0.18);
   const double impulse = live.knob("impulse", "N s", 0.5, 0.05, 1);
   const double angle = live.knob("angle", "°", 90, -180, 180) * std::numbers::pi / 180;

@@ -1,10 +1,10 @@
 // Sums over particles become an integral: how fast.
-#include <course/checks.hpp>
-#include <course/particle_cloud.hpp>
+#include <support/checks.hpp>
+#include <support/particle_cloud.hpp>
 #include <tumble/solids.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 //! [slope]
 TEST_CASE("The error of random particles falls as one over the root of their number") {

@@ -1,19 +1,19 @@
 // The volume of a box that lies away from the origin, as tetrahedra that have a corner there and a
 // sign.
 #include <array>
-#include <course/mesh_shapes.hpp>
-#include <course/on_page.hpp>
-#include <course/record.hpp>
+#include <support/mesh_shapes.hpp>
+#include <support/on_page.hpp>
+#include <support/record.hpp>
 
 using namespace tumble;
 
 namespace {
 
 /// Draws one tetrahedron and the box, `right` of the place of the first.
-void draw(course::Table& out, const char* sign, const Mesh<double>& box,
+void draw(support::Table& out, const char* sign, const Mesh<double>& box,
           const std::array<std::size_t, 3>& triangle, double right) {
   const auto corner = [&](const char* kind, const Vec3d& at) {
-    const auto [x, y] = course::on_page(at);
+    const auto [x, y] = support::on_page(at);
     out.row(kind, x + right, y);
   };
   const auto gap = [&] { out.row("gap", std::nan(""), std::nan("")); };
@@ -37,10 +37,10 @@ void draw(course::Table& out, const char* sign, const Mesh<double>& box,
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
-  course::Table drawing = notebook.table("signed", {"kind", "x", "y"});
+  support::Notebook notebook(argument_count, arguments);
+  support::Table drawing = notebook.table("signed", {"kind", "x", "y"});
   const Vec3d size(0.8, 1.2, 0.7);
-  Mesh<double> box = course::box_mesh(size);
+  Mesh<double> box = support::box_mesh(size);
   for (Vec3d& vertex : box.vertices) vertex += Vec3d(0, 1.7, 0.5);
 
   double added = 0, taken = 0;
@@ -52,8 +52,8 @@ int main(int argument_count, char** arguments) {
   std::printf("those taken away again   %+.3f m^3\n", taken);
   std::printf("together                 %+.3f m^3\n", added + taken);
   std::printf("the box                  %+.3f m^3\n", size.prod());
-  course::expect(std::abs(added + taken - size.prod()) < 1e-14, "they leave the box");
-  course::expect(taken < -0.1, "some face the origin");
+  support::expect(std::abs(added + taken - size.prod()) < 1e-14, "they leave the box");
+  support::expect(taken < -0.1, "some face the origin");
   draw(drawing, "added", box, {2, 6, 7}, 0);
   draw(drawing, "taken", box, {0, 1, 5}, 3.3);
 }

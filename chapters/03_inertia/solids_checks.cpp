@@ -1,12 +1,12 @@
 // Every solid against an integration that knows none of its formulas.
-#include <course/checks.hpp>
-#include <course/particle_cloud.hpp>
-#include <course/quadrature.hpp>
+#include <support/checks.hpp>
+#include <support/particle_cloud.hpp>
+#include <support/quadrature.hpp>
 #include <tumble/spheres.hpp>
 #include <tumble/tetrahedron.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

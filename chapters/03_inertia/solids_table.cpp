@@ -1,14 +1,14 @@
 // The table of solids: 1 kg of each, with 1 m wherever a size is wanted.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/spheres.hpp>
 #include <tumble/tetrahedron.hpp>
 
 using namespace tumble;
-using course::number;
+using support::number;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
-  course::Table table =
+  support::Notebook notebook(argument_count, arguments);
+  support::Table table =
       notebook.table("solids", {"solid", "I_x", "I_y", "I_z", "1 kg, 1 m (kg m²)"});
   const auto row = [&](const char* solid, const char* x, const char* y, const char* z,
                        const MassPropertiesd& body) {

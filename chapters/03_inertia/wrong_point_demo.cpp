@@ -1,14 +1,14 @@
 // A mistake, run on purpose: the moment of a rod about its end, found in a table, is used for a rod
 // that flies freely and so turns about its centre.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/solids.hpp>
 #include <tumble/torque.hpp>
 
 using namespace tumble;
-using course::number;
+using support::number;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const double length = 2, mass = 3;
   //! [rod]
   const MassPropertiesd rod = mass_properties(ThinRod<double>{length}, mass);
@@ -23,9 +23,9 @@ int main(int argument_count, char** arguments) {
               about_end / (mass * length * length), torque / about_end);
   const double ratio = about_end / about_centre;
   notebook.value("ratio", number("%.0f", ratio));
-  course::expect(std::abs(ratio - 4) < 1e-14, "the wrong tensor is four times too large");
+  support::expect(std::abs(ratio - 4) < 1e-14, "the wrong tensor is four times too large");
 
-  course::Table table = notebook.table(
+  support::Table table = notebook.table(
       "parallel_axis",
       {"distance from the centre (m)", "parallel axis theorem (kg m²)", "200 particles (kg m²)"});
   const int count = 200;

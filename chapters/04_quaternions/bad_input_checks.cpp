@@ -1,10 +1,10 @@
-#include <course/bad_vectors.hpp>
-#include <course/random_quaternion.hpp>
+#include <support/bad_vectors.hpp>
+#include <support/random_quaternion.hpp>
 #include <tumble/rotation_matrix.hpp>
 #include <tumble/rotation_vector.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 TEST_CASE_TEMPLATE("A zero quaternion is refused as an orientation", Real, EVERY_PRECISION) {
   CHECK(complaint_of([] { checked_orientation<Real>({.real = 0}, "orientation of the book"); }) ==

@@ -1,5 +1,5 @@
 // What four numbers that are no orientation get: a sentence, before anything turns.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/rotation_matrix.hpp>
 #include <tumble/rotation_vector.hpp>
 
@@ -21,7 +21,7 @@ bool refused(const Action& action) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   using Limits = std::numeric_limits<double>;
   int count = 0;
   const Vec3d none = Vec3d::Zero();
@@ -31,5 +31,5 @@ int main(int argument_count, char** arguments) {
   count += refused([] { quaternion_about(Vec3d(0, 0, 0), 1.0); });
   count += refused([] { quaternion_about(Vec3d(0, 0, 1), 1e7); });
   count += refused([] { quaternion_of<double>(Vec3d(1, 1, -1).asDiagonal(), "camera"); });
-  course::expect(count == 6, "each of the six is refused");
+  support::expect(count == 6, "each of the six is refused");
 }

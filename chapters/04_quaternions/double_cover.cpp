@@ -1,6 +1,6 @@
 // Two whole turns about z, and what the arrow and its quaternion do meanwhile.
-#include <course/record.hpp>
 #include <numbers>
+#include <support/record.hpp>
 #include <tumble/rotation_vector.hpp>
 
 using namespace tumble;
@@ -15,9 +15,9 @@ double shown(double x) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
-  course::Table table = notebook.table("double_cover", {"turned (degree)", "x of the arrow",
-                                                        "real part", "z of the imaginary part"});
+  support::Notebook notebook(argument_count, arguments);
+  support::Table table = notebook.table("double_cover", {"turned (degree)", "x of the arrow",
+                                                         "real part", "z of the imaginary part"});
   std::printf("turned by      quaternion (w, z)     the arrow (x, y)\n");
   for (int degrees = 0; degrees <= 720; degrees += 6) {
     const Quaterniond q = quaternion_about(Vec3d(0, 0, 1), degrees * std::numbers::pi / 180);

@@ -1,8 +1,8 @@
 // Three rings, one in the other: where the pitch is a quarter turn, two of their axes are one.
 #include <array>
-#include <course/on_page.hpp>
-#include <course/record.hpp>
 #include <numbers>
+#include <support/on_page.hpp>
+#include <support/record.hpp>
 #include <tumble/rotation_vector.hpp>
 
 using namespace tumble;
@@ -27,23 +27,24 @@ double room(const Axes& axes) {
 }
 
 /// A ring that holds two axes: it lies in the plane of both.
-void draw_ring(course::Table& out, const char* name, const Vec3d& one, const Vec3d& other,
+void draw_ring(support::Table& out, const char* name, const Vec3d& one, const Vec3d& other,
                double radius, double right) {
   for (int n = 0; n <= 90; ++n) {
     const double angle = n * pi / 45;
-    const auto [x, y] = course::on_page(radius * (std::cos(angle) * one + std::sin(angle) * other));
+    const auto [x, y] =
+        support::on_page(radius * (std::cos(angle) * one + std::sin(angle) * other));
     out.row(name, x + right, y, 0.0, 0.0);
   }
   out.row("gap", std::nan(""), std::nan(""), 0.0, 0.0);
 }
 
-void draw(course::Table& out, const Axes& axes, double right) {
+void draw(support::Table& out, const Axes& axes, double right) {
   draw_ring(out, "outer", axes.yaw, axes.pitch, 1.0, right);
   draw_ring(out, "middle", axes.pitch, axes.roll, 0.84, right);
   draw_ring(out, "inner", axes.roll, axes.roll.cross(axes.pitch), 0.68, right);
   const auto arrow = [&](const char* name, const Vec3d& axis, double from, double to) {
-    const auto [x, y] = course::on_page(from * axis);
-    const auto [dx, dy] = course::on_page((to - from) * axis);
+    const auto [x, y] = support::on_page(from * axis);
+    const auto [dx, dy] = support::on_page((to - from) * axis);
     out.row(name, x + right, y, dx, dy);
   };
   arrow("yaw", axes.yaw, 0.68, 1.45);
@@ -54,8 +55,8 @@ void draw(course::Table& out, const Axes& axes, double right) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
-  course::Table rings = notebook.table("gimbal", {"kind", "x", "y", "dx", "dy"});
+  support::Notebook notebook(argument_count, arguments);
+  support::Table rings = notebook.table("gimbal", {"kind", "x", "y", "dx", "dy"});
   draw(rings, axes_at(0.2, -0.8), 0);
   draw(rings, axes_at(0.2, -pi / 2), 3.4);
 
@@ -63,7 +64,7 @@ int main(int argument_count, char** arguments) {
   for (const int degrees : {0, 30, 60, 80, 89, 90}) {
     const double pitch = degrees * pi / 180, spanned = room(axes_at(0.2, -pitch));
     std::printf("%15d   %.4f\n", degrees, std::abs(spanned) < 1e-15 ? 0.0 : std::abs(spanned));
-    course::expect(std::abs(std::abs(spanned) - std::cos(pitch)) < 1e-15,
-                   "the room is the cosine of the pitch");
+    support::expect(std::abs(std::abs(spanned) - std::cos(pitch)) < 1e-15,
+                    "the room is the cosine of the pitch");
   }
 }

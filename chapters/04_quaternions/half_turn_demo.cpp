@@ -1,6 +1,6 @@
 // A mistake, run on purpose: a quaternion from the trace of a matrix alone, near half a turn.
-#include <course/record.hpp>
 #include <numbers>
+#include <support/record.hpp>
 #include <tumble/rotation_matrix.hpp>
 #include <tumble/rotation_vector.hpp>
 
@@ -19,7 +19,7 @@ Quaternionf by_trace(const Mat3f& R) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   std::printf("short of half a turn   by the trace: norm, error   quaternion_of: error\n");
   for (const float missing : {1.0f, 1e-1f, 1e-2f, 1e-3f, 1e-4f}) {
     const Quaternionf q = quaternion_about(Vec3f(1, 2, 3), std::numbers::pi_v<float> - missing);
@@ -30,10 +30,10 @@ int main(int argument_count, char** arguments) {
       std::printf("%16g rad   %16s, %-7s   %20.1e\n", missing, "NaN", "NaN", error);
     else
       std::printf("%16g rad   %16.4f, %.1e   %20.1e\n", missing, norm(lossy), lossy_error, error);
-    course::expect(error < 1e-6f, "the largest column loses nothing");
+    support::expect(error < 1e-6f, "the largest column loses nothing");
     if (missing == 1e-3f) {
-      notebook.value("norm", course::number("%.2f", norm(lossy)));
-      course::expect(!(lossy_error < 1e-5f), "the trace loses digits near half a turn");
+      notebook.value("norm", support::number("%.2f", norm(lossy)));
+      support::expect(!(lossy_error < 1e-5f), "the trace loses digits near half a turn");
     }
   }
 }

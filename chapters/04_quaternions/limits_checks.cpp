@@ -1,9 +1,9 @@
 // Where the refusals and the corrections of this chapter begin.
-#include <course/random_quaternion.hpp>
+#include <support/random_quaternion.hpp>
 #include <tumble/rotation_matrix.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 TEST_CASE_TEMPLATE("A quaternion whose square is off by 8 epsilon stays as it is, by 9 it does not",
                    Real, EVERY_PRECISION) {

@@ -1,10 +1,10 @@
-#include <course/random_quaternion.hpp>
 #include <numbers>
+#include <support/random_quaternion.hpp>
 #include <tumble/rotation_matrix.hpp>
 #include <tumble/rotation_vector.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,6 +1,6 @@
 // A mistake, run on purpose: quaternions whose norm is not 1, used as if it were.
-#include <course/record.hpp>
 #include <numbers>
+#include <support/record.hpp>
 #include <tumble/rotation_vector.hpp>
 
 using namespace tumble;
@@ -14,7 +14,7 @@ Vec3f sandwich(const Quaternionf& q, const Vec3f& v) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
 
   //! [axis]
   // An axis of length √2, put into the formula for one of length 1.
@@ -28,7 +28,8 @@ int main(int argument_count, char** arguments) {
   const Quaternionf right = quaternion_about(axis, std::numbers::pi_v<float> / 2);
   std::printf("with quaternion_about:   q v q* makes it %.3f m, rotate(q, v) %.3f m\n\n",
               sandwich(right, {1, 0, 0}).norm(), rotate(right, {1, 0, 0}).norm());
-  course::expect(std::abs(sandwich(q, {1, 0, 0}).norm() - 1.5f) < 1e-5f, "q v q* stretches by 1.5");
+  support::expect(std::abs(sandwich(q, {1, 0, 0}).norm() - 1.5f) < 1e-5f,
+                  "q v q* stretches by 1.5");
 
   //! [wheel]
   // A wheel of radius 1 m turns a little, a million times. The small turn is rounded once, so
@@ -45,8 +46,8 @@ int main(int argument_count, char** arguments) {
                   sandwich(always, {1, 0, 0}).norm());
   }
   const double rim = sandwich(never, {1, 0, 0}).norm();
-  notebook.value("rim", course::number("%.1f %%", 100 * std::abs(rim - 1)));
+  notebook.value("rim", support::number("%.1f %%", 100 * std::abs(rim - 1)));
   notebook.value("rim_is", rim > 1 ? "larger" : "smaller");
-  course::expect(std::abs(rim - 1) > 1e-3, "a million roundings of one sign change the radius");
-  course::expect(std::abs(norm(always) - 1) < 3e-7, "normalised, the norm stays 1");
+  support::expect(std::abs(rim - 1) > 1e-3, "a million roundings of one sign change the radius");
+  support::expect(std::abs(norm(always) - 1) < 3e-7, "normalised, the norm stays 1");
 }

@@ -1,7 +1,7 @@
-#include <course/random_quaternion.hpp>
+#include <support/random_quaternion.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,5 +1,5 @@
 // The multiplication table of i, j and k, made by the product itself.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/quaternion.hpp>
 
 using namespace tumble;
@@ -19,7 +19,7 @@ std::string name_of(const Quaterniond& q) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const Quaterniond one, i = pure<double>({1, 0, 0}), j = pure<double>({0, 1, 0}),
                          k = pure<double>({0, 0, 1});
   std::printf(" p q |  q = 1     i     j     k\n-----+------------------------\n");
@@ -28,7 +28,7 @@ int main(int argument_count, char** arguments) {
     for (const Quaterniond& q : {one, i, j, k}) std::printf("%6s", name_of(p * q).c_str());
     std::printf("\n");
   }
-  course::expect(name_of(i * j * k) == "-1", "ijk = -1");
+  support::expect(name_of(i * j * k) == "-1", "ijk = -1");
 
   notebook.value("size_double", std::to_string(sizeof(Quaterniond)));
   notebook.value("size_float", std::to_string(sizeof(Quaternionf)));

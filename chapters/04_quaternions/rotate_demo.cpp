@@ -1,7 +1,7 @@
 // A book on a table, turned about two axes in both orders.
 #include <array>
-#include <course/on_page.hpp>
-#include <course/record.hpp>
+#include <support/on_page.hpp>
+#include <support/record.hpp>
 #include <tumble/rotation_matrix.hpp>
 #include <tumble/rotation_vector.hpp>
 
@@ -27,32 +27,32 @@ void print(const char* what, const Quaterniond& book) {
 }
 
 /// The faces of a book that a reader sees, `right` of the place where the first one lies.
-void draw(course::Table& poses, int number, const Quaterniond& book, double right) {
+void draw(support::Table& poses, int number, const Quaterniond& book, double right) {
   const Vec3d half(0.7, 1, 0.2);  // in its own axes; its spine runs along y, at -x
   for (int axis = 0; axis < 3; ++axis)
     for (const double side : {1.0, -1.0}) {
-      if (!course::faces_reader(rotate(book, Vec3d(side * Vec3d::Unit(axis))))) continue;
+      if (!support::faces_reader(rotate(book, Vec3d(side * Vec3d::Unit(axis))))) continue;
       const char* what = axis == 2 && side > 0 ? "cover" : axis == 0 && side < 0 ? "spine" : "page";
       const int one = (axis + 1) % 3, other = (axis + 2) % 3;
       for (const auto& [a, b] : {std::array{1, 1}, std::array{1, -1}, std::array{-1, -1},
                                  std::array{-1, 1}, std::array{1, 1}}) {
         Vec3d corner = side * half[axis] * Vec3d::Unit(axis);
         corner += a * half[one] * Vec3d::Unit(one) + b * half[other] * Vec3d::Unit(other);
-        const auto [x, y] = course::on_page(rotate(book, corner));
+        const auto [x, y] = support::on_page(rotate(book, corner));
         poses.row(std::string(what) + " " + std::to_string(number), x + right, y, 0.0, 0.0);
       }
       poses.row("gap", std::nan(""), std::nan(""), 0.0, 0.0);
     }
   // From the foot of the spine to its head.
-  const auto [x, y] = course::on_page(rotate(book, Vec3d(-half.x(), -half.y(), 0)));
-  const auto [dx, dy] = course::on_page(rotate(book, Vec3d(0, 2.7, 0)));
+  const auto [x, y] = support::on_page(rotate(book, Vec3d(-half.x(), -half.y(), 0)));
+  const auto [dx, dy] = support::on_page(rotate(book, Vec3d(0, 2.7, 0)));
   poses.row("head", x + right, y, dx, dy);
 }
 
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   //! [book]
   const double quarter = std::numbers::pi / 2;
   const Quaterniond about_x = quaternion_about(Vec3d(1, 0, 0), quarter);
@@ -65,10 +65,10 @@ int main(int argument_count, char** arguments) {
   print("... or one about the book's own z", about_x * about_z * lying);
   //! [book]
   print("first z, then x, both the world's", about_x * about_z);
-  course::expect(angle_between(about_z * about_x, about_x * about_z) > 1,
-                 "the order of two turns matters");
+  support::expect(angle_between(about_z * about_x, about_x * about_z) > 1,
+                  "the order of two turns matters");
 
-  course::Table poses = notebook.table("poses", {"kind", "x", "y", "dx", "dy"});
+  support::Table poses = notebook.table("poses", {"kind", "x", "y", "dx", "dy"});
   const std::array drawn{lying, about_x, about_z * about_x, about_z, about_x * about_z};
   for (int n = 0; n < 5; ++n) draw(poses, n, drawn[static_cast<std::size_t>(n)], 3.4 * n);
 
@@ -77,5 +77,5 @@ int main(int argument_count, char** arguments) {
   const double degrees = rotation_vector_of(both).norm() * 180 / std::numbers::pi;
   std::printf("\nx and then z is one turn by %.0f degrees about (%.4f, %.4f, %.4f)\n", degrees,
               axis.x(), axis.y(), axis.z());
-  notebook.value("degrees", course::number("%.0f", degrees));
+  notebook.value("degrees", support::number("%.0f", degrees));
 }

@@ -1,9 +1,9 @@
-#include <course/random_quaternion.hpp>
 #include <numbers>
+#include <support/random_quaternion.hpp>
 #include <tumble/sine_cosine.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

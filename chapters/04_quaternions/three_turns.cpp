@@ -1,7 +1,7 @@
 // One turn by a vector, against three turns about x, y and z: how far apart they end.
 #include <algorithm>
-#include <course/record.hpp>
 #include <numbers>
+#include <support/record.hpp>
 #include <tumble/rotation_vector.hpp>
 
 using namespace tumble;
@@ -20,10 +20,10 @@ Quaterniond three_turns(const Vec3d& v, const std::array<int, 3>& order) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const Vec3d direction = Vec3d(1, 2, -2) / 3;
 
-  course::Table table =
+  support::Table table =
       notebook.table("three_turns", {"angle (rad)", "error (rad)", "predicted error (rad)"});
   std::printf("angle of the turn      error of the three   ratio   half of the cross products\n");
   double before = 0, last_ratio = 0;
@@ -35,13 +35,13 @@ int main(int argument_count, char** arguments) {
     table.row(angle, error, predicted);
     if (halvings > 0) last_ratio = before / error;
     std::printf("%13.6f rad   %14.3e rad   %7s   %14.3e rad\n", angle, error,
-                halvings > 0 ? course::number("%.3f", last_ratio).c_str() : "", predicted);
-    if (halvings == 0) notebook.value("error_1", course::number("%.2f rad", error));
+                halvings > 0 ? support::number("%.3f", last_ratio).c_str() : "", predicted);
+    if (halvings == 0) notebook.value("error_1", support::number("%.2f rad", error));
     before = error;
   }
-  notebook.value("ratio", course::number("%.3f", last_ratio));
-  notebook.value("slope", course::number("%.2f", std::log2(last_ratio)));
-  course::expect(std::abs(last_ratio - 4) < 0.01, "half the angle, a quarter of the error");
+  notebook.value("ratio", support::number("%.3f", last_ratio));
+  notebook.value("slope", support::number("%.2f", std::log2(last_ratio)));
+  support::expect(std::abs(last_ratio - 4) < 0.01, "half the angle, a quarter of the error");
 
   std::printf("\nthe same three angles, summing to a turn of 1 rad, in every order:\n");
   std::array<int, 3> order = {0, 1, 2};
@@ -54,5 +54,5 @@ int main(int argument_count, char** arguments) {
   } while (std::next_permutation(order.begin(), order.end()));
   for (std::size_t i = 0; i < ends.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      course::expect(angle_between(ends[i], ends[j]) > 0.1, "six orders end in six orientations");
+      support::expect(angle_between(ends[i], ends[j]) > 0.1, "six orders end in six orientations");
 }

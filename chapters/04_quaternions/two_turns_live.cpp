@@ -1,6 +1,6 @@
 // Two turns in either order, live; and a quaternion that needs two whole turns to come back.
-#include <course/live.hpp>
 #include <numbers>
+#include <support/live.hpp>
 #include <tumble/rotation_vector.hpp>
 
 using namespace tumble;
@@ -16,13 +16,13 @@ Quaterniond about_z(double angle) {
   return quaternion_about(Vec3d(0, 0, 1), angle * degree);
 }
 
-void push(course::Live& live, const std::string& name, const Quaterniond& q) {
+void push(support::Live& live, const std::string& name, const Quaterniond& q) {
   live.column(name, "").assign({q.real, q.imaginary.x(), q.imaginary.y(), q.imaginary.z()});
 }
 
 }  // namespace
 
-void tumble::course::run_live(Live& live) {
+void tumble::support::run_live(Live& live) {
   const double first = live.knob("first", "°", 90, 0, 720);
   const double second = live.knob("second", "°", 90, 0, 720);
   const int sign = live.choice("sign", 0, 2);

@@ -1,12 +1,12 @@
 // Bodies that cannot be, a rod and a point: what they get.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/make_rigid_body.hpp>
 #include <tumble/solids.hpp>
 
 using namespace tumble;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   int refused = 0;
   const auto attempt = [&](const char* name, const MassProperties<double>& shape, const Posed& pose,
                            const Vec3d& spin, Turning turning) {
@@ -31,5 +31,5 @@ int main(int argument_count, char** arguments) {
   attempt("rod", rod, {}, {0, 0, 1}, Turning::locked_where_thin);
   attempt("rod", rod, {}, {1, 0, 0}, Turning::locked_where_thin);
   attempt("point", point, {}, still, Turning::locked);
-  course::expect(refused == 5, "five of the seven are refused");
+  support::expect(refused == 5, "five of the seven are refused");
 }

@@ -1,8 +1,8 @@
-#include <course/body_bounds.hpp>
 #include <numbers>
+#include <support/body_bounds.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

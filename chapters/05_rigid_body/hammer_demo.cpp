@@ -1,7 +1,7 @@
 // A hammer is put into the world by its model, thrown, and drawn by its model again.
-#include <course/hammer.hpp>
-#include <course/record.hpp>
 #include <numbers>
+#include <support/hammer.hpp>
+#include <support/record.hpp>
 
 using namespace tumble;
 using std::numbers::pi;
@@ -9,15 +9,15 @@ using std::numbers::pi;
 namespace {
 
 /// What the page's diagram of the three frames is drawn from.
-void draw_frames(const course::Notebook& notebook, const ModelledBody<double>& made) {
-  course::Table table =
+void draw_frames(const support::Notebook& notebook, const ModelledBody<double>& made) {
+  support::Table table =
       notebook.table("frames", {"kind", "x (m)", "y (m)", "dx (m)", "dy (m)", "text"});
   const auto row = [&](const char* kind, const Vec3d& from, const Vec3d& by,
                        const char* text = "") {
     table.row(kind, from.x(), from.y(), by.x(), by.y(), text);
   };
   const Posed drawn = drawn_pose(made.body, made.model_in_body), physical = pose_of(made.body);
-  for (const Vec3d& corner : course::hammer_outline())
+  for (const Vec3d& corner : support::hammer_outline())
     row("body", point_outward(drawn, corner), Vec3d::Zero());
   const auto axes = [&](const char* kind, const Posed& pose, const char* x, const char* y,
                         const char* name, const Vec3d& name_at) {
@@ -49,29 +49,29 @@ void draw_frames(const course::Notebook& notebook, const ModelledBody<double>& m
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   //! [make]
   const Posed model_in_world{.position = {0.25, 0.1, 0},
                              .orientation = quaternion_about(Vec3d(0, 0, 1), 0.5)};
-  ModelledBody<double> made = make_rigid_body("hammer", course::hammer(), model_in_world);
+  ModelledBody<double> made = make_rigid_body("hammer", support::hammer(), model_in_world);
   //! [make]
   draw_frames(notebook, made);
   const Vec3d moments = moments_of(made.body.top);
   std::printf("mass               %.3f kg\n", mass_of(made.body.centre));
   std::printf("centre of mass     %.1f mm from the handle's end\n",
-              1000 * course::hammer().centre_of_mass.x());
+              1000 * support::hammer().centre_of_mass.x());
   std::printf("principal moments  %.2e, %.2e, %.2e kg m^2\n", moments.x(), moments.y(),
               moments.z());
   notebook.value("centre_of_mass",
-                 course::number("%.0f mm", 1000 * course::hammer().centre_of_mass.x()));
+                 support::number("%.0f mm", 1000 * support::hammer().centre_of_mass.x()));
 
   // The throw. The hammer turns about z, which is a principal axis, so it turns steadily.
   const double spin = 3 * pi, time_step = 1.0 / 240;
   made.body.centre.velocity = {1.6, 3.2, 0};
   const Quaterniond start = made.body.top.orientation;
-  course::Table paths =
+  support::Table paths =
       notebook.table("forgotten_offset_paths", {"x of the centre of mass (m)", "y (m)"});
-  course::Table outlines = notebook.table(
+  support::Table outlines = notebook.table(
       "forgotten_offset", {"x (m)", "y (m)", "x without offset (m)", "y without offset (m)"});
   for (int n = 0; n <= 160; ++n) {
     made.body.top.orientation = quaternion_about(Vec3d(0, 0, 1), spin * n * time_step) * start;
@@ -81,10 +81,10 @@ int main(int argument_count, char** arguments) {
     const Vec3d centre = made.body.centre.position;
     const Posed forgotten{.position = centre, .orientation = drawn.orientation};
     paths.row(centre.x(), centre.y());
-    const Vec3d at_centre = point_outward(drawn, course::hammer().centre_of_mass);
-    course::expect((at_centre - centre).norm() < 1e-12, "the drawn centre of mass is the body's");
+    const Vec3d at_centre = point_outward(drawn, support::hammer().centre_of_mass);
+    support::expect((at_centre - centre).norm() < 1e-12, "the drawn centre of mass is the body's");
     if (n % 40 == 0) {
-      for (const Vec3d& corner : course::hammer_outline()) {
+      for (const Vec3d& corner : support::hammer_outline()) {
         const Vec3d right = point_outward(drawn, corner), wrong = point_outward(forgotten, corner);
         outlines.row(right.x(), right.y(), wrong.x(), wrong.y());
       }

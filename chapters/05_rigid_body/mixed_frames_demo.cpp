@@ -1,6 +1,6 @@
 // A torque that is given in world axes is used as if it were given in the body's own.
-#include <course/record.hpp>
 #include <numbers>
+#include <support/record.hpp>
 #include <tumble/make_rigid_body.hpp>
 #include <tumble/solids.hpp>
 
@@ -8,7 +8,7 @@ using namespace tumble;
 using std::numbers::pi;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const auto satellite = mass_properties(Box<double>{{1, 1, 2}}, 10.0);
   const Vec3d torque(0, 0, 1);  // about the world's upright
   std::printf("a satellite that has rolled about x, turned by 1 N m about world z for 1 s\n");
@@ -27,8 +27,8 @@ int main(int argument_count, char** arguments) {
     std::printf("%5.0f deg    (%5.2f, %5.2f, %5.2f) rad/s  (%5.2f, %5.2f, %5.2f) rad/s\n", degrees,
                 a.x(), a.y(), a.z(), b.x(), b.y(), b.z());
     const bool agree = (a - b).norm() < 1e-12;
-    course::expect(agree == (degrees == 0), "the two agree only before the satellite has rolled");
+    support::expect(agree == (degrees == 0), "the two agree only before the satellite has rolled");
     if (degrees == 180.0)
-      course::expect(b.z() < 0, "upside down, the wrong one turns the other way");
+      support::expect(b.z() < 0, "upside down, the wrong one turns the other way");
   }
 }

@@ -1,7 +1,7 @@
 // A needle with moments of 1, 1 and 10^-6 kg m^2 in float: where are the digits lost?
 #include <Eigen/Eigenvalues>
-#include <course/record.hpp>
 #include <random>
+#include <support/record.hpp>
 #include <tumble/rigid_body.hpp>
 
 using namespace tumble;
@@ -38,7 +38,7 @@ double error(const Vec3f& answer, const Vec3<long double>& truth) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   std::mt19937_64 generator(5);
   double small_moment = 0, tensor = 0, in_and_out = 0, stored_in_body = 0;
   for (int trial = 0; trial < 1000; ++trial) {
@@ -64,12 +64,12 @@ int main(int argument_count, char** arguments) {
   std::printf("  by the tensor R I^-1 R^T                   %8.1e\n", tensor);
   std::printf("  rotated in, divided, rotated out           %8.1e\n", in_and_out);
   std::printf("angular velocity from body-frame momentum    %8.1e\n", stored_in_body);
-  notebook.value("small_moment", course::number("%.0f %%", 100 * small_moment));
-  notebook.value("tensor", course::number("%.0f %%", 100 * tensor));
-  notebook.value("in_and_out", course::number("%.0f %%", 100 * in_and_out));
-  notebook.value("stored_in_body", course::number("%.0e", stored_in_body));
-  course::expect(small_moment > 0.01,
-                 "the tensor formed in float has lost the small moment's digits");
-  course::expect(tensor > 0.1 && in_and_out > 0.1, "a world vector has lost them already");
-  course::expect(stored_in_body < 2e-6, "a momentum kept in body axes has not");
+  notebook.value("small_moment", support::number("%.0f %%", 100 * small_moment));
+  notebook.value("tensor", support::number("%.0f %%", 100 * tensor));
+  notebook.value("in_and_out", support::number("%.0f %%", 100 * in_and_out));
+  notebook.value("stored_in_body", support::number("%.0e", stored_in_body));
+  support::expect(small_moment > 0.01,
+                  "the tensor formed in float has lost the small moment's digits");
+  support::expect(tensor > 0.1 && in_and_out > 0.1, "a world vector has lost them already");
+  support::expect(stored_in_body < 2e-6, "a momentum kept in body axes has not");
 }

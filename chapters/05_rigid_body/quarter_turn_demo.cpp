@@ -1,6 +1,6 @@
 // A long box is turned by 90 degrees and pushed by the same torque as before.
-#include <course/record.hpp>
 #include <numbers>
+#include <support/record.hpp>
 #include <tumble/make_rigid_body.hpp>
 #include <tumble/solids.hpp>
 
@@ -24,20 +24,20 @@ void print(const char* text, const Top<double>& top, const Vec3d& torque) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const Vec3d torque(1, 0, 0);
   //! [quarter_turn]
   const auto box = mass_properties(Box<double>{{2, 0.2, 0.1}}, 3.0);  // long along x
   for (const double degrees : {0.0, 45.0, 90.0}) {
     const Posed pose{.orientation = quaternion_about(Vec3d(0, 0, 1), degrees / 180 * pi)};
     const Top<double> top = make_rigid_body("box", box, pose).body.top;
-    print(course::number("turned by %.0f degrees about z:", degrees).c_str(), top, torque);
+    print(support::number("turned by %.0f degrees about z:", degrees).c_str(), top, torque);
   }
   //! [quarter_turn]
   const auto along = [&](double degrees) {
     const Posed pose{.orientation = quaternion_about(Vec3d(0, 0, 1), degrees / 180 * pi)};
     return inverse_inertia_times(make_rigid_body("box", box, pose).body.top, torque).x();
   };
-  notebook.value("ratio", course::number("%.0f", along(0) / along(90)));
-  course::expect(along(0) > 50 * along(90), "the turned box resists over 50 times as much");
+  notebook.value("ratio", support::number("%.0f", along(0) / along(90)));
+  support::expect(along(0) > 50 * along(90), "the turned box resists over 50 times as much");
 }

@@ -1,8 +1,8 @@
-#include <course/bad_vectors.hpp>
-#include <course/body_bounds.hpp>
+#include <support/bad_vectors.hpp>
+#include <support/body_bounds.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 //! [push_off_centre]
 TEST_CASE_TEMPLATE("A force at a point adds chapter 1's force and chapter 2's torque", Real,

@@ -1,13 +1,13 @@
 // The same torque on a turned body, live: what it does when it is taken for what it is, and when
 // its world numbers are put into a vector of the body's axes.
-#include <course/live.hpp>
 #include <numbers>
+#include <support/live.hpp>
 #include <tumble/make_rigid_body.hpp>
 #include <tumble/solids.hpp>
 
 using namespace tumble;
 
-void tumble::course::run_live(Live& live) {
+void tumble::support::run_live(Live& live) {
   const double degree = std::numbers::pi / 180;
   const double about_x = live.knob("about x", "°", 40, -180, 180) * degree;
   const double about_z = live.knob("about z", "°", 0, -180, 180) * degree;

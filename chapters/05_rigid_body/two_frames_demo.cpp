@@ -1,16 +1,16 @@
 // One torque on a plate that is turned: read in world axes and in the plate's own, and what the
 // plate answers.
 #include <array>
-#include <course/record.hpp>
 #include <numbers>
+#include <support/record.hpp>
 #include <tumble/make_rigid_body.hpp>
 #include <tumble/solids.hpp>
 
 using namespace tumble;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
-  course::Table drawing = notebook.table("two_frames", {"kind", "x", "y", "dx", "dy"});
+  support::Notebook notebook(argument_count, arguments);
+  support::Table drawing = notebook.table("two_frames", {"kind", "x", "y", "dx", "dy"});
   const Vec3d size(2.4, 0.9, 0.1);
   const Quaterniond turned = quaternion_about(Vec3d(0, 0, 1), 35 * std::numbers::pi / 180);
   const auto plate = mass_properties(Box<double>{size}, 3.0);
@@ -23,9 +23,9 @@ int main(int argument_count, char** arguments) {
   std::printf("torque, the plate's axes  (%6.3f, %6.3f, 0) N m\n", own.x(), own.y());
   std::printf("the plate starts to turn about (%.2f, %.2f, 0), world axes\n",
               answer.normalized().x(), answer.normalized().y());
-  course::expect(std::abs(own.norm() - torque.norm()) < 1e-15, "it is one arrow");
-  course::expect(std::abs(answer.normalized().dot(torque.normalized())) < 0.99,
-                 "the answer does not point along the torque");
+  support::expect(std::abs(own.norm() - torque.norm()) < 1e-15, "it is one arrow");
+  support::expect(std::abs(answer.normalized().dot(torque.normalized())) < 0.99,
+                  "the answer does not point along the torque");
 
   const auto arrow = [&](const char* kind, const Vec3d& from, const Vec3d& by) {
     drawing.row(kind, from.x(), from.y(), by.x(), by.y());

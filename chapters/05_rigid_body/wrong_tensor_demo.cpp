@@ -1,6 +1,6 @@
 // Four mistakes with the tensor, run on purpose, on a body that shows them and on one that hides
 // three.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/make_rigid_body.hpp>
 #include <tumble/spheres.hpp>
 
@@ -53,7 +53,7 @@ Bodyd placed(const MassProperties<double>& shape) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const Bodyd brick = placed(mass_properties(Box<double>{{1, 2, 3}}, 2.0));
   const Bodyd ball = placed(mass_properties(Sphere<double>{0.5}, 10.0));  // 1 kg m² about any axis
   const Vec3d torque(1, 0, 0);
@@ -65,9 +65,9 @@ int main(int argument_count, char** arguments) {
                           bool ball_shows_it) {
     std::printf("%-32s %8.0f %% %8.0f %%\n", name, 100 * error(brick, mistake),
                 100 * error(ball, mistake));
-    course::expect(error(brick, mistake) > 0.1, "the brick shows every mistake");
-    course::expect((error(ball, mistake) > 0.1) == ball_shows_it,
-                   "the ball shows only what we say");
+    support::expect(error(brick, mistake) > 0.1, "the brick shows every mistake");
+    support::expect((error(ball, mistake) > 0.1) == ball_shows_it,
+                    "the ball shows only what we say");
   };
   std::printf("error of the answer to a torque     brick       ball\n");
   report("transposed, not inverted", transposed, false);
@@ -85,6 +85,6 @@ int main(int argument_count, char** arguments) {
   const auto size = [&](double mass) {
     return transposed(placed(mass_properties(Box<double>{{1, 2, 3}}, mass)), torque).norm();
   };
-  course::expect(std::abs(size(4.0) - 4 * size(1.0)) < 1e-12 * size(4.0),
-                 "without the inverse, four times the mass answers four times as much");
+  support::expect(std::abs(size(4.0) - 4 * size(1.0)) < 1e-12 * size(4.0),
+                  "without the inverse, four times the mass answers four times as much");
 }

@@ -1,5 +1,5 @@
 // A force that changes while a step lasts: what the step makes of it, and a head start that helps.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/semi_implicit_euler.hpp>
 
 using namespace tumble;
@@ -25,12 +25,12 @@ double place(int steps_per_second, double head_start) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const double exact = 1 - std::cos(2.0);
   std::printf("steps per second   off by         a(0) h t / 2   off by, with half a kick back\n");
   for (const int rate : {15, 30, 60, 120}) {
     const double off = place(rate, 0) - exact, off_half = place(rate, -0.5) - exact;
     std::printf("%16d   %+.7f m   %+.7f m   %+.9f m\n", rate, off, 1.0 / rate, off_half);
-    course::expect(std::abs(off_half) < 0.05 * off, "half a kick back takes most of the error");
+    support::expect(std::abs(off_half) < 0.05 * off, "half a kick back takes most of the error");
   }
 }

@@ -1,5 +1,5 @@
 // A ball lies on the floor: an impulse stops it in every step. Where in the step?
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/semi_implicit_euler.hpp>
 
 using namespace tumble;
@@ -17,7 +17,7 @@ Vec3d floor_impulse(const Particled& ball) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   Particled before = make_particle(1.0), between = before, after = before;
   for (int n = 0; n < 600; ++n) {
     for (Particled* ball : {&before, &between, &after}) {
@@ -40,10 +40,10 @@ int main(int argument_count, char** arguments) {
   std::printf("before the kick:              %7.3f m\n", before.position.z());
   std::printf("between kick and drift:       %7.3f m\n", between.position.z());
   std::printf("after the drift:              %7.3f m\n", after.position.z());
-  notebook.value("sunk", course::number("%.2f m", -before.position.z()));
-  course::expect(between.position.z() == 0, "between kick and drift the ball stays where it is");
+  notebook.value("sunk", support::number("%.2f m", -before.position.z()));
+  support::expect(between.position.z() == 0, "between kick and drift the ball stays where it is");
   const double sunk = 9.81 * time_step * time_step * 600;
-  course::expect(std::abs(before.position.z() + sunk) < 1e-9,
-                 "before it, it sinks by g h h a step");
-  course::expect(std::abs(after.position.z() + sunk) < 1e-9, "after it, it sinks as fast");
+  support::expect(std::abs(before.position.z() + sunk) < 1e-9,
+                  "before it, it sinks by g h h a step");
+  support::expect(std::abs(after.position.z() + sunk) < 1e-9, "after it, it sinks as fast");
 }

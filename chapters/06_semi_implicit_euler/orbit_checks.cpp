@@ -1,8 +1,8 @@
-#include <course/checks.hpp>
+#include <support/checks.hpp>
 #include <tumble/semi_implicit_euler.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,9 +1,9 @@
 // A satellite on an ellipse, stepped in both orders. Lengths in units of the smallest distance.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/semi_implicit_euler.hpp>
 
 using namespace tumble;
-using tumble::course::number;
+using tumble::support::number;
 
 namespace {
 
@@ -29,13 +29,13 @@ double angular_momentum(const Particled& satellite) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const double half_axis = 1 / (1 - eccentricity);
   const double round_trip = 2 * pi * std::pow(half_axis, 1.5);
   const int steps_per_orbit = 240;
   const double time_step = round_trip / steps_per_orbit;
 
-  course::Table exact = notebook.table("exact_orbit", {"x", "y"});
+  support::Table exact = notebook.table("exact_orbit", {"x", "y"});
   for (int degree = 0; degree <= 360; degree += 2) {
     const double angle = degree * pi / 180;
     const double distance =
@@ -45,7 +45,7 @@ int main(int argument_count, char** arguments) {
 
   Particled semi = make_particle(1.0, Vec3d(1, 0, 0), Vec3d(0, std::sqrt(1 + eccentricity), 0));
   Particled explicitly = semi;
-  course::Table path = notebook.table(
+  support::Table path = notebook.table(
       "orbit", {"orbits", "explicit x", "explicit y", "semi-implicit x", "semi-implicit y"});
   std::printf("            explicit Euler               kick, then drift\n");
   std::printf("orbits      energy   angular momentum    energy   angular momentum\n");
@@ -67,7 +67,7 @@ int main(int argument_count, char** arguments) {
     explicit_step(explicitly, time_step);
   }
   notebook.value("momentum_off", number("%.0e", semi_momentum_off));
-  course::expect(semi_momentum_off < 1e-12, "kick and drift keep the angular momentum");
-  course::expect(angular_momentum(explicitly) > 1.2 * start_momentum,
-                 "explicit Euler's angular momentum grows");
+  support::expect(semi_momentum_off < 1e-12, "kick and drift keep the angular momentum");
+  support::expect(angular_momentum(explicitly) > 1.2 * start_momentum,
+                  "explicit Euler's angular momentum grows");
 }

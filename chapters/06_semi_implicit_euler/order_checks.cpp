@@ -1,9 +1,9 @@
-#include <course/bad_vectors.hpp>
-#include <course/body_bounds.hpp>
+#include <support/bad_vectors.hpp>
+#include <support/body_bounds.hpp>
 #include <tumble/semi_implicit_euler.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

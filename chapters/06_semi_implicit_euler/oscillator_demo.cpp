@@ -1,10 +1,10 @@
 // A weight on a spring, stepped in both orders: its path in the plane of place and velocity, its
 // energy, and what a step does to a patch of that plane.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/semi_implicit_euler.hpp>
 
 using namespace tumble;
-using tumble::course::number;
+using tumble::support::number;
 
 namespace {
 
@@ -21,10 +21,10 @@ double energy(const Particled& weight) {
          2;
 }
 
-void draw_phase_portrait(const course::Notebook& notebook) {
+void draw_phase_portrait(const support::Notebook& notebook) {
   const double time_step = 0.3;
   Particled semi = make_particle(1.0, Vec3d(1, 0, 0)), explicitly = semi;
-  course::Table table =
+  support::Table table =
       notebook.table("phase_portrait", {"time (s)", "explicit x (m)", "explicit v (m/s)",
                                         "semi-implicit x (m)", "semi-implicit v (m/s)"});
   for (int n = 0; n <= 42; ++n) {
@@ -41,9 +41,9 @@ void draw_phase_portrait(const course::Notebook& notebook) {
 }
 
 /// A square patch of starts, kicked and drifted; beside it the same patch after an explicit step.
-void draw_patch(const course::Notebook& notebook) {
+void draw_patch(const support::Notebook& notebook) {
   const double time_step = 0.6;
-  course::Table table = notebook.table("patch", {"patch", "x (m)", "v (m/s)"});
+  support::Table table = notebook.table("patch", {"patch", "x (m)", "v (m/s)"});
   const auto outline = [&table](const char* name, auto move) {
     for (const auto& [x, v] :
          {std::pair{0.8, -0.2}, {1.2, -0.2}, {1.2, 0.2}, {0.8, 0.2}, {0.8, -0.2}}) {
@@ -62,7 +62,7 @@ void draw_patch(const course::Notebook& notebook) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   draw_phase_portrait(notebook);
   draw_patch(notebook);
 
@@ -97,11 +97,11 @@ int main(int argument_count, char** arguments) {
   notebook.value("largest_swing", number("%.1f %%", 100 * largest));
   const double half = frequency * time_step / 2;
   const double bound = half / (1 - half);
-  course::expect(largest <= bound * (1 + 1e-9) && largest >= bound * (1 - 1e-3),
-                 "the energy of kick and drift rises by (w h/2)/(1 - w h/2)");
-  course::expect(energy(explicitly) > 1e6, "explicit Euler's energy has grown a million times");
+  support::expect(largest <= bound * (1 + 1e-9) && largest >= bound * (1 - 1e-3),
+                  "the energy of kick and drift rises by (w h/2)/(1 - w h/2)");
+  support::expect(energy(explicitly) > 1e6, "explicit Euler's energy has grown a million times");
 
-  course::Table energies = notebook.table(
+  support::Table energies = notebook.table(
       "energy", {"swings", "explicit Euler (J)", "semi-implicit Euler (J)", "exact (J)"});
   Particled slow = make_particle(1.0, Vec3d(1, 0, 0)), fast = slow;
   for (int n = 0; n * 0.1 <= 5 * 2 * pi; ++n) {

@@ -1,6 +1,6 @@
 // The weight on a spring, live: three orders of a step, its length, and where the weight starts.
-#include <course/live.hpp>
 #include <numbers>
+#include <support/live.hpp>
 #include <tumble/semi_implicit_euler.hpp>
 #include <tumble/sine_cosine.hpp>
 
@@ -18,7 +18,7 @@ void implicit_step(Particled& weight, double frequency, double h) {
 
 }  // namespace
 
-void tumble::course::run_live(Live& live) {
+void tumble::support::run_live(Live& live) {
   const int rule = live.choice("rule", 0, 3);
   const double h = live.knob("h", "s", 0.3, 0.01, 4.2);
   const double w = live.knob("w", "rad/s", 1, 0.5, 2);

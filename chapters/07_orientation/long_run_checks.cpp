@@ -1,9 +1,9 @@
-#include <course/bad_vectors.hpp>
-#include <course/random_quaternion.hpp>
+#include <support/bad_vectors.hpp>
+#include <support/random_quaternion.hpp>
 #include <tumble/orientation.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 //! [growth]
 TEST_CASE_TEMPLATE("Not normalised, the norm grows by the root of 1 + (omega h / 2)^2 every step",

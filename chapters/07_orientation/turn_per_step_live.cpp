@@ -1,7 +1,7 @@
 // A turn in one step, live: how far each rule turns, and where the nose of a tilted body goes when
 // the turn is multiplied on either side.
-#include <course/live.hpp>
 #include <numbers>
+#include <support/live.hpp>
 #include <tumble/orientation.hpp>
 
 using namespace tumble;
@@ -20,7 +20,7 @@ Quaterniond turned(const Quaterniond& from, int rule, int side, double angle) {
 
 }  // namespace
 
-void tumble::course::run_live(Live& live) {
+void tumble::support::run_live(Live& live) {
   const double asked = live.knob("asked", "rad", 1, 0.01, 6.28);
   const int rule = live.choice("rule", 0, 2);
   const int side = live.choice("side", 0, 2);

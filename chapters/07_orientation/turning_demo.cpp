@@ -1,6 +1,6 @@
 // How far each rule turns a body in one step, against what was asked.
-#include <course/record.hpp>
 #include <numbers>
+#include <support/record.hpp>
 #include <tumble/orientation.hpp>
 
 using namespace tumble;
@@ -16,7 +16,7 @@ double turned(const Quaterniond& q) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const Vec3d omega(0, 0, 1);
 
   std::printf("asked: omega h   first order   of what was asked   exponential\n");
@@ -25,10 +25,10 @@ int main(int argument_count, char** arguments) {
                  exponential = turned(turn_exponential<double>({}, omega, turn));
     std::printf("%10.2f rad   %7.4f rad   %17.4f   %7.4f rad\n", turn, first, first / turn,
                 exponential);
-    course::expect(std::abs(first - 2 * std::atan(turn / 2)) < 1e-14, "2 atan(omega h / 2)");
-    course::expect(std::abs(exponential - turn) < 1e-14, "omega h");
+    support::expect(std::abs(first - 2 * std::atan(turn / 2)) < 1e-14, "2 atan(omega h / 2)");
+    support::expect(std::abs(exponential - turn) < 1e-14, "omega h");
   }
-  course::Table table = notebook.table(
+  support::Table table = notebook.table(
       "angle_per_step", {"omega h (rad)", "first order (rad)", "exponential (rad)", "half a turn"});
   for (int n = 0; n < 63; ++n) {
     const double turn = 0.1 * n;
@@ -48,10 +48,10 @@ int main(int argument_count, char** arguments) {
       behind += std::remainder(turned(conjugate(first) * exact) - angle_before, 2 * pi);
     }
     //! [wheel]
-    const std::string degrees = course::number("%.3g", behind * 180 / pi);
+    const std::string degrees = support::number("%.3g", behind * 180 / pi);
     std::printf("  %8s degrees at %g turns a second\n", degrees.c_str(), turns_per_second);
     if (turns_per_second == 0.1) notebook.value("behind_slow", degrees);
     if (turns_per_second == 5.0)
-      notebook.value("behind_fast", course::number("%.1f", behind / (2 * pi)));
+      notebook.value("behind_fast", support::number("%.1f", behind / (2 * pi)));
   }
 }

@@ -1,17 +1,17 @@
 // A mistake, run on purpose: an angular velocity in world axes, multiplied on the body's side.
-#include <course/on_page.hpp>
-#include <course/record.hpp>
+#include <support/on_page.hpp>
+#include <support/record.hpp>
 #include <tumble/orientation.hpp>
 
 using namespace tumble;
-using course::on_page;
 using std::numbers::pi;
+using support::on_page;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
-  course::Table paths = notebook.table(
+  support::Notebook notebook(argument_count, arguments);
+  support::Table paths = notebook.table(
       "wrong_side", {"right x", "right y", "wrong x", "wrong y", "globe x", "globe y"});
-  course::Table marks = notebook.table("wrong_side_marks", {"kind", "x", "y", "dx", "dy", "text"});
+  support::Table marks = notebook.table("wrong_side_marks", {"kind", "x", "y", "dx", "dy", "text"});
 
   const Vec3d nose(1, 0, 0);  // in body axes
   const Quaterniond start = quaternion_about(Vec3d(0, 1, 0), -0.6);
@@ -52,9 +52,9 @@ int main(int argument_count, char** arguments) {
   label(rotate(start, nose), -0.05, 0.17, "start");
   mark("dot", rotate(start, nose), Vec3d(0, 0, 0));
 
-  notebook.value("height", course::number("%.3f", std::sin(0.6)));
-  course::expect(std::abs(lowest_right - std::sin(0.6)) < 1e-12, "about z the height stays");
-  course::expect(std::abs(lowest_wrong + std::sin(0.6)) < 1e-3, "about its own z it goes below");
+  notebook.value("height", support::number("%.3f", std::sin(0.6)));
+  support::expect(std::abs(lowest_right - std::sin(0.6)) < 1e-12, "about z the height stays");
+  support::expect(std::abs(lowest_wrong + std::sin(0.6)) < 1e-3, "about its own z it goes below");
 
   // Why it is so often overlooked: from rest, and about one axis, both sides agree.
   Quaterniond left_side, right_side;
@@ -64,5 +64,5 @@ int main(int argument_count, char** arguments) {
   }
   std::printf("\nstarted from no turn, the two sides end %g rad apart\n",
               angle_between(left_side, right_side));
-  course::expect(angle_between(left_side, right_side) == 0, "no test from rest can tell them");
+  support::expect(angle_between(left_side, right_side) == 0, "no test from rest can tell them");
 }

@@ -1,9 +1,9 @@
-#include <course/body_bounds.hpp>
-#include <course/rules.hpp>
+#include <support/body_bounds.hpp>
+#include <support/rules.hpp>
 #include <vector>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

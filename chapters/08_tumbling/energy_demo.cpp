@@ -1,19 +1,19 @@
 // The energy and the angular momentum of the T-handle over a minute, by every rule.
-#include <course/record.hpp>
-#include <course/rules.hpp>
 #include <numbers>
+#include <support/record.hpp>
+#include <support/rules.hpp>
 
 using namespace tumble;
-using course::number;
+using support::number;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
-  course::Table energies = notebook.table("energy", {"time (s)", "steady", "explicit", "restored",
+  support::Notebook notebook(argument_count, arguments);
+  support::Table energies = notebook.table("energy", {"time (s)", "steady", "explicit", "restored",
+                                                      "implicit", "carrying", "splitting"});
+  support::Table tilts = notebook.table("momentum", {"time (s)", "steady", "explicit", "restored",
                                                      "implicit", "carrying", "splitting"});
-  course::Table tilts = notebook.table("momentum", {"time (s)", "steady", "explicit", "restored",
-                                                    "implicit", "carrying", "splitting"});
-  const Topd start = course::thrown_t_handle().body.top;
-  std::vector<Topd> tops(course::rules<double>.size(), start);
+  const Topd start = support::thrown_t_handle().body.top;
+  std::vector<Topd> tops(support::rules<double>.size(), start);
   const Vec3d L0 = angular_momentum_world(start);
   const double time_step = 1.0 / 60;
   std::array<double, 7> E{}, tilt{}, widest{};
@@ -23,7 +23,7 @@ int main(int argument_count, char** arguments) {
       const Vec3d L = angular_momentum_world(tops[rule]);
       tilt[rule] = std::atan2(L.cross(L0).norm(), L.dot(L0)) * 180 / std::numbers::pi;
       widest[rule] = std::max(widest[rule], tilt[rule]);
-      if (E[rule] < 1000) course::rules<double>[rule].turn(tops[rule], time_step);
+      if (E[rule] < 1000) support::rules<double>[rule].turn(tops[rule], time_step);
     }
     if (n % 4 != 0) continue;
     energies.row(n * time_step, E[0], E[1], E[2], E[3], E[4], E[6]);
@@ -31,17 +31,17 @@ int main(int argument_count, char** arguments) {
   }
   std::printf("after a minute               E/E0      L points off by\n");
   for (std::size_t rule = 0; rule < tops.size(); ++rule)
-    std::printf("%-28s %-8s %8.2g deg\n", course::rules<double>[rule].name,
+    std::printf("%-28s %-8s %8.2g deg\n", support::rules<double>[rule].name,
                 E[rule] < 1000 ? number("%.4f", E[rule]).c_str() : "over 1000", tilt[rule]);
   notebook.value("widest_restored", number("%.1f°", widest[2]));
   notebook.value("widest_implicit", number("%.1f°", widest[3]));
   notebook.value("widest_steady", number("%.1f°", widest[0]));
-  course::expect(!(E[1] < 1000), "the explicit rule blows up");
-  course::expect(E[3] < 0.95, "the implicit rule brakes");
-  course::expect(std::abs(E[2] - 1) < 1e-3 && tilt[2] > 1,
-                 "restoring |L| holds the energy of this spin, but not where L points");
-  course::expect(E[4] > 1.05, "carrying the momentum to first order gains energy");
-  course::expect(std::abs(E[0] - 1) < 1e-9 && tilt[0] > 0.1,
-                 "without the term the energy holds and the momentum wanders");
-  course::expect(std::abs(E[6] - 1) < 1e-3 && tilt[6] < 1e-9, "splitting holds both");
+  support::expect(!(E[1] < 1000), "the explicit rule blows up");
+  support::expect(E[3] < 0.95, "the implicit rule brakes");
+  support::expect(std::abs(E[2] - 1) < 1e-3 && tilt[2] > 1,
+                  "restoring |L| holds the energy of this spin, but not where L points");
+  support::expect(E[4] > 1.05, "carrying the momentum to first order gains energy");
+  support::expect(std::abs(E[0] - 1) < 1e-9 && tilt[0] > 0.1,
+                  "without the term the energy holds and the momentum wanders");
+  support::expect(std::abs(E[6] - 1) < 1e-3 && tilt[6] < 1e-9, "splitting holds both");
 }

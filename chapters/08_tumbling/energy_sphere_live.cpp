@@ -1,7 +1,7 @@
 // The sphere of L, live: a spin about any axis of a body, turned by any rule of the chapter.
-#include <course/live.hpp>
-#include <course/polhodes.hpp>
-#include <course/rules.hpp>
+#include <support/live.hpp>
+#include <support/polhodes.hpp>
+#include <support/rules.hpp>
 
 using namespace tumble;
 
@@ -15,7 +15,7 @@ const double gram = 1e-3, spin = 10, seconds = 12, degree = std::numbers::pi / 1
 struct Curves {
   Column &x, &y, &z;
 
-  Curves(course::Live& live, const std::string& name)
+  Curves(support::Live& live, const std::string& name)
       : x(live.column(name + " x", "")),
         y(live.column(name + " y", "")),
         z(live.column(name + " z", "")) {}
@@ -31,29 +31,29 @@ struct Curves {
   }
 };
 
-void draw_curves(course::Live& live, const Vec3d& inverse, const Vec3d& start) {
+void draw_curves(support::Live& live, const Vec3d& inverse, const Vec3d& start) {
   Curves curves(live, "curve");
   for (const int around : {0, 2})
     for (const double off : {12.0, 26.0, 40.0}) {
       const auto [s, c] = sine_cosine(off * degree);
       const double level = inverse[around] * c * c + inverse[1] * s * s;
-      const auto loop = course::polhode(inverse, level, around, 64);
+      const auto loop = support::polhode(inverse, level, around, 64);
       curves.add(loop);
       curves.add(loop, -1);
     }
   Curves border(live, "separatrix");
-  for (const double sign : {1.0, -1.0}) border.add(course::separatrix(inverse, sign, 64));
+  for (const double sign : {1.0, -1.0}) border.add(support::separatrix(inverse, sign, 64));
   // The loop of this throw; none where L lies on an axis or on the border.
   Curves own(live, "own");
   const double level = dot(start, inverse.cwiseProduct(start));
   const int around = level > inverse[1] ? 0 : 2;
   if (level != inverse[1] && level != inverse[around])
-    own.add(course::polhode(inverse, level, around, 128), start[around] < 0 ? -1 : 1);
+    own.add(support::polhode(inverse, level, around, 128), start[around] < 0 ? -1 : 1);
 }
 
 }  // namespace
 
-void tumble::course::run_live(Live& live) {
+void tumble::support::run_live(Live& live) {
   const auto rule = static_cast<std::size_t>(live.choice("rule", 6, 7));
   const double h = live.knob("h", "s", 1.0 / 60, 1.0 / 480, 0.25);
   const double wobble = live.knob("wobble", "", 0.01, 1e-8, 1);
@@ -61,13 +61,13 @@ void tumble::course::run_live(Live& live) {
   const double middle = live.knob("middle", "g m²", 1.3, 1.02, 1.78);
 
   // Moments in ascending order. The top keeps its closest pair first; `axis` finds them again.
-  const course::TumblingProblem thrown{.letter = ' ',
-                                       .name = "thrown",
-                                       .moments = {gram, middle * gram, 1.8 * gram},
-                                       .angular_velocity = {},
-                                       .seconds = 0,
-                                       .seconds_to_angle = 0};
-  Topd top = course::top_of<double>(thrown);
+  const support::TumblingProblem thrown{.letter = ' ',
+                                        .name = "thrown",
+                                        .moments = {gram, middle * gram, 1.8 * gram},
+                                        .angular_velocity = {},
+                                        .seconds = 0,
+                                        .seconds_to_angle = 0};
+  Topd top = support::top_of<double>(thrown);
   std::array<int, 3> axis = {0, 1, 2};
   std::sort(axis.begin(), axis.end(),
             [&](int a, int b) { return top.inverse_moments[a] > top.inverse_moments[b]; });
@@ -111,6 +111,6 @@ void tumble::course::run_live(Live& live) {
     omega_world.push(angular_velocity_world(top) / spin);
     real.push_back(top.orientation.real);
     imaginary.push(top.orientation.imaginary);
-    course::rules<double>[rule].turn(top, h);
+    support::rules<double>[rule].turn(top, h);
   }
 }

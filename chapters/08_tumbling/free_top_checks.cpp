@@ -1,9 +1,9 @@
-#include <course/body_bounds.hpp>
-#include <course/checks.hpp>
-#include <course/rules.hpp>
+#include <support/body_bounds.hpp>
+#include <support/checks.hpp>
+#include <support/rules.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 using exact::FreeTop;
 
 namespace {

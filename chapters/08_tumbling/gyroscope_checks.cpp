@@ -1,8 +1,8 @@
-#include <course/checks.hpp>
-#include <course/toy_gyroscope.hpp>
+#include <support/checks.hpp>
+#include <support/toy_gyroscope.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,29 +1,29 @@
 // A spinning top under its weight: how it goes round, nods, sleeps and falls, and by which rules.
-#include <course/record.hpp>
-#include <course/recording.hpp>
-#include <course/toy_gyroscope.hpp>
 #include <numbers>
+#include <support/record.hpp>
+#include <support/recording.hpp>
+#include <support/toy_gyroscope.hpp>
 
 using namespace tumble;
-using course::number;
 using std::numbers::pi;
+using support::number;
 
 namespace {
 
 const double degree = pi / 180, tilt = 60 * degree, spin = 200, seconds = 10;
 const int steps_per_second = 240;
 const double time_step = 1.0 / steps_per_second;
-const Gyroscope<double> gyroscope = course::toy_gyroscope<double>();
+const Gyroscope<double> gyroscope = support::toy_gyroscope<double>();
 
 void step(Topd& top) {
-  course::step(top, gyroscope, drift<double>, time_step);
+  support::step(top, gyroscope, drift<double>, time_step);
 }
 
-void show_numbers(course::Notebook& notebook) {
+void show_numbers(support::Notebook& notebook) {
   //! [numbers]
   const auto [slow, fast] = steady_precessions(gyroscope, std::cos(tilt), spin);
   const double rough = pull_of(gyroscope) / (gyroscope.along * spin);
-  const auto exact = course::exactly_spinning(set_spinning(gyroscope, tilt, spin), gyroscope);
+  const auto exact = support::exactly_spinning(set_spinning(gyroscope, tilt, spin), gyroscope);
   //! [numbers]
   const double nodding = 2 * pi / exact.nutation_period(),
                rough_nodding = gyroscope.along * spin / gyroscope.across;
@@ -39,8 +39,8 @@ void show_numbers(course::Notebook& notebook) {
               rough_dip / degree);
   const double sleeps = least_sleeping_spin(gyroscope);
   std::printf("stands by itself from %.1f rad/s on\n\n", sleeps);
-  course::expect(std::abs(lowest_cosine(gyroscope, std::cos(tilt), spin) - exact.lowest()) < 1e-12,
-                 "the dip is that of the elliptic solution");
+  support::expect(std::abs(lowest_cosine(gyroscope, std::cos(tilt), spin) - exact.lowest()) < 1e-12,
+                  "the dip is that of the elliptic solution");
   notebook.value("slow", number("%.2f rad/s", slow));
   notebook.value("fast", number("%.0f rad/s", fast));
   notebook.value("rough", number("%.2f rad/s", rough));
@@ -57,23 +57,23 @@ void show_numbers(course::Notebook& notebook) {
 }
 
 /// Three ways to start: held still, pushed as it goes round steadily, and pushed the other way.
-void follow_axis(const course::Notebook& notebook) {
+void follow_axis(const support::Notebook& notebook) {
   const double slow = steady_precessions(gyroscope, std::cos(tilt), spin).first;
   const auto at = [](const Topd& top) {
-    return std::pair(course::azimuth_of(top) / degree, course::tilt_of(top) / degree);
+    return std::pair(support::azimuth_of(top) / degree, support::tilt_of(top) / degree);
   };
-  course::Table exactly =
+  support::Table exactly =
       notebook.table("path", {"let go, direction", "let go, tilt", "steady, direction",
                               "steady, tilt", "against, direction", "against, tilt"});
-  course::Table stepped =
+  support::Table stepped =
       notebook.table("path_stepped", {"let go, direction", "let go, tilt", "steady, direction",
                                       "steady, tilt", "against, direction", "against, tilt"});
   std::array<Topd, 3> tops = {set_spinning(gyroscope, tilt, spin),
                               set_spinning(gyroscope, tilt, spin, slow),
                               set_spinning(gyroscope, tilt, spin, -slow)};
-  const std::array truths = {course::exactly_spinning(tops[0], gyroscope),
-                             course::exactly_spinning(tops[1], gyroscope),
-                             course::exactly_spinning(tops[2], gyroscope)};
+  const std::array truths = {support::exactly_spinning(tops[0], gyroscope),
+                             support::exactly_spinning(tops[1], gyroscope),
+                             support::exactly_spinning(tops[2], gyroscope)};
   for (int n = 0; n <= 600; ++n) {
     const double time = n * 0.6 / 600;
     const auto [a, A] = at(truths[0].at(time));
@@ -91,10 +91,10 @@ void follow_axis(const course::Notebook& notebook) {
 }
 
 /// L from above, every tenth of a second of a steady precession, and what the kicks between added.
-void gather_kicks(const course::Notebook& notebook) {
+void gather_kicks(const support::Notebook& notebook) {
   const double slow = steady_precessions(gyroscope, std::cos(tilt), spin).first;
   Topd top = set_spinning(gyroscope, tilt, spin, slow);
-  course::Table table = notebook.table(
+  support::Table table = notebook.table(
       "kicks", {"L x (g m^2/s)", "L y (g m^2/s)", "kicks x (g m^2/s)", "kicks y (g m^2/s)"});
   for (int n = 0; n < 13; ++n) {
     const Vec3d before = 1000 * angular_momentum_world(top);
@@ -105,10 +105,10 @@ void gather_kicks(const course::Notebook& notebook) {
 }
 
 /// What each rule makes of the top, let go.
-void try_rules(course::Notebook& notebook) {
+void try_rules(support::Notebook& notebook) {
   const Topd start = set_spinning(gyroscope, tilt, spin);
-  const auto exact = course::exactly_spinning(start, gyroscope);
-  course::Table tilts =
+  const auto exact = support::exactly_spinning(start, gyroscope);
+  support::Table tilts =
       notebook.table("keeps_up", {"time (s)", "exact", "steady", "explicit", "restored", "implicit",
                                   "carrying", "by axes", "with a sphere"});
   std::array<Topd, 7> tops;
@@ -126,21 +126,21 @@ void try_rules(course::Notebook& notebook) {
         now[rule] = NAN;
         continue;
       }
-      now[rule] = course::tilt_of(tops[rule]);
+      now[rule] = support::tilt_of(tops[rule]);
       least[rule] = std::min(least[rule], now[rule]);
       most[rule] = std::max(most[rule], now[rule]);
       if (now[rule] > pi / 2 && falls[rule] == 0) falls[rule] = time;
-      const double there = course::azimuth_of(tops[rule]);
+      const double there = support::azimuth_of(tops[rule]);
       turned[rule] += std::remainder(there - direction[rule], 2 * pi);
       direction[rule] = there;
-      course::step(tops[rule], gyroscope, course::rules<double>[rule].turn, time_step);
+      support::step(tops[rule], gyroscope, support::rules<double>[rule].turn, time_step);
       if (!(kinetic_energy(tops[rule]) < 1000 * kinetic_energy(start))) blows[rule] = time;
     }
-    const double there = course::azimuth_of(truth);
+    const double there = support::azimuth_of(truth);
     exactly_turned += std::remainder(there - exact_direction, 2 * pi);
     exact_direction = there;
     if (time <= 2)
-      tilts.row(time, course::tilt_of(truth) / degree, now[0] / degree, now[1] / degree,
+      tilts.row(time, support::tilt_of(truth) / degree, now[0] / degree, now[1] / degree,
                 now[2] / degree, now[3] / degree, now[4] / degree, now[5] / degree,
                 now[6] / degree);
   }
@@ -149,7 +149,7 @@ void try_rules(course::Notebook& notebook) {
   std::printf("%-26s %6.1f to %5.1f %12.3f\n", "exact", std::acos(exact.highest()) / degree,
               std::acos(exact.lowest()) / degree, exactly_turned / seconds);
   for (std::size_t rule = 0; rule < 7; ++rule) {
-    std::printf("%-26s %6.1f to %5.1f", course::rules<double>[rule].name, least[rule] / degree,
+    std::printf("%-26s %6.1f to %5.1f", support::rules<double>[rule].name, least[rule] / degree,
                 most[rule] / degree);
     if (falls[rule] > 0)
       std::printf(" %12s  after %.2f s", "", falls[rule]);
@@ -165,24 +165,24 @@ void try_rules(course::Notebook& notebook) {
   notebook.value("without_term", number("%.2f rad/s", without));
   notebook.value("explicit_gone", number("%.2f s", blows[1]));
   notebook.value("carrying_tilt", number("%.0f°", most[4] / degree));
-  course::expect(std::abs(without * gyroscope.across * spin / pull_of(gyroscope) - 1) < 0.05,
-                 "without the term the top goes round at M g l/(I1 w3)");
+  support::expect(std::abs(without * gyroscope.across * spin / pull_of(gyroscope) - 1) < 0.05,
+                  "without the term the top goes round at M g l/(I1 w3)");
   const double steady_off = std::max(most[0] - tilt, tilt - least[0]) / degree;
   notebook.value("steady_off", number("%.2f", std::ceil(100 * steady_off) / 100));
-  course::expect(steady_off < 1, "without the term it hardly nods");
-  course::expect(blows[1] > 0 && falls[2] > 0 && falls[3] > 0,
-                 "explicit, restored and implicit don't keep it up");
-  course::expect(most[3] > 179 * degree, "the implicit rule ends hanging");
-  course::expect(falls[4] == 0 && most[4] > 74 * degree, "carrying the momentum it sinks");
+  support::expect(steady_off < 1, "without the term it hardly nods");
+  support::expect(blows[1] > 0 && falls[2] > 0 && falls[3] > 0,
+                  "explicit, restored and implicit don't keep it up");
+  support::expect(most[3] > 179 * degree, "the implicit rule ends hanging");
+  support::expect(falls[4] == 0 && most[4] > 74 * degree, "carrying the momentum it sinks");
   for (const std::size_t rule : {std::size_t{5}, std::size_t{6}})
-    course::expect(std::abs(turned[rule] / exactly_turned - 1) < 0.002 &&
-                       std::abs(std::cos(most[rule]) - exact.lowest()) < 0.002,
-                   "the splittings go round and dip as the exact top does");
+    support::expect(std::abs(turned[rule] / exactly_turned - 1) < 0.002 &&
+                        std::abs(std::cos(most[rule]) - exact.lowest()) < 0.002,
+                    "the splittings go round and dip as the exact top does");
 }
 
 /// How far the upright top, nudged, falls at most, against its spin.
-void put_to_sleep(const course::Notebook& notebook) {
-  course::Table table = notebook.table(
+void put_to_sleep(const support::Notebook& notebook) {
+  support::Table table = notebook.table(
       "sleeping", {"spin (rad/s)", "largest tilt (degree)", "exact, without a nudge (degree)"});
   const double limit = least_sleeping_spin(gyroscope);
   for (int n = 0; n <= 32; ++n) {
@@ -192,25 +192,25 @@ void put_to_sleep(const course::Notebook& notebook) {
     double most = 0;
     for (int k = 0; k < 20 * steps_per_second; ++k) {
       step(top);
-      most = std::max(most, course::tilt_of(top));
+      most = std::max(most, support::tilt_of(top));
     }
     const double ratio = w / limit,
                  lowest = ratio < 1 ? std::acos(2 * ratio * ratio - 1) / degree : 0;
     table.row(w, most / degree, lowest);
     if (ratio < 0.95)
-      course::expect(std::abs(most / degree - lowest) < 2, "below the limit it falls as far");
-    if (ratio > 1.05) course::expect(most / degree < 0.1, "above the limit it stands");
+      support::expect(std::abs(most / degree - lowest) < 2, "below the limit it falls as far");
+    if (ratio > 1.05) support::expect(most / degree < 0.1, "above the limit it stands");
   }
 }
 
 /// The top let go, for the player to replay.
-course::Recording recorded() {
-  course::Recording recording("A gyroscope, let go", time_step * 4);
-  const course::Part wheel =
-      course::Part::cylinder(course::flywheel.radius, course::flywheel.height)
-          .at(Posed{.position = {0, 0, course::flywheel_above_tip}, .orientation = {}});
-  const course::Part shaft =
-      course::Part::cylinder(0.002, 0.06).at(Posed{.position = {0, 0, 0.03}, .orientation = {}});
+support::Recording recorded() {
+  support::Recording recording("A gyroscope, let go", time_step * 4);
+  const support::Part wheel =
+      support::Part::cylinder(support::flywheel.radius, support::flywheel.height)
+          .at(Posed{.position = {0, 0, support::flywheel_above_tip}, .orientation = {}});
+  const support::Part shaft =
+      support::Part::cylinder(0.002, 0.06).at(Posed{.position = {0, 0, 0.03}, .orientation = {}});
   recording.add_body("gyroscope", {wheel, shaft});
   Topd top = set_spinning(gyroscope, tilt, spin);
   for (int n = 0; n <= 6 * steps_per_second; ++n) {
@@ -224,7 +224,7 @@ course::Recording recorded() {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   show_numbers(notebook);
   follow_axis(notebook);
   gather_kicks(notebook);

@@ -1,11 +1,11 @@
 // Three mistakes with a spinning top, run: what one sees of each.
-#include <course/record.hpp>
-#include <course/toy_gyroscope.hpp>
 #include <numbers>
+#include <support/record.hpp>
+#include <support/toy_gyroscope.hpp>
 
 using namespace tumble;
-using course::number;
 using std::numbers::pi;
+using support::number;
 
 namespace {
 
@@ -26,9 +26,9 @@ Seen seen(const Gyroscope<double>& gyroscope, const Turn& turn) {
   double turned = 0, before = 0;
   for (int n = 1; n <= seconds * steps_per_second; ++n) {
     turn(top, h);
-    result.lowest = std::max(result.lowest, course::tilt_of(top) / degree);
-    turned += std::remainder(course::azimuth_of(top) - before, 2 * pi);
-    before = course::azimuth_of(top);
+    result.lowest = std::max(result.lowest, support::tilt_of(top) / degree);
+    turned += std::remainder(support::azimuth_of(top) - before, 2 * pi);
+    before = support::azimuth_of(top);
     result.round = turned / (n * h);
     if (kinetic_energy(top) < 1000 * energy) continue;
     result.gone = n * h;
@@ -40,16 +40,16 @@ Seen seen(const Gyroscope<double>& gyroscope, const Turn& turn) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
-  const auto right = course::toy_gyroscope<double>();
-  const auto step_right = [&](Topd& top, double h) { course::step(top, right, drift<double>, h); };
+  support::Notebook notebook(argument_count, arguments);
+  const auto right = support::toy_gyroscope<double>();
+  const auto step_right = [&](Topd& top, double h) { support::step(top, right, drift<double>, h); };
 
   //! [about_centre]
   auto about_centre = right;
-  about_centre.across -= course::flywheel_mass * right.distance * right.distance;
+  about_centre.across -= support::flywheel_mass * right.distance * right.distance;
   //! [about_centre]
   const auto step_about_centre = [&](Topd& top, double h) {
-    course::step(top, about_centre, drift<double>, h);
+    support::step(top, about_centre, drift<double>, h);
   };
 
   //! [twice]
@@ -91,10 +91,10 @@ int main(int argument_count, char** arguments) {
   notebook.value("twice_gone", number("%.2f s", twice.gone));
   notebook.value("dip_about_centre", number("%.1f°", centred.lowest - 60));
   notebook.value("dip", number("%.1f°", as_it_is.lowest - 60));
-  course::expect(std::abs(centred.round / as_it_is.round - 1) < 0.1 &&
-                     centred.lowest - 60 < (as_it_is.lowest - 60) / 4,
-                 "about the centre it goes round nearly as fast and hardly dips");
-  course::expect(other.round < 0 && other.lowest < 61,
-                 "with the other sign it rises and goes back");
-  course::expect(twice.gone > 0, "with the term twice it flies apart");
+  support::expect(std::abs(centred.round / as_it_is.round - 1) < 0.1 &&
+                      centred.lowest - 60 < (as_it_is.lowest - 60) / 4,
+                  "about the centre it goes round nearly as fast and hardly dips");
+  support::expect(other.round < 0 && other.lowest < 61,
+                  "with the other sign it rises and goes back");
+  support::expect(twice.gone > 0, "with the term twice it flies apart");
 }

@@ -1,7 +1,7 @@
 // A top on its tip, live: its spin, its tilt, and the rule that turns it; beside it the same top in
 // steps so fine that they show what is exact.
-#include <course/live.hpp>
-#include <course/toy_gyroscope.hpp>
+#include <support/live.hpp>
+#include <support/toy_gyroscope.hpp>
 
 using namespace tumble;
 
@@ -11,7 +11,7 @@ namespace {
 struct Axis {
   std::vector<double>&x, &y, &z;
 
-  Axis(course::Live& live, const std::string& name)
+  Axis(support::Live& live, const std::string& name)
       : x(live.column(name + " x", "")),
         y(live.column(name + " y", "")),
         z(live.column(name + " z", "")) {}
@@ -25,7 +25,7 @@ struct Axis {
 
 }  // namespace
 
-void tumble::course::run_live(Live& live) {
+void tumble::support::run_live(Live& live) {
   const double spin = live.knob("spin", "rad/s", 200, 0, 400);
   const double tilt = live.knob("tilt", "rad", 1.047, 0.01, 2.6);
   const auto rule = static_cast<std::size_t>(live.choice("rule", 6, 7));

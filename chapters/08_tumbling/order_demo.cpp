@@ -1,18 +1,18 @@
 // The angle from the exact orientation after 10 s of problem A, against the time step.
 #include <algorithm>
-#include <course/record.hpp>
-#include <course/rules.hpp>
+#include <support/record.hpp>
+#include <support/rules.hpp>
 
 using namespace tumble;
-using course::number;
+using support::number;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
-  course::Table table =
+  support::Notebook notebook(argument_count, arguments);
+  support::Table table =
       notebook.table("order", {"time step (s)", "steady", "explicit", "restored", "implicit",
                                "carrying", "by axes", "with a sphere"});
-  const Topd start = course::top_of<double>(course::tumbling_problems[0]);
-  const auto exact = exact::FreeTop<long double>(course::exactly(start)).at(10).orientation;
+  const Topd start = support::top_of<double>(support::tumbling_problems[0]);
+  const auto exact = exact::FreeTop<long double>(support::exactly(start)).at(10).orientation;
   std::printf("%-28s %9s %9s %9s  order\n", "angle error (rad), steps/s:", "60", "480", "3840");
   std::vector<std::array<double, 7>> errors;
   for (const int steps_per_second : {15, 30, 60, 120, 240, 480, 960, 1920, 3840}) {
@@ -20,8 +20,8 @@ int main(int argument_count, char** arguments) {
     for (std::size_t rule = 0; rule < error.size(); ++rule) {
       Topd top = start;
       for (int n = 0; n < 10 * steps_per_second; ++n)
-        course::rules<double>[rule].turn(top, 1.0 / steps_per_second);
-      error[rule] = static_cast<double>(angle_between(exact, course::exactly(top).orientation));
+        support::rules<double>[rule].turn(top, 1.0 / steps_per_second);
+      error[rule] = static_cast<double>(angle_between(exact, support::exactly(top).orientation));
     }
     table.row(1.0 / steps_per_second, error[0], error[1], error[2], error[3], error[4], error[5],
               error[6]);
@@ -34,13 +34,14 @@ int main(int argument_count, char** arguments) {
   };
   notebook.value("lower_at_first", number("%.0f", lower(0)));
   notebook.value("lower_in_the_end", number("%.0f", lower(8)));
-  course::expect(lower(0) > 10 && lower(8) > 100 * lower(0),
-                 "the splittings lie far below the others, the further the shorter the step");
+  support::expect(lower(0) > 10 && lower(8) > 100 * lower(0),
+                  "the splittings lie far below the others, the further the shorter the step");
   for (std::size_t rule = 0; rule < 7; ++rule) {
     const double order = std::log2(errors[7][rule] / errors[8][rule]);
-    std::printf("%-28s %9.1e %9.1e %9.1e  %5.2f\n", course::rules<double>[rule].name,
+    std::printf("%-28s %9.1e %9.1e %9.1e  %5.2f\n", support::rules<double>[rule].name,
                 errors[2][rule], errors[5][rule], errors[8][rule], order);
     const double expected = rule == 0 ? 0 : rule < 5 ? 1 : 2;
-    course::expect(std::abs(order - expected) < 0.05, "each rule has the order that the page says");
+    support::expect(std::abs(order - expected) < 0.05,
+                    "each rule has the order that the page says");
   }
 }

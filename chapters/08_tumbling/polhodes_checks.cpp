@@ -1,9 +1,9 @@
-#include <course/checks.hpp>
-#include <course/polhodes.hpp>
-#include <course/rules.hpp>
+#include <support/checks.hpp>
+#include <support/polhodes.hpp>
+#include <support/rules.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

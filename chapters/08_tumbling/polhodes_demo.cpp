@@ -1,13 +1,13 @@
 // The sphere of L with the curves of constant energy, a stepped motion on it, and how long a flip
 // makes one wait.
-#include <course/polhodes.hpp>
-#include <course/record.hpp>
-#include <course/rules.hpp>
 #include <numbers>
+#include <support/polhodes.hpp>
+#include <support/record.hpp>
+#include <support/rules.hpp>
 
 using namespace tumble;
-using course::number;
 using std::numbers::pi;
+using support::number;
 
 namespace {
 
@@ -16,7 +16,7 @@ const double degree = pi / 180, spin = 10;
 /// The T-handle's axes from the smallest moment to the largest: about the bar, the shaft, the
 /// third.
 struct Handle {
-  Topd top = course::thrown_t_handle().body.top;
+  Topd top = support::thrown_t_handle().body.top;
   std::array<int, 3> axis = {0, 1, 2};
 
   Handle() {
@@ -44,7 +44,7 @@ struct View {
 
   /// One line of the table for each point: where it is seen, in one pair of columns in front and in
   /// another at the back. No number breaks the line.
-  void draw(course::Table& table, const std::vector<Vec3d>& line) const {
+  void draw(support::Table& table, const std::vector<Vec3d>& line) const {
     for (const Vec3d& point : line) {
       const double x = right.dot(point), y = up.dot(point);
       if (eye.dot(point) >= 0)
@@ -56,31 +56,31 @@ struct View {
   }
 };
 
-void draw_sphere(course::Notebook& notebook, const Handle& handle) {
+void draw_sphere(support::Notebook& notebook, const Handle& handle) {
   const View view;
   const auto open = [&](const char* name) {
     return notebook.table(name, {"front x", "front y", "back x", "back y"});
   };
   const Vec3d inverse = handle.in_order(handle.top.inverse_moments);
-  course::Table curves = open("polhodes");
+  support::Table curves = open("polhodes");
   for (const int around : {0, 2})
     for (const double off : {12.0, 26.0, 40.0}) {
       // The loop through the point so many degrees from its axis, towards the middle one.
       const double c = std::cos(off * degree), s = std::sin(off * degree);
       const double level = inverse[around] * c * c + inverse[1] * s * s;
-      auto loop = course::polhode(inverse, level, around, 200);
+      auto loop = support::polhode(inverse, level, around, 200);
       view.draw(curves, loop);
       for (Vec3d& point : loop) point = -point;
       view.draw(curves, loop);
     }
-  course::Table border = open("separatrix");
-  for (const double sign : {1.0, -1.0}) view.draw(border, course::separatrix(inverse, sign, 200));
+  support::Table border = open("separatrix");
+  for (const double sign : {1.0, -1.0}) view.draw(border, support::separatrix(inverse, sign, 200));
   std::vector<Vec3d> rim;
   for (int n = 0; n <= 120; ++n)
     rim.push_back(std::cos(n * pi / 60) * view.right + std::sin(n * pi / 60) * view.up);
-  course::Table outline = notebook.table("sphere", {"x", "y"});
+  support::Table outline = notebook.table("sphere", {"x", "y"});
   for (const Vec3d& point : rim) outline.row(view.right.dot(point), view.up.dot(point));
-  course::Table ends = notebook.table("axes", {"x", "y", "name"});
+  support::Table ends = notebook.table("axes", {"x", "y", "name"});
   const std::array names = {"axis 1", "axis 2", "axis 3"};
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3d end = Vec3d::Unit(axis);
@@ -92,7 +92,7 @@ void draw_sphere(course::Notebook& notebook, const Handle& handle) {
   Topd top = handle.thrown(0.3);
   const double size = top.angular_momentum_body.norm();
   const double level = 2 * kinetic_energy(top) / (size * size);
-  course::Table points = open("polhode_stepped");
+  support::Table points = open("polhode_stepped");
   double off = 0;
   for (int n = 0; n <= 60 * 4; ++n) {
     const Vec3d L = handle.in_order(top.angular_momentum_body) / size;
@@ -101,14 +101,14 @@ void draw_sphere(course::Notebook& notebook, const Handle& handle) {
     drift(top, 1.0 / 60);
   }
   //! [on_the_curve]
-  course::Table through = open("polhode_through");
-  view.draw(through, course::polhode(inverse, level, 0, 400));
+  support::Table through = open("polhode_through");
+  view.draw(through, support::polhode(inverse, level, 0, 400));
   std::printf(
       "60 steps/s, thrown with 0.3 of the spin about the bar: the energy of the points\n"
       "is off by %.1e at most, |L| by nothing that shows\n\n",
       off);
   notebook.value("off", number("%.0e", off));
-  course::expect(off < 1e-2, "the stepped points lie on the curve");
+  support::expect(off < 1e-2, "the stepped points lie on the curve");
 }
 
 /// From one flip to the next, stepped: between two zeros of the rate about the shaft.
@@ -126,10 +126,10 @@ double stepped_wait(const Handle& handle, Topd top, double h) {
   }
 }
 
-void wait_for_flips(course::Notebook& notebook, const Handle& handle) {
+void wait_for_flips(support::Notebook& notebook, const Handle& handle) {
   const Vec3d I = handle.in_order(moments_of(handle.top));
   const double kappa = spin * std::sqrt((I[2] - I[1]) * (I[1] - I[0]) / (I[0] * I[2]));
-  course::Table table =
+  support::Table table =
       notebook.table("flip_times", {"wobble", "exact (s)", "stepped (s)", "straight line (s)"});
   std::printf("wobble   exact (s)  stepped (s)  longer by (s)\n");
   double last = 0;
@@ -140,14 +140,14 @@ void wait_for_flips(course::Notebook& notebook, const Handle& handle) {
     const double wait = exact.period() / 2, stepped = stepped_wait(handle, start, 1.0 / 480);
     table.row(wobble, wait, stepped, 2 * std::log(1 / wobble) / kappa);
     if (wobble > 5e-7)
-      course::expect(std::abs(stepped / wait - 1) < 1e-3, "it flips when it should");
-    if (n == 16) course::expect(stepped < 0.98 * wait, "rounding brings the flip forward");
+      support::expect(std::abs(stepped / wait - 1) < 1e-3, "it flips when it should");
+    if (n == 16) support::expect(stepped < 0.98 * wait, "rounding brings the flip forward");
     if (n % 2 != 0) continue;
     std::printf("10^-%d %12.4f %12.4f", n / 2, wait, stepped);
     std::printf(n > 0 ? " %12.4f\n" : "\n", wait - last);
     if (n >= 6)
-      course::expect(std::abs((wait - last) * kappa / (2 * std::log(10)) - 1) < 1e-4,
-                     "a tenth of the wobble adds the same wait each time");
+      support::expect(std::abs((wait - last) * kappa / (2 * std::log(10)) - 1) < 1e-4,
+                      "a tenth of the wobble adds the same wait each time");
     last = wait;
   }
   std::printf("2 ln 10/kappa %25.4f\n", 2 * std::log(10) / kappa);
@@ -157,7 +157,7 @@ void wait_for_flips(course::Notebook& notebook, const Handle& handle) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const Handle handle;
   draw_sphere(notebook, handle);
   wait_for_flips(notebook, handle);

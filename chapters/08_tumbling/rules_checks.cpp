@@ -1,11 +1,11 @@
-#include <course/body_bounds.hpp>
-#include <course/checks.hpp>
-#include <course/rules.hpp>
 #include <numbers>
+#include <support/body_bounds.hpp>
+#include <support/checks.hpp>
+#include <support/rules.hpp>
 #include <vector>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,11 +1,11 @@
 // Seven rules on four problems: energy, angular momentum and phase together.
-#include <course/record.hpp>
-#include <course/rules.hpp>
 #include <numbers>
+#include <support/record.hpp>
+#include <support/rules.hpp>
 
 using namespace tumble;
-using course::Motion;
-using course::number;
+using support::Motion;
+using support::number;
 
 namespace {
 
@@ -15,16 +15,16 @@ std::string shown(double error, double rounding) {
 }
 
 template <class Real>
-void compare(course::Notebook& notebook, const std::string& precision, double rounding) {
-  for (const course::TumblingProblem& problem : course::tumbling_problems) {
-    course::Table table = notebook.table(
+void compare(support::Notebook& notebook, const std::string& precision, double rounding) {
+  for (const support::TumblingProblem& problem : support::tumbling_problems) {
+    support::Table table = notebook.table(
         std::string("problem_") + problem.letter + "_" + precision,
         {"rule", "energy error", "E/E₀ at the end", "angular momentum error", "angle error (rad)"});
     std::printf("%c %-14s %s\n", problem.letter, problem.name.data(), precision.c_str());
-    for (const course::Rule<Real>& rule : course::rules<Real>) {
-      const Motion m = course::watched<Real>(problem, rule.turn);
+    for (const support::Rule<Real>& rule : support::rules<Real>) {
+      const Motion m = support::watched<Real>(problem, rule.turn);
       const std::string name = std::string(1, problem.letter) + "_" + precision + "_" +
-                               number("%.0f", double(&rule - course::rules<Real>.data()));
+                               number("%.0f", double(&rule - support::rules<Real>.data()));
       if (m.diverged != 0) {
         const std::string gone = "grew 1000-fold by step " + std::to_string(m.diverged);
         std::printf("  %-28s %s\n", rule.name, gone.c_str());
@@ -48,16 +48,16 @@ void compare(course::Notebook& notebook, const std::string& precision, double ro
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   compare<double>(notebook, "double", 1e-11);
   compare<float>(notebook, "float", 1e-11);
   const Motion implicit =
-      course::watched<double>(course::tumbling_problems[0], turn_implicitly<double>);
+      support::watched<double>(support::tumbling_problems[0], turn_implicitly<double>);
   notebook.value("implicit_lost", number("%.0f %%", 100 * (1 - implicit.energy_ratio)));
 
   // What the length of L keeps, shown by problem A at 3.3 rad a step: the energy between L²/2I₃ and
   // L²/2I₁ and no better.
-  Topd top = course::top_of<double>(course::tumbling_problems[0]);
+  Topd top = support::top_of<double>(support::tumbling_problems[0]);
   const double energy = kinetic_energy(top), square = top.angular_momentum_body.squaredNorm();
   const double step = 3.3 / angular_velocity_body(top).norm();
   double least = 1, most = 1;
@@ -66,15 +66,15 @@ int main(int argument_count, char** arguments) {
     least = std::min(least, kinetic_energy(top) / energy);
     most = std::max(most, kinetic_energy(top) / energy);
   }
-  course::expect(least < 0.8 && most > 1.5, "at 3.3 rad a step the energy is not kept");
-  course::expect(least >= square / 6 / energy && most <= square / 2 / energy,
-                 "but it stays where the length of L holds it");
+  support::expect(least < 0.8 && most > 1.5, "at 3.3 rad a step the energy is not kept");
+  support::expect(least >= square / 6 / energy && most <= square / 2 / energy,
+                  "but it stays where the length of L holds it");
   notebook.value("long_step_least", number("%.2f", least));
   notebook.value("long_step_most", number("%.2f", most));
 
   // The steady rule leads L round the cone about ω that it starts on: by twice the angle between
   // the two, at the far side.
-  const Topd start = course::top_of<double>(course::tumbling_problems[0]);
+  const Topd start = support::top_of<double>(support::tumbling_problems[0]);
   const double sine = gyroscopic_torque(start).norm() /
                       (angular_velocity_body(start).norm() * start.angular_momentum_body.norm());
   notebook.value("steady_swing", number("%.0f°", 2 * std::asin(sine) * 180 / std::numbers::pi));

@@ -1,6 +1,6 @@
 #include <benchmark/benchmark.h>
 
-#include <course/rules.hpp>
+#include <support/rules.hpp>
 
 using namespace tumble;
 
@@ -9,7 +9,7 @@ namespace {
 /// Runs a rule on 250 tops, few enough to stay in the nearest cache.
 template <class Real, class Turn>
 void on_each_top(benchmark::State& state, const Turn& turn) {
-  std::vector<Top<Real>> tops(250, course::top_of<Real>(course::tumbling_problems[1]));
+  std::vector<Top<Real>> tops(250, support::top_of<Real>(support::tumbling_problems[1]));
   for (auto _ : state) {
     for (Top<Real>& top : tops) turn(top, Real(1) / 64);
     benchmark::DoNotOptimize(tops.data());

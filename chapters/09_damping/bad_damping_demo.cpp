@@ -1,13 +1,13 @@
 // What a damping that cannot be gets: a sentence, before anything moves.
-#include <course/damping_forms.hpp>
-#include <course/record.hpp>
 #include <functional>
+#include <support/damping_forms.hpp>
+#include <support/record.hpp>
 #include <tumble/damping.hpp>
 
 using namespace tumble;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   int refused = 0;
   const auto attempt = [&refused](const std::function<double()>& action) {
@@ -22,9 +22,9 @@ int main(int argument_count, char** arguments) {
   attempt([nan] { return checked_damping_rate(nan, "angular damping of 'crate'"); });
   attempt([] { return damping_rate_that_leaves(99.0, 1.0); });
   attempt([] { return damping_rate_that_leaves(0.0, 1.0); });
-  course::expect(refused == 4, "every one of the four is refused");
-  const double power = course::power_form(-0.5, 1.0 / 60);
+  support::expect(refused == 4, "every one of the four is refused");
+  const double power = support::power_form(-0.5, 1.0 / 60);
   std::printf("\nthe power form does not refuse: pow(-0.5, 1/60) is %s\n",
               std::isnan(power) ? "NaN" : "a number");
-  course::expect(std::isnan(power), "a root of a negative number is NaN");
+  support::expect(std::isnan(power), "a root of a negative number is NaN");
 }

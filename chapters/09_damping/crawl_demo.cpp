@@ -1,11 +1,11 @@
 // A float that is damped for ever does not become zero by itself.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/damping.hpp>
 
 using namespace tumble;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const float kept = fraction_kept(1.0f, 1.0f / 60);
   float crawling = 1;
   Particlef stopping = make_particle(1.0f, Vec3f(0, 0, 0), Vec3f(1, 0, 0));
@@ -19,13 +19,13 @@ int main(int argument_count, char** arguments) {
     crawling *= kept;
     damp(stopping, kept);
   }
-  course::expect(crawling > 0 && crawling * kept == crawling,
-                 "the product rounds back up for ever");
-  course::expect(!std::isnormal(crawling), "and what it is stuck at is a denormal number");
-  course::expect(stopping.velocity.x() == 0, "damp() stops it");
-  notebook.value("stopped", course::number("%.1f s", stopped / 60.0));
-  notebook.value("kept", course::number("%.4f", double(kept)));
-  notebook.value("stuck", course::number("%.1e", double(crawling)));
-  notebook.value("slowest_float", course::number("%.1e", double(slowest_speed<float>)));
-  notebook.value("slowest_double", course::number("%.1e", slowest_speed<double>));
+  support::expect(crawling > 0 && crawling * kept == crawling,
+                  "the product rounds back up for ever");
+  support::expect(!std::isnormal(crawling), "and what it is stuck at is a denormal number");
+  support::expect(stopping.velocity.x() == 0, "damp() stops it");
+  notebook.value("stopped", support::number("%.1f s", stopped / 60.0));
+  notebook.value("kept", support::number("%.4f", double(kept)));
+  notebook.value("stuck", support::number("%.1e", double(crawling)));
+  notebook.value("slowest_float", support::number("%.1e", double(slowest_speed<float>)));
+  notebook.value("slowest_double", support::number("%.1e", slowest_speed<double>));
 }

@@ -1,11 +1,11 @@
-#include <course/checks.hpp>
-#include <course/damping_forms.hpp>
-#include <course/uneven_top.hpp>
 #include <random>
+#include <support/checks.hpp>
+#include <support/damping_forms.hpp>
+#include <support/uneven_top.hpp>
 #include <tumble/damping.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 //! [cuts]
 TEST_CASE_TEMPLATE("Exponential damping leaves exp(-k t), however the time is cut into steps", Real,

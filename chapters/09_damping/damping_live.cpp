@@ -1,11 +1,11 @@
 // Four formulas that are called damping, live: what a step leaves of a speed, and what follows.
-#include <course/damping_forms.hpp>
-#include <course/live.hpp>
+#include <support/damping_forms.hpp>
+#include <support/live.hpp>
 #include <tumble/damping.hpp>
 
 using namespace tumble;
 
-void tumble::course::run_live(Live& live) {
+void tumble::support::run_live(Live& live) {
   const int form = live.choice("form", 1, 4);
   const double rate = live.knob("rate", "1/s", 2, 0.1, 50);
   const double h = live.knob("h", "s", 1.0 / 60, 1.0 / 240, 1);

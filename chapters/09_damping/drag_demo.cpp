@@ -1,13 +1,13 @@
 // Two balls slow down in air: one as air does it, one by damping that agrees with it at the start.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/damping.hpp>
 #include <tumble/drag.hpp>
 
 using namespace tumble;
-using tumble::course::number;
+using tumble::support::number;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const double pi = 3.14159265358979323846, time_step = 1.0 / 240, start = 30;
   //! [ball]
   const double radius = 0.11, mass = 0.43;  // a football
@@ -15,7 +15,7 @@ int main(int argument_count, char** arguments) {
   const double rate = coefficient * start / mass;  // the same deceleration at 30 m/s
   //! [ball]
   Particled dragged = make_particle(mass, Vec3d(0, 0, 0), Vec3d(start, 0, 0)), damped = dragged;
-  course::Table table = notebook.table(
+  support::Table table = notebook.table(
       "drag", {"time (s)", "drag (m/s)", "damping (m/s)", "drag (m)", "damping (m)"});
   std::printf("c = %.4f kg/m, and a damping rate of %.3f 1/s\n", coefficient, rate);
   std::printf("  time   speed: drag   damping       way: drag   damping\n");
@@ -43,8 +43,8 @@ int main(int argument_count, char** arguments) {
     drift(damped, time_step);
   }
   notebook.value("stops_after", number("%.0f m", start / rate));
-  course::expect(damped.position.x() < start / rate, "the damped ball stops within v/k");
-  course::expect(dragged.position.x() > 2 * damped.position.x(), "the other one goes on");
+  support::expect(damped.position.x() < start / rate, "the damped ball stops within v/k");
+  support::expect(dragged.position.x() > 2 * damped.position.x(), "the other one goes on");
 
   std::printf("\nterminal speed of a fall, in m/s\n  mass   drag: root of m g/c   damping: g/k\n");
   for (const double kilograms : {0.1, 0.4, 1.6})

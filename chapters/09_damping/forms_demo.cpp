@@ -1,10 +1,10 @@
 // Four formulas that are all called damping: what one step leaves, and what a second leaves.
-#include <course/damping_forms.hpp>
-#include <course/record.hpp>
+#include <support/damping_forms.hpp>
+#include <support/record.hpp>
 #include <tumble/damping.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 
@@ -18,7 +18,7 @@ double after_a_second(double fraction, int steps_per_second) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
 
   std::printf("\"0.99 in every step\", and a rate of 0.603 per second, after one second\n");
   std::printf("steps per second   0.99 a step   e^(-k h)\n");
@@ -28,14 +28,14 @@ int main(int argument_count, char** arguments) {
   for (const int steps : {30, 60, 144, 240}) {
     const double by_rate = after_a_second(fraction_kept(rate, 1.0 / steps), steps);
     std::printf("%16d %13.4f %10.4f\n", steps, after_a_second(0.99, steps), by_rate);
-    course::expect(std::abs(by_rate - std::pow(0.99, 60)) < 1e-13, "the rate means a second");
+    support::expect(std::abs(by_rate - std::pow(0.99, 60)) < 1e-13, "the rate means a second");
   }
   notebook.value("rate", number("%.3f", rate));
   notebook.value("left_at_30", number("%.0f %%", 100 * after_a_second(0.99, 30)));
   notebook.value("left_at_144", number("%.0f %%", 100 * after_a_second(0.99, 144)));
 
   std::printf("\nwhat one step leaves of a speed\n   k h    e^(-k h)   1 - k h   1/(1 + k h)\n");
-  course::Table forms = notebook.table("forms", {"k h", "exponential", "linear", "fractional"});
+  support::Table forms = notebook.table("forms", {"k h", "exponential", "linear", "fractional"});
   for (int n = 0; n <= 60; ++n) {
     const double kh = n * 0.05;
     forms.row(kh, fraction_kept(kh, 1.0), linear_form(kh, 1.0), fractional_form(kh, 1.0));
@@ -52,5 +52,5 @@ int main(int argument_count, char** arguments) {
   }
   std::printf("\n");
   notebook.value("linear_blow_up", number("%.0f", std::abs(speed)));
-  course::expect(std::abs(speed) > 50, "the linear form speeds up what it should stop");
+  support::expect(std::abs(speed) > 50, "the linear form speeds up what it should stop");
 }

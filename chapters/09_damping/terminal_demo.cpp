@@ -1,11 +1,11 @@
 // A ball falls under gravity and damping until its speed no longer changes.
-#include <course/damping_forms.hpp>
-#include <course/record.hpp>
 #include <functional>
+#include <support/damping_forms.hpp>
+#include <support/record.hpp>
 #include <tumble/damping.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 
@@ -20,9 +20,9 @@ double terminal_speed(const std::function<double(double)>& next) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const double rate = 2;  // k, 1/s
-  course::Table ratios = notebook.table(
+  support::Table ratios = notebook.table(
       "terminal", {"k h", "exponential", "fractional after", "linear after", "fractional before"});
   std::printf("terminal speed for g/k = %.3f m/s\n", gravity / rate);
   std::printf(
@@ -47,8 +47,8 @@ int main(int argument_count, char** arguments) {
                 terminal_speed([=](double v) { return (v + gain) * fractional; }),
                 terminal_speed([=](double v) { return (v + gain) * linear; }),
                 terminal_speed([=](double v) { return v * fractional + gain; }));
-    course::expect(std::abs(exponential - gain / std::expm1(rate * h)) < 1e-12,
-                   "kick and exponential damping end at h g / (e^(k h) - 1)");
+    support::expect(std::abs(exponential - gain / std::expm1(rate * h)) < 1e-12,
+                    "kick and exponential damping end at h g / (e^(k h) - 1)");
     if (steps == 60)
       notebook.value("slow_at_60", number("%.1f %%", 100 * (1 - exponential * rate / gravity)));
   }

@@ -1,10 +1,10 @@
-#include <course/checks.hpp>
-#include <course/damping_forms.hpp>
+#include <support/checks.hpp>
+#include <support/damping_forms.hpp>
 #include <tumble/damping.hpp>
 #include <tumble/drag.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

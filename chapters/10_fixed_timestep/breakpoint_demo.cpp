@@ -1,12 +1,12 @@
 // The debugger held the game for five seconds. What does the clock make of it? And of nonsense?
-#include <course/record.hpp>
 #include <functional>
+#include <support/record.hpp>
 #include <tumble/step_clock.hpp>
 
 using namespace tumble;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const std::int64_t millisecond = 1'000'000;
   //! [breakpoint]
   StepClock clock = make_step_clock(steps_per_second(60));
@@ -24,7 +24,7 @@ int main(int argument_count, char** arguments) {
                      right = (clock.steps + clock.dropped_steps) * 50'000'000 + clock.remainder;
   std::printf("\n(time in - dropped) * 3 = %lld = (steps + dropped) * 50000000 + left\n",
               static_cast<long long>(left));
-  course::expect(left == right, "the books balance exactly");
+  support::expect(left == right, "the books balance exactly");
 
   std::printf("\n");
   int refused = 0;
@@ -40,5 +40,5 @@ int main(int argument_count, char** arguments) {
   attempt([&] { steps_due(clock, nanoseconds_of(std::nan(""))); });
   attempt([&] { steps_due(clock, nanoseconds_of(1e30)); });
   attempt([] { steps_per_second(0); });
-  course::expect(refused == 4, "every one of the four is refused");
+  support::expect(refused == 4, "every one of the four is refused");
 }

@@ -1,13 +1,13 @@
 // Three clocks: one adds up a float, one a double, one counts steps.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/step_clock.hpp>
 
 using namespace tumble;
-using tumble::course::number;
+using tumble::support::number;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
-  course::Table table = notebook.table(
+  support::Notebook notebook(argument_count, arguments);
+  support::Table table = notebook.table(
       "clocks", {"time (s)", "float is off by (s)", "double is off by (s)", "n h is off by (s)"});
   const std::int64_t steps = 100'000'000;
   const double time_step = 1.0 / 60;
@@ -42,11 +42,11 @@ int main(int argument_count, char** arguments) {
   }
   std::printf("\nthe float stopped at %.0f s, after %lld additions\n", double(added_float),
               static_cast<long long>(stopped_after));
-  course::expect(added_float == 524288.0f && stopped_after == 24'986'955,
-                 "a float that adds up 1/60 stops at 2^19");
+  support::expect(added_float == 524288.0f && stopped_after == 24'986'955,
+                  "a float that adds up 1/60 stops at 2^19");
   const double drift = added_double - 1e8 / 60;
-  course::expect(drift > -7.0e-4 && drift < -6.8e-4,
-                 "a double is off by -6.9e-4 s after 1e8 steps");
+  support::expect(drift > -7.0e-4 && drift < -6.8e-4,
+                  "a double is off by -6.9e-4 s after 1e8 steps");
   notebook.value("minutes", number("%.0f", double(off_by_a_second) / 3600));
   notebook.value("stopped_days", number("%.1f", double(stopped_after) / 60 / 86400));
   notebook.value("double_most", number("%.1f milliseconds", 1000 * double_most));

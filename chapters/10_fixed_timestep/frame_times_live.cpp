@@ -1,11 +1,11 @@
 // The spiral of death, live: what a step costs from moment to moment is drawn by hand, and two caps
 // say what a frame may take.
-#include <course/live.hpp>
+#include <support/live.hpp>
 #include <tumble/step_clock.hpp>
 
 using namespace tumble;
 
-void tumble::course::run_live(Live& live) {
+void tumble::support::run_live(Live& live) {
   const int most_steps = static_cast<int>(live.knob("most steps", "", 1000, 1, 1000));
   const double longest = live.knob("longest frame", "s", 5, 0.02, 5);
   const double picture = live.knob("picture", "ms", 6, 0, 16);

@@ -1,12 +1,12 @@
-#include <course/body_bounds.hpp>
-#include <course/checks.hpp>
 #include <numbers>
+#include <support/body_bounds.hpp>
+#include <support/checks.hpp>
 #include <tumble/force.hpp>
 #include <tumble/interpolation.hpp>
 #include <tumble/step_clock.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

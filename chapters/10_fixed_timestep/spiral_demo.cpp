@@ -1,9 +1,9 @@
 // The spiral of death, on a clock of its own: a step that takes longer than the time it simulates.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/step_clock.hpp>
 
 using namespace tumble;
-using tumble::course::number;
+using tumble::support::number;
 
 namespace {
 
@@ -17,7 +17,7 @@ struct Run {
 
 /// Plays for `duration` nanoseconds. A frame costs 6 ms and each of its steps 4 ms; but between the
 /// first and the fourth second of the simulation something happens, and steps cost 25 ms.
-Run play(StepClock clock, std::int64_t duration, course::Table table) {
+Run play(StepClock clock, std::int64_t duration, support::Table table) {
   Run run{.clock = clock};
   std::int64_t now = 0, frame = second / 60;
   while (now < duration) {
@@ -38,7 +38,7 @@ Run play(StepClock clock, std::int64_t duration, course::Table table) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   //! [caps]
   const StepClock capped = make_step_clock(steps_per_second(60), 250 * millisecond, 4);
   const StepClock uncapped = make_step_clock(steps_per_second(60), 3600 * second, 1'000'000);
@@ -56,10 +56,10 @@ int main(int argument_count, char** arguments) {
   notebook.value("longest_capped", number("%.0f ms", double(with_cap.longest_frame) / 1e6));
   notebook.value("longest_uncapped", number("%.1f s", double(without.longest_frame) / 1e9));
   notebook.value("dropped", number("%.1f s", dropped_time<double>(with_cap.clock)));
-  course::expect(with_cap.longest_frame == 106 * millisecond, "the cap bounds the frame");
-  course::expect(without.longest_frame > second, "without a cap frames grow");
-  course::expect(without.clock.dropped_time == 0 && without.clock.dropped_steps == 0,
-                 "nothing is dropped without a cap");
+  support::expect(with_cap.longest_frame == 106 * millisecond, "the cap bounds the frame");
+  support::expect(without.longest_frame > second, "without a cap frames grow");
+  support::expect(without.clock.dropped_time == 0 && without.clock.dropped_steps == 0,
+                  "nothing is dropped without a cap");
 
   std::printf("\nif it never ends, without a cap:\nframe        steps    duration\n");
   StepClock clock = uncapped;

@@ -1,12 +1,12 @@
-#include <course/added_up_time.hpp>
-#include <course/checks.hpp>
 #include <random>
+#include <support/added_up_time.hpp>
+#include <support/checks.hpp>
 #include <tumble/semi_implicit_euler.hpp>
 #include <tumble/step_clock.hpp>
 #include <utility>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,15 +1,15 @@
 // A ball rolls evenly; the physics runs at 60 steps a second and the screen at 144 frames.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/interpolation.hpp>
 #include <tumble/semi_implicit_euler.hpp>
 #include <tumble/step_clock.hpp>
 
 using namespace tumble;
-using tumble::course::number;
+using tumble::support::number;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
-  course::Table table =
+  support::Notebook notebook(argument_count, arguments);
+  support::Table table =
       notebook.table("stutter", {"frame", "last state (cm)", "interpolated (cm)"});
   std::printf("frame   steps   moved: last state   moved: interpolated\n");
   //! [loop]
@@ -49,6 +49,6 @@ int main(int argument_count, char** arguments) {
   notebook.value("pose_float", std::to_string(sizeof(Pose<float>)));
   notebook.value("pose_double", std::to_string(sizeof(Pose<double>)));
   notebook.value("even", number("%.2f cm", 100 * largest));
-  course::expect(largest - smallest < 1e-7, "between the states the ball moves evenly");
-  course::expect(clock.steps == 60, "a second has 60 steps");
+  support::expect(largest - smallest < 1e-7, "between the states the ball moves evenly");
+  support::expect(clock.steps == 60, "a second has 60 steps");
 }

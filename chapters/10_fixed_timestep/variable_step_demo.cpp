@@ -1,10 +1,10 @@
 // A mistake, run on purpose: the duration of each frame is used as the time step.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/semi_implicit_euler.hpp>
 #include <tumble/step_clock.hpp>
 
 using namespace tumble;
-using tumble::course::number;
+using tumble::support::number;
 
 namespace {
 
@@ -37,19 +37,19 @@ double jump_by_clock(int frames) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   std::printf("a jump with 5 m/s: %.3f m on paper\n", 25 / (2 * 9.81));
   std::printf("frames per second   stepped by frames   by the clock, 60 steps\n");
   const double by_clock = jump_by_clock(60);
   for (const int frames : {20, 30, 60, 144, 240}) {
     std::printf("%17d %17.3f m %22.3f m\n", frames, jump(1.0 / frames), jump_by_clock(frames));
-    course::expect(jump_by_clock(frames) == by_clock, "by the clock all jumps are equally high");
+    support::expect(jump_by_clock(frames) == by_clock, "by the clock all jumps are equally high");
   }
   notebook.value("difference", number("%.0f cm", 100 * (jump(1.0 / 240) - jump(1.0 / 20))));
 
   // A weight on a spring with w = 54 rad/s: stable at 60 steps a second and at 30.
   const double w = 54;
-  course::Table table = notebook.table(
+  support::Table table = notebook.table(
       "variable_step", {"time (s)", "60 frames (m)", "30 frames (m)", "in turn (m)"});
   const auto largest_after = [w](double first, double second) {
     Particled weight = make_particle(1.0, Vec3d(1, 0, 0));
@@ -67,8 +67,8 @@ int main(int argument_count, char** arguments) {
   std::printf("\na weight on a spring, w = %g rad/s: its largest swing in a second\n", w);
   std::printf("60 frames: %.2f m   30 frames: %.2f m   1/30 s and 1/60 s in turn: %.3g m\n", fast,
               slow, in_turn);
-  course::expect(fast < 1.2 && slow < 2.4 && in_turn > 100,
-                 "each step alone is stable, the two in turn are not");
+  support::expect(fast < 1.2 && slow < 2.4 && in_turn > 100,
+                  "each step alone is stable, the two in turn are not");
   notebook.value("steady", number("%.1f m", std::max(fast, slow)));
   notebook.value("in_turn", number("%.0f m", in_turn));
 

@@ -1,5 +1,5 @@
 // A free kick with spin and without, and a ball that bobs in a lake.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/spheres.hpp>
@@ -32,7 +32,7 @@ World<double> free_kick(double turns_per_second) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   World<double> curved = free_kick(6), straight = free_kick(0);
   auto path = notebook.table(
       "free_kick", {"x with spin (m)", "y with spin (m)", "x without (m)", "y without (m)"});
@@ -52,10 +52,10 @@ int main(int argument_count, char** arguments) {
                     row.reason.c_str());
   }
   std::printf("after %.2f s the spinning ball is %.2f m to the side\n", curved.time(), bend);
-  course::expect(std::abs(straight.body(straight.find("ball")).centre.position.y()) == 0,
-                 "without spin it flies straight");
-  course::expect(bend > 1, "with spin it bends to the left, as seen from the foot");
-  notebook.value("bend", course::number("%.1f m", bend));
+  support::expect(std::abs(straight.body(straight.find("ball")).centre.position.y()) == 0,
+                  "without spin it flies straight");
+  support::expect(bend > 1, "with spin it bends to the left, as seen from the foot");
+  notebook.value("bend", support::number("%.1f m", bend));
 
   //! [lake]
   World<double> lake(steps_per_second(240));
@@ -73,8 +73,8 @@ int main(int argument_count, char** arguments) {
   const double height = lake.body(floating).centre.position.z();
   const double depth = radius - height;
   const double displaced = 1000 * std::numbers::pi * depth * depth * (radius - depth / 3);
-  notebook.value("depth", course::number("%.0f mm", 1000 * depth));
+  notebook.value("depth", support::number("%.0f mm", 1000 * depth));
   std::printf("it comes to rest with %.1f mm below the surface, which displaces %.3f kg of water\n",
               1000 * depth, displaced);
-  course::expect(std::abs(displaced - mass) < 1e-3, "it displaces its own weight: Archimedes");
+  support::expect(std::abs(displaced - mass) < 1e-3, "it displaces its own weight: Archimedes");
 }

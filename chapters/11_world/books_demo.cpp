@@ -1,5 +1,5 @@
 // A box on a tether, thrown through air: who gave it its energy, and who took it.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/ledger.hpp>
@@ -37,11 +37,11 @@ double books(bool print) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const double rest = books<double>(true), rest_float = books<float>(false);
   std::printf("unexplained in float: %.2g J\n", rest_float);
-  course::expect(std::abs(rest) < 1e-9, "in double the books close to rounding");
-  course::expect(std::abs(rest_float) > 1e3 * std::abs(rest), "a float rounds more");
-  notebook.value("rest", course::number("%.1e J", rest));
-  notebook.value("rest_float", course::number("%.1e J", rest_float));
+  support::expect(std::abs(rest) < 1e-9, "in double the books close to rounding");
+  support::expect(std::abs(rest_float) > 1e3 * std::abs(rest), "a float rounds more");
+  notebook.value("rest", support::number("%.1e J", rest));
+  notebook.value("rest_float", support::number("%.1e J", rest_float));
 }

@@ -1,12 +1,12 @@
-#include <course/checks.hpp>
 #include <numbers>
+#include <support/checks.hpp>
 #include <tumble/drawing.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/solids.hpp>
 #include <tumble/springs.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,10 +1,10 @@
 // What effects answer when they are asked alone: what they refuse, when they are not needed, and
 // what energy they store.
-#include <course/checks.hpp>
-#include <course/random_world.hpp>
+#include <support/checks.hpp>
+#include <support/random_world.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

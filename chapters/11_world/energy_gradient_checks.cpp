@@ -1,9 +1,9 @@
-#include <course/checks.hpp>
-#include <course/push_on.hpp>
-#include <course/random_world.hpp>
+#include <support/checks.hpp>
+#include <support/push_on.hpp>
+#include <support/random_world.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 // The force of an effect that stores energy is the downhill slope of that energy, F = −∂U/∂x, and
 // its torque the slope against a turn, τ = −∂U/∂φ. The energy is asked for in long double at points

@@ -1,12 +1,12 @@
 // The plan against the step that knows nothing of the bodies and asks nobody.
-#include <course/checks.hpp>
-#include <course/complaint_of_step.hpp>
-#include <course/exhaustive.hpp>
-#include <course/random_world.hpp>
 #include <set>
+#include <support/checks.hpp>
+#include <support/complaint_of_step.hpp>
+#include <support/exhaustive.hpp>
+#include <support/random_world.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,6 +1,6 @@
 // Which effect a step is blamed on that could not be taken, and what is said of it.
-#include <course/box_body.hpp>
-#include <course/checks.hpp>
+#include <support/box_body.hpp>
+#include <support/checks.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/solids.hpp>
@@ -10,7 +10,7 @@
 #include <tumble/world.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,10 +1,10 @@
-#include <course/checks.hpp>
-#include <course/random_world.hpp>
 #include <set>
+#include <support/checks.hpp>
+#include <support/random_world.hpp>
 #include <tumble/group.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,11 +1,11 @@
 // The lines of the books, with small whole numbers that round nothing, and their table.
-#include <course/checks.hpp>
+#include <support/checks.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/ledger.hpp>
 #include <tumble/springs.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

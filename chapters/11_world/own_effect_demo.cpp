@@ -1,5 +1,5 @@
 // An effect that Tumble has never heard of.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/world.hpp>
 
@@ -21,7 +21,7 @@ struct Breeze {
 //! [breeze]
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   //! [use]
   World<double> garden;
   const BodyHandle leaf = garden.add("leaf", make_particle<double>(0.01, {0, 0, 10}));
@@ -36,5 +36,5 @@ int main(int argument_count, char** arguments) {
                   row.reason.c_str());
   std::printf("after %g s the leaf is at %s m\n", garden.time(),
               text_of(garden.body(leaf).centre.position).c_str());
-  course::expect(garden.body(leaf).centre.position.x() > 1, "the breeze has moved the leaf");
+  support::expect(garden.body(leaf).centre.position.x() > 1, "the breeze has moved the leaf");
 }

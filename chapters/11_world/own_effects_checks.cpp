@@ -1,12 +1,12 @@
 // What an effect of the user's own gives is what its bodies get, whatever it sees and gives.
-#include <course/checks.hpp>
+#include <support/checks.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/ledger.hpp>
 #include <tumble/thruster.hpp>
 #include <tumble/world.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

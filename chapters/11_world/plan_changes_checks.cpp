@@ -1,6 +1,6 @@
 // Who is visited, and what is said of it, after bodies and effects have changed.
-#include <course/box_body.hpp>
-#include <course/checks.hpp>
+#include <support/box_body.hpp>
+#include <support/checks.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/snapshot_file.hpp>
@@ -9,7 +9,7 @@
 #include <tumble/world.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

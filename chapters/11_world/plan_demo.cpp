@@ -1,5 +1,5 @@
 // Three scenes, and what each of them calls for.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/solids.hpp>
@@ -46,7 +46,7 @@ World<float> balls_and_boxes() {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   notebook.value("drops", std::to_string(rain().body_count()));
   show("100000 drops of rain", rain().plan());
   show("500 spinning balls and 12 spinning boxes, far from everything", balls_and_boxes().plan());
@@ -62,5 +62,5 @@ int main(int argument_count, char** arguments) {
   table.set_angular_velocity(coin, {0, 0, 30});
   for (const std::string& sentence : table.news()) std::printf("%s\n", sentence.c_str());
   //! [coin]
-  course::expect(table.news().size() == 2, "a first spin calls for damping and for turning");
+  support::expect(table.news().size() == 2, "a first spin calls for damping and for turning");
 }

@@ -1,6 +1,6 @@
 // Schemes of higher order for a whole world.
-#include <course/checks.hpp>
 #include <numbers>
+#include <support/checks.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/solids.hpp>
@@ -8,7 +8,7 @@
 #include <tumble/world.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,6 +1,6 @@
 // A moon goes ten and a half times round a planet, by each scheme, with the same number of kicks.
-#include <course/record.hpp>
 #include <numbers>
+#include <support/record.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/plan.hpp>
@@ -32,8 +32,8 @@ double missed_after(Scheme scheme, int steps_in_a_round) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
-  course::Table table = notebook.table(
+  support::Notebook notebook(argument_count, arguments);
+  support::Table table = notebook.table(
       "schemes", {"kicks in a round", "semi-implicit Euler (m)", "Verlet (m)", "Suzuki (m)"});
   std::printf("%16s %22s %12s %12s\n", "kicks in a round", "semi-implicit Euler, m", "Verlet, m",
               "Suzuki, m");
@@ -43,13 +43,13 @@ int main(int argument_count, char** arguments) {
     const double verlet = missed_after(Scheme::verlet, kicks);
     const double suzuki = missed_after(Scheme::suzuki, kicks / 5);
     std::printf("%16d %22.2e %12.2e %12.2e\n", kicks, euler, verlet, suzuki);
-    table.row(kicks, course::number("%.2e", euler), course::number("%.2e", verlet),
-              course::number("%.2e", suzuki));
+    table.row(kicks, support::number("%.2e", euler), support::number("%.2e", verlet),
+              support::number("%.2e", suzuki));
     last_by_suzuki = suzuki;
     last_by_verlet = verlet;
   }
-  notebook.value("closer", course::number("%.0f", last_by_verlet / last_by_suzuki));
-  course::expect(last_by_suzuki < last_by_verlet, "many kicks are best spent on Suzuki's scheme");
+  notebook.value("closer", support::number("%.0f", last_by_verlet / last_by_suzuki));
+  support::expect(last_by_suzuki < last_by_verlet, "many kicks are best spent on Suzuki's scheme");
 
   //! [limited]
   World<double> world = moon(100);
@@ -59,6 +59,6 @@ int main(int argument_count, char** arguments) {
   //! [limited]
   notebook.value("limited", text_of(world.plan().accuracy));
   const double higher = largest_stable_angle(Scheme::suzuki) / largest_stable_angle(Scheme::verlet);
-  notebook.value("limit_of_suzuki", course::number("%.2f", higher));
-  course::expect(world.plan().accuracy.order == 1, "drag depends on the velocity");
+  notebook.value("limit_of_suzuki", support::number("%.2f", higher));
+  support::expect(world.plan().accuracy.order == 1, "drag depends on the velocity");
 }

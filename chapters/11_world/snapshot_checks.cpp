@@ -1,10 +1,10 @@
 // Saving a world's motion, and coming back to it.
-#include <course/checks.hpp>
-#include <course/random_world.hpp>
+#include <support/checks.hpp>
+#include <support/random_world.hpp>
 #include <tumble/snapshot_file.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,9 +1,9 @@
 #include <Eigen/Eigenvalues>
-#include <course/checks.hpp>
-#include <course/random_world.hpp>
+#include <support/checks.hpp>
+#include <support/random_world.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

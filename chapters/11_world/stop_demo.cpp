@@ -1,5 +1,5 @@
 // What a world does that can't go on: a force that is no number, and a spring that is too stiff.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/springs.hpp>
 #include <tumble/world.hpp>
@@ -18,7 +18,7 @@ std::string in_lines(std::string sentence) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   //! [singular]
   World<double> sky;
   const BodyHandle comet = sky.add("comet", make_particle<double>(1e9, {1, 0, 0}));
@@ -31,9 +31,9 @@ int main(int argument_count, char** arguments) {
     std::printf("%s\n\n", in_lines(error.what()).c_str());
   }
   //! [singular]
-  course::expect(sky.ticks() == 0, "the step was not taken");
-  course::expect(sky.body(sky.find("planet")).centre.position == Vec3d(5, 0, 0),
-                 "and nobody has moved");
+  support::expect(sky.ticks() == 0, "the step was not taken");
+  support::expect(sky.body(sky.find("planet")).centre.position == Vec3d(5, 0, 0),
+                  "and nobody has moved");
 
   //! [stiff]
   World<double> dock(steps_per_second(60));
@@ -47,6 +47,6 @@ int main(int argument_count, char** arguments) {
     std::printf("  step %d: the buoy is at %.3g m\n", n + 1, dock.body(buoy).centre.position.x());
   }
   //! [stiff]
-  course::expect(dock.warnings().size() == 1, "the world warns of a mass ratio of 1e9");
-  course::expect(dock.body(buoy).centre.position.norm() > 1e3, "and it is right");
+  support::expect(dock.warnings().size() == 1, "the world warns of a mass ratio of 1e9");
+  support::expect(dock.body(buoy).centre.position.norm() > 1e3, "and it is right");
 }

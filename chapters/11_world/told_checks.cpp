@@ -2,9 +2,9 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-#include <course/box_body.hpp>
-#include <course/checks.hpp>
 #include <cstdio>
+#include <support/box_body.hpp>
+#include <support/checks.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/solids.hpp>
@@ -14,7 +14,7 @@
 #include <tumble/world.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,11 +1,11 @@
 // What is changed in a world while it runs, and what of it is refused.
-#include <course/box_body.hpp>
-#include <course/checks.hpp>
-#include <course/random_world.hpp>
+#include <support/box_body.hpp>
+#include <support/checks.hpp>
+#include <support/random_world.hpp>
 #include <tumble/ledger.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

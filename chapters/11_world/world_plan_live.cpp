@@ -1,5 +1,5 @@
 // A small world, live: effects are switched on and off, and the plan says what a step consists of.
-#include <course/live.hpp>
+#include <support/live.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/solids.hpp>
@@ -22,7 +22,7 @@ void write(Column& column, std::string_view text) {
 }
 
 /// Of each line the name, whom it visits, and why; a line ends with 10, a part with 9.
-void write_plan(course::Live& live, const Plan& plan) {
+void write_plan(support::Live& live, const Plan& plan) {
   Column &lines = live.column("plan", ""), &visited = live.column("visited", ""),
          &of = live.column("of", "");
   for (const PlanRow& row : plan.rows) {
@@ -36,7 +36,7 @@ void write_plan(course::Live& live, const Plan& plan) {
 
 }  // namespace
 
-void tumble::course::run_live(Live& live) {
+void tumble::support::run_live(Live& live) {
   const bool gravity = live.choice("gravity", 1, 2) == 1, air = live.choice("air", 0, 2) == 1,
              spring = live.choice("spring", 1, 2) == 1,
              thruster = live.choice("thruster", 0, 2) == 1;

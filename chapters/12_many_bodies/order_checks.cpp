@@ -1,9 +1,9 @@
 // In which order a step in packs does its work, and what each part of it is called.
-#include <course/beside_one_by_one.hpp>
 #include <map>
+#include <support/beside_one_by_one.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,8 +1,8 @@
 // Effects that somebody wrote for one body, without a word about packs.
-#include <course/beside_one_by_one.hpp>
+#include <support/beside_one_by_one.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,10 +1,10 @@
-#include <course/checks.hpp>
 #include <random>
+#include <support/checks.hpp>
 #include <tumble/packed_bodies.hpp>
 #include <tumble/tumbling.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

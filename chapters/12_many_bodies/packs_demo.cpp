@@ -1,6 +1,6 @@
 // The same function on one top and on a pack of them; then a whole world, kept in three ways.
-#include <course/random_world.hpp>
-#include <course/record.hpp>
+#include <support/random_world.hpp>
+#include <support/record.hpp>
 #include <tumble/in_packs.hpp>
 
 using namespace tumble;
@@ -29,7 +29,7 @@ void turn_for_a_second(Top<Real>& top) {
 /// damping of both kinds.
 template <class AnyWorld>
 AnyWorld falling_boxes(int count) {
-  course::Dice dice(12);
+  support::Dice dice(12);
   AnyWorld world(steps_per_second(60));
   const auto box = mass_properties(Box<float>{{0.1f, 0.2f, 0.3f}}, 2);
   for (int n = 0; n < count; ++n)
@@ -38,7 +38,7 @@ AnyWorld falling_boxes(int count) {
                                      5 * dice.vector<float>())
                   .body);
   world.add(Gravity<float>{});
-  world.add(course::SteadyTorque<float>{{0, 0, 1e-4f}});
+  world.add(support::SteadyTorque<float>{{0, 0, 1e-4f}});
   world.add(LinearDamping<float>{.rate = 0.1f});
   world.add(AngularDamping<float>{.rate = 0.1f});
   return world;
@@ -53,7 +53,7 @@ Bodies<float> after_a_minute(AnyWorld world) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
 
   Top<Packed> pack;
   for (int lane = 0; lane < width; ++lane) set_lane(pack, lane, top_number(lane));
@@ -66,7 +66,7 @@ int main(int argument_count, char** arguments) {
     const float packed_x = pack.angular_momentum_body.x()[lane];
     std::printf("  %4d  %10.7f  %10.7f\n", lane, double(packed_x),
                 double(alone.angular_momentum_body.x()));
-    course::expect(packed_x == alone.angular_momentum_body.x(), "a lane has the bits of one body");
+    support::expect(packed_x == alone.angular_momentum_body.x(), "a lane has the bits of one body");
   }
 
   //! [use]
@@ -78,13 +78,13 @@ int main(int argument_count, char** arguments) {
   const Bodies<float> in_packs = after_a_minute(falling_boxes<ManyBodies<float>>(2000));
   const Bodies<float> on_two_threads = after_a_minute(world);
   //! [three_worlds]
-  const bool same =
-      course::same_motion(one_by_one, in_packs) && course::same_motion(one_by_one, on_two_threads);
+  const bool same = support::same_motion(one_by_one, in_packs) &&
+                    support::same_motion(one_by_one, on_two_threads);
   std::printf(
       "\nTwo thousand boxes after a minute, one by one, in packs, and on two threads:\n"
       "%s bit of their motion differs.\n",
       same ? "no" : "some");
-  course::expect(same, "the three worlds agree to the bit");
+  support::expect(same, "the three worlds agree to the bit");
 
   notebook.value("smallest_share", std::to_string(InPacks<float>::smallest_share));
   notebook.value("passes", std::to_string(world.plan().passes()));

@@ -1,7 +1,7 @@
-#include <course/beside_one_by_one.hpp>
+#include <support/beside_one_by_one.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 //! [same_bits]
 TEST_CASE_TEMPLATE("Random worlds move in packs as one by one, to the bit", Real, EVERY_PRECISION) {

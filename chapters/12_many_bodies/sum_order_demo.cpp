@@ -1,11 +1,11 @@
 // Three numbers added in another order: another sum.
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/real.hpp>
 
 using namespace tumble;
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   //! [order]
   const Vec3d v(1, 1e-8, 1e-8);
   const double left_first = (v.x() * v.x() + v.y() * v.y()) + v.z() * v.z();
@@ -14,6 +14,6 @@ int main(int argument_count, char** arguments) {
   std::printf("(x^2 + y^2) + z^2 = %.17g\n", left_first);
   std::printf("x^2 + (y^2 + z^2) = %.17g\n", right_first);
   std::printf("what Eigen sums   = %.17g\n", v.squaredNorm());
-  course::expect(left_first != right_first, "the order of a sum changes its rounding");
-  course::expect(v.squaredNorm() == right_first, "Eigen sums as it does for a pack");
+  support::expect(left_first != right_first, "the order of a sum changes its rounding");
+  support::expect(v.squaredNorm() == right_first, "Eigen sums as it does for a pack");
 }

@@ -1,8 +1,8 @@
-#include <course/beside_one_by_one.hpp>
+#include <support/beside_one_by_one.hpp>
 #include <tumble/ledger.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

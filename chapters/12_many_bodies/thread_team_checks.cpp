@@ -1,9 +1,9 @@
 #include <chrono>
-#include <course/checks.hpp>
+#include <support/checks.hpp>
 #include <tumble/thread_team.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 TEST_CASE("A team does every share once, and run() waits for all of them") {
   for (int size = 1; size <= 4; ++size) {

@@ -2,8 +2,8 @@
 // takes both branches, and the lanes in the air wait for those on the ground.
 #include <algorithm>
 #include <array>
-#include <course/live.hpp>
 #include <random>
+#include <support/live.hpp>
 #include <tumble/pack.hpp>
 
 using namespace tumble;
@@ -60,7 +60,7 @@ Count counted(const Bounce& bounce) {
 
 }  // namespace
 
-void tumble::course::run_live(Live& live) {
+void tumble::support::run_live(Live& live) {
   const int shown = live.choice("width", 3, 5);  // 2 to this power
   const int order = live.choice("order", 0, 3);
   Bounce bounce{.ground = live.knob("ground", "rad/s", 50, 20, 100), .height = {}};

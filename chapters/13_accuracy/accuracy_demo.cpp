@@ -1,12 +1,12 @@
 // What accuracy costs in time: every method on every problem.
-#include <course/cheapest.hpp>
-#include <course/items.hpp>
-#include <course/record.hpp>
 #include <limits>
+#include <support/cheapest.hpp>
+#include <support/items.hpp>
+#include <support/record.hpp>
 
 #include "contests.hpp"
 
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

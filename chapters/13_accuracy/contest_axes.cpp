@@ -1,8 +1,8 @@
-#include <course/own_steps.hpp>
+#include <support/own_steps.hpp>
 
 #include "contests.hpp"
 
-namespace tumble::course {
+namespace tumble::support {
 
 template <class Real>
 std::vector<Contestant<Top<Real>>> heavy_tops_by_own_steps(
@@ -16,4 +16,4 @@ template std::vector<Contestant<Topf>> heavy_tops_by_own_steps(const Problem<Top
 template std::vector<Contestant<Topd>> heavy_tops_by_own_steps(
     const Problem<Topd, Weight<double>>&);
 
-}  // namespace tumble::course
+}  // namespace tumble::support

@@ -1,8 +1,8 @@
-#include <course/own_steps.hpp>
+#include <support/own_steps.hpp>
 
 #include "contests.hpp"
 
-namespace tumble::course {
+namespace tumble::support {
 namespace {
 
 /// Nobody has solved this one: its truth is the highest rung in long double, with steps so short
@@ -27,4 +27,4 @@ void driven_tops(Contest& contest) {
   contest_driven_top_in<double>(contest);
 }
 
-}  // namespace tumble::course
+}  // namespace tumble::support

@@ -1,6 +1,6 @@
 #include "contests.hpp"
 
-namespace tumble::course {
+namespace tumble::support {
 namespace {
 
 template <class Real>
@@ -21,4 +21,4 @@ void free_tops(Contest& contest) {
   contest_free_tops_in<double>(contest);
 }
 
-}  // namespace tumble::course
+}  // namespace tumble::support

@@ -1,6 +1,6 @@
 #include "contests.hpp"
 
-namespace tumble::course {
+namespace tumble::support {
 namespace {
 
 template <class Real>
@@ -22,4 +22,4 @@ void heavy_tops(Contest& contest) {
   contest_heavy_tops_in<double>(contest);
 }
 
-}  // namespace tumble::course
+}  // namespace tumble::support

@@ -1,8 +1,8 @@
-#include <course/own_steps.hpp>
+#include <support/own_steps.hpp>
 
 #include "contests.hpp"
 
-namespace tumble::course {
+namespace tumble::support {
 namespace {
 
 template <class Real>
@@ -32,4 +32,4 @@ void moving_points(Contest& contest) {
   contest_moving_points_in<double>(contest);
 }
 
-}  // namespace tumble::course
+}  // namespace tumble::support

@@ -1,8 +1,8 @@
-#include <course/own_steps.hpp>
+#include <support/own_steps.hpp>
 
 #include "contests.hpp"
 
-namespace tumble::course {
+namespace tumble::support {
 
 template <class Real>
 std::vector<Contestant<Top<Real>>> reduced_free_tops(const FreeProblem<Real>& problem) {
@@ -14,4 +14,4 @@ std::vector<Contestant<Top<Real>>> reduced_free_tops(const FreeProblem<Real>& pr
 template std::vector<Contestant<Topf>> reduced_free_tops(const FreeProblem<float>&);
 template std::vector<Contestant<Topd>> reduced_free_tops(const FreeProblem<double>&);
 
-}  // namespace tumble::course
+}  // namespace tumble::support

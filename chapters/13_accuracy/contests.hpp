@@ -5,7 +5,7 @@
 
 #include "with_peers.hpp"
 
-namespace tumble::course {
+namespace tumble::support {
 
 /// What is wanted of the contests, and what came of it.
 struct Contest {
@@ -49,4 +49,4 @@ void append(List& list, const List& more) {
   list.insert(list.end(), more.begin(), more.end());
 }
 
-}  // namespace tumble::course
+}  // namespace tumble::support

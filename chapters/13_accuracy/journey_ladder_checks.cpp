@@ -1,12 +1,12 @@
-#include <course/checks.hpp>
-#include <course/contest.hpp>
-#include <course/exact_motion.hpp>
-#include <course/problems.hpp>
+#include <support/checks.hpp>
+#include <support/contest.hpp>
+#include <support/exact_motion.hpp>
+#include <support/problems.hpp>
 #include <tumble/journey_ladder.hpp>
 #include <vector>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

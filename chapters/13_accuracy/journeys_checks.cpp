@@ -1,10 +1,10 @@
-#include <course/checks.hpp>
-#include <course/exact_motion.hpp>
-#include <course/own_steps.hpp>
-#include <course/rules.hpp>
+#include <support/checks.hpp>
+#include <support/exact_motion.hpp>
+#include <support/own_steps.hpp>
+#include <support/rules.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

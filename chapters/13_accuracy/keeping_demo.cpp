@@ -1,7 +1,7 @@
 // What methods keep: energy and angular momentum of problem A over ten minutes, 20 steps a second,
 // and how much longer it takes until splitting's error of the energy is no longer the larger one.
-#include <course/record.hpp>
-#include <course/rules.hpp>
+#include <support/record.hpp>
+#include <support/rules.hpp>
 #include <tumble/ladder.hpp>
 
 using namespace tumble;
@@ -17,12 +17,13 @@ double energy_error(const Topd& top, double of) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
-  course::Table energy = notebook.table("energy", {"time (s)", "augmented", "Runge-Kutta",
-                                                   "Lie Runge-Kutta", "splitting", "midpoint"});
-  course::Table momentum = notebook.table("momentum", {"time (s)", "augmented", "Runge-Kutta",
-                                                       "Lie Runge-Kutta", "splitting", "midpoint"});
-  const Topd start = course::top_of<double>(course::tumbling_problems[0]);
+  support::Notebook notebook(argument_count, arguments);
+  support::Table energy = notebook.table("energy", {"time (s)", "augmented", "Runge-Kutta",
+                                                    "Lie Runge-Kutta", "splitting", "midpoint"});
+  support::Table momentum = notebook.table(
+      "momentum",
+      {"time (s)", "augmented", "Runge-Kutta", "Lie Runge-Kutta", "splitting", "midpoint"});
+  const Topd start = support::top_of<double>(support::tumbling_problems[0]);
   const double E = kinetic_energy(start);
   const Vec3d L = angular_momentum_world(start);
   //! [methods]
@@ -70,13 +71,13 @@ int main(int argument_count, char** arguments) {
     }
   const double hours = static_cast<double>(steps) / (3600.0 * steps_per_second);
   std::printf("\nAfter %.1f hours the error of Runge-Kutta is the larger one.\n", hours);
-  notebook.value("overtaken_hours", course::number("%.1f", hours));
-  notebook.value("ahead", course::number("%.0f", ahead));
-  course::expect(steps < too_long, "splitting overtakes the classical rule");
-  course::expect(worst_energy[3] < 1.01 * of_splitting, "the error of splitting does not climb");
+  notebook.value("overtaken_hours", support::number("%.1f", hours));
+  notebook.value("ahead", support::number("%.0f", ahead));
+  support::expect(steps < too_long, "splitting overtakes the classical rule");
+  support::expect(worst_energy[3] < 1.01 * of_splitting, "the error of splitting does not climb");
   const double rounding = 1e-11;  // 12,000 steps of a few roundings each
-  course::expect(worst_momentum[0] < rounding && worst_momentum[2] < rounding &&
-                     worst_momentum[3] < rounding && worst_momentum[4] < rounding,
-                 "every method but the classical one keeps L in the world");
-  course::expect(worst_energy[4] < rounding, "the midpoint rule keeps the energy");
+  support::expect(worst_momentum[0] < rounding && worst_momentum[2] < rounding &&
+                      worst_momentum[3] < rounding && worst_momentum[4] < rounding,
+                  "every method but the classical one keeps L in the world");
+  support::expect(worst_energy[4] < rounding, "the midpoint rule keeps the energy");
 }

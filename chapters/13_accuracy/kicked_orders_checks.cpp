@@ -1,8 +1,8 @@
-#include <course/exact_motion.hpp>
-#include <course/orders.hpp>
+#include <support/exact_motion.hpp>
+#include <support/orders.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

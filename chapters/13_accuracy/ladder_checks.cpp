@@ -1,10 +1,10 @@
-#include <course/checks.hpp>
-#include <course/rules.hpp>
+#include <support/checks.hpp>
+#include <support/rules.hpp>
 #include <tumble/ladder.hpp>
 #include <vector>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 
@@ -157,7 +157,7 @@ TEST_CASE_TEMPLATE(
   for (const TurningRung<Real>& rung : turning_ladder<Real>) {
     CAPTURE(std::string(rung.name));
     const Top<Real> start = top_of<Real>(A);
-    const course::Motion motion = watched(start, rung.turn, steps, 0, step);
+    const support::Motion motion = watched(start, rung.turn, steps, 0, step);
     if (rung.claims.energy) CHECK(motion.energy_error <= rounding);
     if (rung.claims.momentum) CHECK(motion.momentum_error <= rounding);
     // In float the highest orders lose nothing that can be seen.
@@ -176,7 +176,7 @@ TEST_CASE(
   for (const TurningRung<long double>& rung : turning_ladder<long double>) {
     CAPTURE(std::string(rung.name));
     const Top<long double> start = top_of<long double>(A);
-    const course::Motion motion = watched(start, rung.turn, 40, 0, step);
+    const support::Motion motion = watched(start, rung.turn, 40, 0, step);
     // What is seen of the energy is a ratio in double.
     const double seen = std::max(double(rounding), 2 * unit_roundoff<double>);
     if (!rung.claims.energy) CHECK((motion.energy_error > 10 * seen || motion.diverged > 0));

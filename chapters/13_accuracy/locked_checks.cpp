@@ -1,8 +1,8 @@
-#include <course/locked_motions.hpp>
-#include <course/second_method.hpp>
+#include <support/locked_motions.hpp>
+#include <support/second_method.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

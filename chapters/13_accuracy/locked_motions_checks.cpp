@@ -1,8 +1,8 @@
-#include <course/checks.hpp>
-#include <course/locked_motions.hpp>
+#include <support/checks.hpp>
+#include <support/locked_motions.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 //! [locked_motions]
 TEST_CASE_TEMPLATE(

@@ -1,12 +1,12 @@
-#include <course/checks.hpp>
 #include <functional>
 #include <memory>
+#include <support/checks.hpp>
 #include <tumble/embedded_steps.hpp>
 #include <tumble/nystrom_steps.hpp>
 #include <vector>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

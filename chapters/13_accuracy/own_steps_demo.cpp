@@ -1,7 +1,7 @@
 // Steps that choose themselves: what they gain, what they take away, and how to spoil them.
-#include <course/exact_motion.hpp>
-#include <course/problems.hpp>
-#include <course/record.hpp>
+#include <support/exact_motion.hpp>
+#include <support/problems.hpp>
+#include <support/record.hpp>
 #include <tumble/exact/kepler.hpp>
 #include <tumble/nystrom_steps.hpp>
 #include <tumble/paced_steps.hpp>
@@ -9,7 +9,7 @@
 #include <tumble/transformed_time.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,10 +1,10 @@
-#include <course/checks.hpp>
-#include <course/contest.hpp>
-#include <course/exact_motion.hpp>
+#include <support/checks.hpp>
+#include <support/contest.hpp>
+#include <support/exact_motion.hpp>
 #include <tumble/paced_steps.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

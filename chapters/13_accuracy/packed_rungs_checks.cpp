@@ -1,10 +1,10 @@
-#include <course/checks.hpp>
-#include <course/random_boxes.hpp>
-#include <course/scene_rules.hpp>
+#include <support/checks.hpp>
+#include <support/random_boxes.hpp>
+#include <support/scene_rules.hpp>
 #include <tumble/in_packs.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 //! [rungs_in_packs]
 TEST_CASE_TEMPLATE("By every rung that a scene can name, packs turn as one by one, to the bit",

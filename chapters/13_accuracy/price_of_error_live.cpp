@@ -1,8 +1,8 @@
 // The error that one allows, live: every rung of the ladder with ever shorter steps, against the
 // truth, and the longest step with which it is near enough.
-#include <course/live.hpp>
-#include <course/live_truth.hpp>
-#include <course/tumbling_problems.hpp>
+#include <support/live.hpp>
+#include <support/live_truth.hpp>
+#include <support/tumbling_problems.hpp>
 #include <tumble/ladder.hpp>
 
 using namespace tumble;
@@ -30,11 +30,11 @@ struct Search {
   double best = 4;  ///< no chord is longer than 2
 };
 
-Search searched(const course::TumblingProblem& problem) {
+Search searched(const support::TumblingProblem& problem) {
   Search search;
   search.seconds = static_cast<double>(problem.seconds_to_angle);
-  search.top = search.truth = search.start = course::top_of<double>(problem);
-  course::turn_finely(search.truth, search.seconds, angular_velocity_body(search.start).norm());
+  search.top = search.truth = search.start = support::top_of<double>(problem);
+  support::turn_finely(search.truth, search.seconds, angular_velocity_body(search.start).norm());
   search.curves.emplace_back();
   return search;
 }
@@ -48,7 +48,7 @@ bool is_complete(const Search& search) {
 void take_run(Search& search) {
   // A rung that keeps no norm to rounding is judged by where it points.
   const double error =
-      course::chord_between(search.truth.orientation, normalized(search.top.orientation));
+      support::chord_between(search.truth.orientation, normalized(search.top.orientation));
   search.curves.back().steps.push_back(search.steps);
   search.curves.back().errors.push_back(error);
   search.since_best = error < 0.9 * search.best || !(error < 0.1) ? 0 : search.since_best + 1;
@@ -66,8 +66,8 @@ void take_run(Search& search) {
 
 /// All rungs, a part at a time. Kept, so that who moves the tolerance alone waits for nothing.
 const Search& continued(std::size_t which) {
-  static std::array<std::vector<Search>, std::size(course::tumbling_problems)> known;
-  if (known[which].empty()) known[which].push_back(searched(course::tumbling_problems[which]));
+  static std::array<std::vector<Search>, std::size(support::tumbling_problems)> known;
+  if (known[which].empty()) known[which].push_back(searched(support::tumbling_problems[which]));
   Search& search = known[which].front();
   for (int n = 0; n < steps_of_a_part && !is_complete(search); ++n) {
     const TurningRung<double>& rung = turning_ladder<double>[search.curves.size() - 1];
@@ -89,7 +89,7 @@ std::size_t first_within(const Curve& curve, double wanted) {
 
 }  // namespace
 
-void tumble::course::run_live(Live& live) {
+void tumble::support::run_live(Live& live) {
   const auto which =
       static_cast<std::size_t>(live.choice("problem", 0, std::size(tumbling_problems)));
   const double wanted = live.knob("wanted", "rad", 1e-4, 1e-10, 0.1);

@@ -2,10 +2,10 @@
 /// Other libraries among the contestants, in double.
 #pragma once
 
-#include <course/contest.hpp>
 #include <peers/peers.hpp>
+#include <support/contest.hpp>
 
-namespace tumble::course {
+namespace tumble::support {
 
 /// The problem as the peers get it.
 template <class Gather>
@@ -62,4 +62,4 @@ void append_peers(std::vector<Contestant<Particled>>& list,
                     }});
 }
 
-}  // namespace tumble::course
+}  // namespace tumble::support

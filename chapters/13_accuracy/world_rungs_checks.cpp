@@ -1,11 +1,11 @@
-#include <course/checks.hpp>
-#include <course/orders.hpp>
-#include <course/random_boxes.hpp>
-#include <course/scene_rules.hpp>
+#include <support/checks.hpp>
+#include <support/orders.hpp>
+#include <support/random_boxes.hpp>
+#include <support/scene_rules.hpp>
 #include <tumble/ladder.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 //! [rungs_of_worlds]
 TEST_CASE_TEMPLATE("A world turns by the rung of the ladder that its scene names", Real,

@@ -1,6 +1,6 @@
 // A fourth-order rule that looks up the torque once a step is of first order.
-#include <course/record.hpp>
-#include <course/rules.hpp>
+#include <support/record.hpp>
+#include <support/rules.hpp>
 #include <tumble/ladder.hpp>
 
 using namespace tumble;
@@ -20,7 +20,7 @@ struct Swinging {
 Topd after_ten_seconds(int steps_per_second, bool looked_up_once) {
   const double h = 1.0 / steps_per_second;
   const Swinging swinging;
-  Topd top = course::top_of<double>(course::tumbling_problems[0]);
+  Topd top = support::top_of<double>(support::tumbling_problems[0]);
   for (int n = 0; n < 10 * steps_per_second; ++n) {
     swinging(top, n * h);
     const Swinging seen = looked_up_once ? Swinging{n * h} : swinging;
@@ -33,7 +33,7 @@ Topd after_ten_seconds(int steps_per_second, bool looked_up_once) {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  course::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
   const Topd truth = after_ten_seconds(20000, false);
   std::printf("%-34s %9s %9s  order\n", "angle error (rad), steps/s:", "60", "120");
   for (const bool once : {false, true}) {
@@ -45,6 +45,6 @@ int main(int argument_count, char** arguments) {
     std::printf("%-34s %9.1e %9.1e  %5.2f\n",
                 once ? "torque looked up once a step" : "torque looked up at each look", error(60),
                 error(120), order);
-    course::expect(std::abs(order - (once ? 1 : 4)) < 0.1, "the order that the page says");
+    support::expect(std::abs(order - (once ? 1 : 4)) < 0.1, "the order that the page says");
   }
 }

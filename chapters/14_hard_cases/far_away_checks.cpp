@@ -1,12 +1,12 @@
 // Far from the origin: what can still be told apart, and what moves.
-#include <course/checks.hpp>
-#include <course/tumbling_problems.hpp>
+#include <support/checks.hpp>
+#include <support/tumbling_problems.hpp>
 #include <tumble/far_from_origin.hpp>
 #include <tumble/solids.hpp>
 #include <tumble/tumbling.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 //! [spacing]
 TEST_CASE_TEMPLATE(

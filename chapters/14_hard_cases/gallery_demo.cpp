@@ -1,14 +1,14 @@
 // Hard cases going wrong in a naive way, and going right.
-#include <course/record.hpp>
-#include <course/recording.hpp>
-#include <course/rules.hpp>
+#include <support/record.hpp>
+#include <support/recording.hpp>
+#include <support/rules.hpp>
 #include <tumble/far_from_origin.hpp>
 #include <tumble/linearly_implicit.hpp>
 #include <tumble/springs.hpp>
 #include <tumble/world.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,11 +1,11 @@
 // Where the rungs that claim no bound stop, and what they say.
-#include <course/bad_vectors.hpp>
-#include <course/random_quaternion.hpp>
-#include <course/tumbling_problems.hpp>
+#include <support/bad_vectors.hpp>
+#include <support/random_quaternion.hpp>
+#include <support/tumbling_problems.hpp>
 #include <tumble/guarded_turn.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,8 +1,8 @@
 // A hard case, live: any rung of the ladder, in either precision, with steps longer or shorter than
 // the chapter's, and the chapter's own judge.
-#include <course/live.hpp>
-#include <course/live_truth.hpp>
-#include <course/trial.hpp>
+#include <support/live.hpp>
+#include <support/live_truth.hpp>
+#include <support/trial.hpp>
 
 using namespace tumble;
 
@@ -25,11 +25,11 @@ Topd in_double(const Top<Real>& top) {
 }
 
 template <class Real>
-void fly(course::Live& live, std::size_t which, std::size_t rung, double factor) {
-  const course::HardCase<Real> hard = course::stretched(
-      course::shortened(course::hard_cases<Real>()[which], longest_watch), factor);
+void fly(support::Live& live, std::size_t which, std::size_t rung, double factor) {
+  const support::HardCase<Real> hard = support::stretched(
+      support::shortened(support::hard_cases<Real>()[which], longest_watch), factor);
   const Real h = hard.time_step;
-  const bool has_phase = hard.limits.angle < course::any_error;
+  const bool has_phase = hard.limits.angle < support::any_error;
 
   Column &time = live.column("time", "s"), &energies = live.column("energy", ""),
          &momenta = live.column("momentum", ""), &until = live.column("time of the phase", "s"),
@@ -40,7 +40,7 @@ void fly(course::Live& live, std::size_t which, std::size_t rung, double factor)
   const double energy = kinetic_energy(start), size = angular_momentum_world(start).norm();
   const double fastest = angular_velocity_body(start).norm();
   const Vec3d L = angular_momentum_world(start);
-  course::Motion motion;
+  support::Motion motion;
   // A point for each of the first steps, then for ever more of them: the largest error since the
   // last point.
   double worst_energy = 0, worst_momentum = 0;
@@ -65,14 +65,14 @@ void fly(course::Live& live, std::size_t which, std::size_t rung, double factor)
     motion.momentum_error = std::max(motion.momentum_error, worst_momentum);
     worst_energy = worst_momentum = 0;
     if (!has_phase || n > hard.steps_to_angle) continue;
-    course::turn_finely(exact, (n - compared) * double(h), fastest);
+    support::turn_finely(exact, (n - compared) * double(h), fastest);
     compared = n;
     until.push_back(n * double(h));
-    chords.push_back(course::chord_between(exact.orientation, now.orientation));
+    chords.push_back(support::chord_between(exact.orientation, now.orientation));
     motion.angle = chords.back();
   }
 
-  const course::Verdict verdict = course::judged(motion, hard.limits);
+  const support::Verdict verdict = support::judged(motion, hard.limits);
   live.column("fault", "").push_back(verdict.fault);
   live.column("worst", "").push_back(verdict.worst);
   live.column("error", "").push_back(verdict.error);
@@ -86,7 +86,7 @@ void fly(course::Live& live, std::size_t which, std::size_t rung, double factor)
 
 }  // namespace
 
-void tumble::course::run_live(Live& live) {
+void tumble::support::run_live(Live& live) {
   const auto which = static_cast<std::size_t>(live.choice("case", 2, 7));
   const auto rung = static_cast<std::size_t>(live.choice("rung", 18, 21));
   const bool single = live.choice("precision", 0, 2) == 1;

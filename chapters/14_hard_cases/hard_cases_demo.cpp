@@ -1,9 +1,9 @@
 // Every rung of the ladder on every hard case: who passes, who fails, and by how much.
-#include <course/record.hpp>
-#include <course/trial.hpp>
+#include <support/record.hpp>
+#include <support/trial.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 
@@ -111,7 +111,7 @@ int main(int argument_count, char** arguments) {
   };
   expect(tenth_order(4).error < tenth_order(1).error / 2,
          "in float four times the step leaves the tenth order less than half of its error of L");
-  notebook.value("most_turns", std::to_string(course::most_turns));
+  notebook.value("most_turns", std::to_string(support::most_turns));
   notebook.value("rungs", std::to_string(expected.size()));
   notebook.value("on_a", std::to_string(on_a));
   notebook.value("on_a_exploding_on_d", std::to_string(on_a_exploding_on_d));

@@ -1,13 +1,13 @@
 // One body for a million steps, or a hundred million: clock, |q|, energy, momentum, phase.
-#include <course/exactly.hpp>
-#include <course/record.hpp>
-#include <course/tumbling_problems.hpp>
+#include <support/exactly.hpp>
+#include <support/record.hpp>
+#include <support/tumbling_problems.hpp>
 #include <tumble/exact/free_top.hpp>
 #include <tumble/step_clock.hpp>
 #include <tumble/tumbling.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,13 +1,13 @@
 // Random tops of all sizes and speeds, with random torques: who stays finite, and do the books
 // close?
-#include <course/items.hpp>
-#include <course/random_tops.hpp>
-#include <course/record.hpp>
-#include <course/rungs.hpp>
+#include <support/items.hpp>
+#include <support/random_tops.hpp>
+#include <support/record.hpp>
+#include <support/rungs.hpp>
 #include <tumble/guarded_turn.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

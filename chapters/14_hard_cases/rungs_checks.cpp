@@ -1,11 +1,11 @@
 // What every rung of the ladder owes to the symmetries of the physics.
-#include <course/body_bounds.hpp>
-#include <course/random_tops.hpp>
-#include <course/rungs.hpp>
-#include <course/tumbling_problems.hpp>
+#include <support/body_bounds.hpp>
+#include <support/random_tops.hpp>
+#include <support/rungs.hpp>
+#include <support/tumbling_problems.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,6 +1,6 @@
-#include <course/rungs.hpp>
+#include <support/rungs.hpp>
 
 template <>
-std::span<const tumble::TurningRung<double>> tumble::course::rungs<double>() {
+std::span<const tumble::TurningRung<double>> tumble::support::rungs<double>() {
   return turning_ladder<double>;
 }

@@ -1,6 +1,6 @@
-#include <course/rungs.hpp>
+#include <support/rungs.hpp>
 
 template <>
-std::span<const tumble::TurningRung<float>> tumble::course::rungs<float>() {
+std::span<const tumble::TurningRung<float>> tumble::support::rungs<float>() {
   return turning_ladder<float>;
 }

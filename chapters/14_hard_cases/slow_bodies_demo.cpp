@@ -1,12 +1,12 @@
 // Do bodies that have all but stopped cost more per step than moving ones?
 #include <chrono>
-#include <course/record.hpp>
+#include <support/record.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/in_packs.hpp>
 #include <tumble/solids.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -1,8 +1,8 @@
 // What a world does with the longest step and with none, with a rule that blows up, and with a rod.
 #include <cfenv>
-#include <course/checks.hpp>
-#include <course/random_quaternion.hpp>
-#include <course/tumbling_problems.hpp>
+#include <support/checks.hpp>
+#include <support/random_quaternion.hpp>
+#include <support/tumbling_problems.hpp>
 #include <tumble/damping.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/spheres.hpp>
@@ -10,7 +10,7 @@
 #include <tumble/world.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

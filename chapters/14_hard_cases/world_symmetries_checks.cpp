@@ -1,9 +1,9 @@
 // The symmetries of the physics, in a whole world.
-#include <course/checks.hpp>
-#include <course/symmetric_scene.hpp>
+#include <support/checks.hpp>
+#include <support/symmetric_scene.hpp>
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

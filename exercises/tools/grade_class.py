@@ -161,12 +161,12 @@ def _digests_of(exercises, root):
     among them. The starter decides on nothing."""
     last = max(exercise.chapter for exercise in exercises)
     chapters = sorted(folder for folder in (root / "chapters").glob("[0-9]*") if folder.name <= last)
-    folders = [root / "common", root / "exercises" / "common", *chapters]
+    folders = [root / "common", root / "exercises" / "common", *chapters, root / "exact"]
     headers = [(folder.name, _digest(*(part for header in sorted(folder.rglob("*.[ch]pp"))
                                        for part in (os.fsencode(header.relative_to(folder)), header.read_bytes()))))
                for folder in folders]
     return {exercise.path: _digest(*(part for file in _files_of_checks(exercise) for part in (os.fsencode(file.name), file.read_bytes())),
-                                   *(digest.encode() for name, digest in headers if name == "common" or name <= exercise.chapter))
+                                   *(digest.encode() for name, digest in headers if name in ("common", "exact") or name <= exercise.chapter))
             for exercise in exercises}
 
 

@@ -19,7 +19,7 @@ from pathlib import Path
 here = Path(__file__).resolve().parent
 root = here.parents[1]
 chapters = sorted((root / "chapters").glob("[0-9][0-9]_*"))
-includes = [f"-I{folder}" for folder in [root / "common", root / "common/exact", root / "chapters/11_world/scene", *chapters]]
+includes = [f"-I{folder}" for folder in [root / "common", root / "exact", root / "tools/scene_reader", *chapters]]
 # As the library's own CMake target says.
 always = ["-std=c++20", "-w", "-ffp-contract=off", "-fno-math-errno", "-DEIGEN_UNALIGNED_VECTORIZE=0"]
 programs = {
@@ -27,7 +27,7 @@ programs = {
     "exact solutions": [here / "exact_bits.cpp"],
     "scenes": [here / "scene_bits.cpp"],
 }
-scenes = [path for path in sorted((root / "chapters/11_world/scenes").glob("*.json")) if path.name != "scene.schema.json"]
+scenes = [path for path in sorted((root / "tools/scenes").glob("*.json")) if path.name != "scene.schema.json"]
 
 
 @dataclass

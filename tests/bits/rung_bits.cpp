@@ -2,8 +2,8 @@
 // every machine, or some compiler rounds otherwise.
 #include "digest.hpp"
 
-#include <course/rungs.hpp>
 #include <string>
+#include <support/rungs.hpp>
 
 namespace {
 
@@ -13,7 +13,7 @@ using namespace tumble;
 /// that keeps its direction in the world.
 template <class Real>
 void print_digests() {
-  for (const TurningRung<Real>& rung : course::rungs<Real>()) {
+  for (const TurningRung<Real>& rung : support::rungs<Real>()) {
     bits::Digest digest;
     Top<Real> top;
     top.inverse_moments = {Real(1), Real(0.7), Real(0.3)};

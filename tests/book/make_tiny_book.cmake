@@ -1,6 +1,7 @@
 # cmake -D source= -D folder= -D generator= -D compiler= -P make_tiny_book.cmake
 # The real build and the real tools, around one tiny chapter: a project in ${folder}, built in ${folder}/build.
 cmake_path(GET CMAKE_CURRENT_LIST_FILE PARENT_PATH here)
+file(REMOVE_RECURSE ${folder}/cmake ${folder}/common ${folder}/book)  # of an earlier run, which may have had more files
 file(COPY ${source}/CMakeLists.txt ${source}/cmake ${source}/common ${source}/book DESTINATION ${folder}
   PATTERN pages EXCLUDE)
 file(COPY ${source}/exercises/CMakeLists.txt ${source}/exercises/tools DESTINATION ${folder}/exercises)

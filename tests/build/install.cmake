@@ -15,7 +15,7 @@ foreach(file ${files})
     endif()
   endforeach()
   # What the course compiles once, it declares where its own build says so; nobody else sees that.
-  string(REGEX REPLACE "#ifdef TUMBLE_COMPILED_[A-Z_]+[^\n]*\n#include <course/[a-z_]+\\.hpp>\n#endif" "" content "${content}")
+  string(REGEX REPLACE "#ifdef TUMBLE_COMPILED_[A-Z_]+[^\n]*\n#include <support/[a-z_]+\\.hpp>\n#endif" "" content "${content}")
   # A user needs Eigen and the standard library, whose headers have neither a folder nor an ending.
   string(REGEX MATCHALL "#include <[^>]*>" includes "${content}")
   list(FILTER includes EXCLUDE REGEX "<(tumble/[a-z0-9_]+\\.hpp|Eigen/[A-Za-z]+|[a-z0-9_]+)>")

@@ -34,16 +34,16 @@ fresh() { # SYSTEM VERSION: a machine with apt and no package
   stand_in dpkg-query <<<'exit 1'
   stand_in apt-get <<<'echo "apt-get $*" >>"$CALLED"'
   stand_in cmake <<<'echo "cmake $*" >>"$CALLED"; cd build
-    mkdir -p default/{checks,programs/11_world,programs/13_accuracy,costs/12_many_bodies}; cd ..
+    mkdir -p default/{checks,programs/simulate,programs/advise,costs/bench}; cd ..
     for program in 01_force_checks 01_force.force; do
       printf "#!/usr/bin/env bash\necho checked\nexit ${CHECKS:-0}\n" >build/default/checks/$program
       chmod() { "$CHMOD" "$@"; }; chmod +x build/default/checks/$program
     done
-    for program in 11_world/simulate 13_accuracy/cost; do
+    for program in simulate/simulate advise/advise; do
       printf "%s\n" "#!/usr/bin/env bash" "echo \$PWD \"\${@@Q}\"" "exit 130" >build/default/programs/$program
       chmod +x build/default/programs/$program
     done
-    bench=build/default/costs/12_many_bodies/many_bodies_bench
+    bench=build/default/costs/bench/many_bodies_bench
     printf "%s\n" "#!/usr/bin/env bash" "echo Running; echo ns per body and step; echo \$@" >$bench
     chmod +x $bench'
 }
@@ -159,7 +159,7 @@ verify "simulate compiles the simulator alone" called "--target simulate"
 stand_in python3 <<<'echo "python3 $PWD ${*@Q}"; exit 7'
 course sweep "a sweep.json" --shard 3/16 --no-install
 verify "sweep gives its options to its tool, in the caller's folder" says "python3 / "
-verify "and all of them" says "programs/11_world/simulate' 'a sweep.json' '--shard' '3/16'"
+verify "and all of them" says "programs/simulate/simulate' 'a sweep.json' '--shard' '3/16'"
 verify "and ends as it does" ends_with 7
 course book --full --shard 3/16 --part "a part" --resume --no-install
 verify "a share of the measurements is measured in the caller's folder" says "python3 / "
@@ -175,11 +175,11 @@ verify "the book is set from what they make" called "-DTUMBLE_FULL=ON -DTUMBLE_M
 course book --no-install
 verify "and the next one measures for itself" called "-DTUMBLE_FULL=OFF -DTUMBLE_MEASURED:PATH= "
 rm "$scratch/bin/python3"
-course cost --spin -1,2,3 --json --no-install
-verify "cost gives its options to the adviser" says "/ '--spin' '-1,2,3' '--json'"
+course advise --spin -1,2,3 --json --no-install
+verify "advise gives its options to the adviser" says "/ '--spin' '-1,2,3' '--json'"
 verify "and ends as it does" ends_with 130
-verify "cost compiles the adviser alone" called "--target cost"
-verify "cost needs cxxopts" says "libcxxopts-dev"
+verify "advise compiles the adviser alone" called "--target advise"
+verify "advise needs cxxopts" says "libcxxopts-dev"
 
 fresh debian 12
 course bench

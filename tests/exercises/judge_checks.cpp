@@ -1,13 +1,13 @@
 // What the checks of exercises are written with: how values cross the wire, and what earns a
 // verdict.
-#include <course/bad_vectors.hpp>
 #include <exercise/answers.hpp>
 #include <exercise/judge.hpp>
+#include <support/bad_vectors.hpp>
 #include <tumble/rigid_body.hpp>
 
 using namespace tumble;
 using namespace tumble::exercise;
-using course::not_finite;
+using support::not_finite;
 
 namespace {
 
@@ -122,7 +122,7 @@ TEST_CASE("Numbers, vectors, lists and bodies cross the wire to the bit, and end
   std::string again;
   put(again, copy);
   CHECK(again == text);
-  CHECK(course::same_bits(copy.top.inverse_moments, body.top.inverse_moments));
+  CHECK(support::same_bits(copy.top.inverse_moments, body.top.inverse_moments));
   CHECK(copy.centre.inverse_mass == 100);
 
   const auto read = [](std::string_view from) {
@@ -142,9 +142,9 @@ TEST_CASE("Numbers, vectors, lists and bodies cross the wire to the bit, and end
 
 TEST_CASE("A question is answered, with what was changed, or its refusal is told") {
   CHECK(ask<double>("halved", 3.0) == 1.5);
-  CHECK(course::same_bits(ask<Vec3d>("crossed", Vec3d(1, 0, 0), Vec3d(0, 1, 0)), Vec3d(0, 0, 1)));
+  CHECK(support::same_bits(ask<Vec3d>("crossed", Vec3d(1, 0, 0), Vec3d(0, 1, 0)), Vec3d(0, 0, 1)));
   const auto start = make_particle(2.0);
-  CHECK(course::same_bits(ask<Particled>("pushed", start, Vec3d(1, 2, 3)).force, Vec3d(1, 2, 3)));
+  CHECK(support::same_bits(ask<Particled>("pushed", start, Vec3d(1, 2, 3)).force, Vec3d(1, 2, 3)));
   CHECK(verdict_of([] { ask<Vec3d>("halved", 3.0); }) == "unreadable: a word is missing");
   CHECK(verdict_of([] { ask<double>("crossed", Vec3d(1, 0, 0), Vec3d(0, 1, 0)); }) ==
         "unreadable: words are left over");
@@ -182,7 +182,7 @@ TEST_CASE("What is within the tolerance passes, and nothing that is not a number
                infinity = std::numeric_limits<double>::infinity();
   CHECK(judged(nan, 1.0, 0.5) == "failed: the speed is nan m/s: that is not a number");
   CHECK(judged(infinity, 1.0, 0.5).find("failed: the speed is inf m/s") == 0);
-  for (const Vec3d& bad : course::bad_vectors<double>())
+  for (const Vec3d& bad : support::bad_vectors<double>())
     CHECK(judged<Vec3d>(bad, Vec3d(1, 2, 3), 0.5).find("failed: the speed is (") == 0);
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3d truth(1, 2, 3);

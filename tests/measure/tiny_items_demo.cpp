@@ -1,10 +1,10 @@
 // tiny_items_demo [FOLDER]: sums in items of their own. Where TINY_ITEMS_BEGUN names a file, each
 // that is begun leaves a line there and takes its time.
 #include <chrono>
-#include <course/items.hpp>
+#include <support/items.hpp>
 #include <thread>
 
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

@@ -35,6 +35,10 @@ class Build:
         """Those with headers, in order."""
         return sorted(name for name in self.commands if re.match(r"\d\d_", name))
 
+    def rooms(self):
+        """Whose checks may see what changes a header below, in order: the chapters, and the tools that stand on them."""
+        return [*self.chapters(), *(name for name in ("bench", "scene_reader") if name in self.commands)]
+
     def checks(self, chapter):
         if chapter not in self.commands:
             raise ListError(f"no chapter with checks is called {chapter}; there are {', '.join(self.commands)}")
@@ -60,7 +64,7 @@ def find_header(name, folders):
 def headers_of(file, folders, found=None):
     """The headers of ours that `file` includes, itself or by way of others."""
     found = set() if found is None else found
-    for name in re.findall(r"#include <((?:tumble|course)/[\w/]+\.hpp)>", file.read_text()):
+    for name in re.findall(r"#include <((?:tumble|support)/[\w/]+\.hpp)>", file.read_text()):
         path = find_header(name, folders)
         if path and path not in found:
             found.add(path)

@@ -6,15 +6,15 @@
     mutations.py BUILD_FOLDER --write         the same, shows survivors the slow checks too, and writes what came of it into
                                               caught.tsv, which the book shows
     mutations.py BUILD_FOLDER --chapters 03_inertia,04_quaternions    those of these chapters alone; common and exact stand
-                                              for the headers in common/tumble and common/exact
+                                              for the headers in common/tumble and exact
     mutations.py BUILD_FOLDER --generated 01_force    all lists, and the generated mutants of these chapters
     mutations.py BUILD_FOLDER --patient       leaves nothing out: neither float, nor the slowest of the checks that reach a
                                               mutant, nor what must be compiled alone; it takes much longer
     mutations.py BUILD_FOLDER LIST...         the mutations of these lists, as mutation_list.py describes them
 
 All mutants of a chapter's headers are compiled together, with the chapter's checks, and chosen when those run (engine.py); what
-can't be chosen so is compiled alone (alone.py). What the checks of a chapter don't see is tried on those of later chapters.
-A check that crashes or computes 20 times as long as it should has seen the mutant.
+can't be chosen so is compiled alone (alone.py). What the checks of a chapter don't see is tried on those of later chapters and
+of the tools that stand on them. A check that crashes or computes 20 times as long as it should has seen the mutant.
 
 Prints what became of each mutation of a list and which generated mutants survive; BUILD_FOLDER/mutants/all.tsv tells of all. The
 exit code is 0 if nothing is wrong. Wrong is a mutation of a list that survives and is not called equivalent there, or does not
@@ -110,8 +110,8 @@ def from_lists(paths, build):
 
 def first_number(chapter, build):
     """A chapter's mutants have numbers of their own, so that a change in one recompiles no other."""
-    others = sorted(set(build.commands) - {*build.chapters(), "exact"})
-    return 1 + 4000 * ["common", *build.chapters(), "exact", *others].index(chapter)
+    known = ["common", *build.chapters(), "exact", "scene_reader"]
+    return 1 + 4000 * [*known, *sorted(set(build.commands) - set(known))].index(chapter)
 
 
 def generated(chapters, build, equal):
@@ -119,7 +119,7 @@ def generated(chapters, build, equal):
     made, late = [], {}
     for chapter in chapters:
         number = first_number(chapter, build) + most_in_list
-        folder = root / {"common": "common", "exact": "common/exact"}.get(chapter, f"chapters/{chapter}")
+        folder = root / {"common": "common", "exact": "exact"}.get(chapter, f"chapters/{chapter}")
         inside = "tumble/exact" if chapter == "exact" else "tumble"
         for path in sorted((folder / inside).glob("*.hpp")):
             name, text = f"{inside}/{path.name}", path.read_text()
@@ -172,7 +172,7 @@ def is_for_the_compiler(mutant):
 
 def try_all(by_lists, made, late, build, patient, thorough, sample):
     engine = Engine(build, jobs, patient, thorough, say)
-    chapters = [name for name in [*build.chapters(), "exact"] if name in build.commands]
+    chapters = [name for name in [*build.rooms(), "exact"] if name in build.commands]
     # Those of common have no checks of their own: they are tried at home, and on what is tried besides.
     tried = {mutant.chapter for mutant in [*by_lists, *made]} | {home_of(m, build) for m in made if m.chapter == "common"}
     unseen = []
@@ -287,7 +287,7 @@ def main():
     jobs = options.jobs
     try:
         build = Build(options.build)
-        every = [name for name in [*build.chapters(), "exact"] if name in build.commands]
+        every = [name for name in [*build.rooms(), "exact"] if name in build.commands]
         wanted = [name for name in every if not options.chapters or name in options.chapters.split(",")]
         paths = options.lists or [path for path in sorted(here.glob("*.txt")) if path.stem in build.commands and (
             not options.chapters or path.stem in options.chapters.split(","))]

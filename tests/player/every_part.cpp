@@ -1,16 +1,16 @@
 // Writes FOLDER/every_part.html, a replay with every kind of part, a link, a path and awkward
 // names.
-#include <course/player_page.hpp>
-#include <course/recording.hpp>
 #include <numbers>
+#include <support/player_page.hpp>
+#include <support/recording.hpp>
 #include <tumble/pose.hpp>
 
 using namespace tumble;
-using course::Part;
+using support::Part;
 
 int main(int argument_count, char** arguments) {
   const std::filesystem::path folder = argument_count > 1 ? arguments[1] : ".";
-  course::Recording recording("Every part, <b>bold</b> & </script> \"quoted\"", 0.1);
+  support::Recording recording("Every part, <b>bold</b> & </script> \"quoted\"", 0.1);
   const std::vector<Vec3d> corners = {
       {0.6, 0, -0.3}, {-0.3, 0.5, -0.3}, {-0.3, -0.5, -0.3}, {0, 0, 0.6}};
   const std::vector<Part> parts = {
@@ -40,5 +40,5 @@ int main(int argument_count, char** arguments) {
     poses.back().position = {-3 + time, -2, time * (6 - time) / 5};
     recording.add_frame(poses);
   }
-  course::write_player_page(folder / "every_part.html", recording.json());
+  support::write_player_page(folder / "every_part.html", recording.json());
 }

@@ -1,7 +1,7 @@
-#include <course/checks.hpp>
-#include <course/player_page.hpp>
+#include <support/checks.hpp>
+#include <support/player_page.hpp>
 
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

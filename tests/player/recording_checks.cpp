@@ -1,9 +1,9 @@
-#include <course/checks.hpp>
-#include <course/recording.hpp>
+#include <support/checks.hpp>
+#include <support/recording.hpp>
 #include <tumble/pose.hpp>
 
 using namespace tumble;
-using course::complaint_of, course::Part, course::Recording;
+using support::complaint_of, support::Part, support::Recording;
 
 TEST_CASE("A recording of one turned box in two frames is this JSON") {
   Recording recording("A box", 0.5);
@@ -41,7 +41,7 @@ TEST_CASE("Numbers have a float's digits, the time between frames all of its own
 }
 
 TEST_CASE("A name may hold quotation marks, backslashes and control characters") {
-  CHECK(course::json_text("a\"b\\c\n\x1f\u00fc") == "\"a\\\"b\\\\c\\u000a\\u001f\u00fc\"");
+  CHECK(support::json_text("a\"b\\c\n\x1f\u00fc") == "\"a\\\"b\\\\c\\u000a\\u001f\u00fc\"");
 }
 
 TEST_CASE("What can't be replayed is refused with the value, its unit and the rule") {

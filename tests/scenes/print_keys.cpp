@@ -1,8 +1,8 @@
 // Prints every key that the loader knows: object, key, unit, and whether it is required; then every
 // turning method, and every scheme after the word "scheme".
-#include <course/scene_rules.hpp>
 #include <cstdio>
 #include <string>
+#include <support/scene_rules.hpp>
 #include <tumble/scene/keys.hpp>
 #include <tumble/scene/scene.hpp>
 
@@ -18,7 +18,7 @@ int main() {
   print(tumble::object_kinds);
   print(tumble::solid_kinds);
   print(tumble::effect_kinds);
-  for (const std::string& word : tumble::turning_method_words<tumble::course::SceneRules>())
+  for (const std::string& word : tumble::turning_method_words<tumble::support::SceneRules>())
     std::printf("%s\n", word.c_str());
   for (const std::string& word : tumble::scheme_words()) std::printf("scheme %s\n", word.c_str());
 }

@@ -13,7 +13,7 @@ import zlib
 
 SIMULATE, SCRATCH = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-SWEEP, SCENES = ROOT / "tools" / "sweep.py", ROOT / "chapters" / "11_world" / "scenes"
+SWEEP, SCENES = ROOT / "tools" / "sweep.py", ROOT / "tools" / "scenes"
 TOPS = {"duration": 0.1, "bodies": [{"name": "top", "mass": 1, "inertia": [1, 2, 2.5],
         "many": {"count": 3, "seed": 4, "angular_velocity_between": [[1, 1, 1], [2, 2, 2]]}}]}
 METHODS, STEPS, SEEDS = ["splitting", "axis_by_axis"], [0.02, 0.01], [0, 1, 2]

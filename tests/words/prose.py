@@ -7,7 +7,7 @@ import json
 import pathlib
 import re
 
-FOLDERS = ("book", "chapters", "cmake", "common", "exercises", "solutions", "tests", "tools", ".")
+FOLDERS = ("book", "chapters", "cmake", "common", "exact", "exercises", "solutions", "tests", "tools", ".")
 SKIPPED = ("build/", "work/", "third_party/", ".git/", "tests/scenes/corpus/", "tests/words/", "node_modules/", "package-lock.json",
            "search_words.json", "tests/book/search.test.mjs")  # the last two hold what readers may type
 SLASHES = {".hpp", ".cpp", ".h", ".mjs", ".js", ".css"}

@@ -122,5 +122,5 @@ RigidBody<Real> make_static_body(std::string_view name, const Pose<Real>& pose) 
 }  // namespace tumble
 
 #ifdef TUMBLE_COMPILED_BODIES  // inside the course alone
-#include <course/compiled_bodies.hpp>
+#include <support/compiled_bodies.hpp>
 #endif

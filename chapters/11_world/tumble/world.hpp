@@ -155,5 +155,5 @@ using Worldd = World<double>;
 }  // namespace tumble
 
 #ifdef TUMBLE_COMPILED_WORLDS  // inside the course alone
-#include <course/compiled_worlds.hpp>
+#include <support/compiled_worlds.hpp>
 #endif

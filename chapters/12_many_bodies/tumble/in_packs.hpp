@@ -196,5 +196,5 @@ using ManyBodies = World<Real, InPacks<Real>>;
 }  // namespace tumble
 
 #ifdef TUMBLE_COMPILED_MANY_BODIES  // inside the course alone
-#include <course/compiled_many_bodies.hpp>
+#include <support/compiled_many_bodies.hpp>
 #endif

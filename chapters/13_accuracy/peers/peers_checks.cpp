@@ -1,9 +1,9 @@
-#include <course/checks.hpp>
+#include <support/checks.hpp>
 
 #include "with_peers.hpp"
 
 using namespace tumble;
-using namespace tumble::course;
+using namespace tumble::support;
 
 namespace {
 

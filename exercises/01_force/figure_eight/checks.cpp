@@ -10,7 +10,7 @@ namespace {
 template <class Real>
 std::vector<Particle<Real>> flown(Real time_step, int steps) {
   const auto end =
-      ask<std::vector<Particle<Real>>>("flown", course::three_suns<Real>(), time_step, steps);
+      ask<std::vector<Particle<Real>>>("flown", support::three_suns<Real>(), time_step, steps);
   require(end.size() == 3, "three bodies went in, and " + std::to_string(end.size()) + " came out");
   return end;
 }
@@ -18,8 +18,8 @@ std::vector<Particle<Real>> flown(Real time_step, int steps) {
 /// The worst distance from where a body began, after one period in so many steps.
 template <class Real>
 Real missed_by(int steps) {
-  const auto start = course::three_suns<Real>();
-  const auto end = flown(Real(course::period_of_the_eight / steps), steps);
+  const auto start = support::three_suns<Real>();
+  const auto end = flown(Real(support::period_of_the_eight / steps), steps);
   Real worst = 0;
   for (std::size_t i = 0; i < 3; ++i) {
     const Real miss = (end[i].position - start[i].position).norm();
@@ -64,7 +64,7 @@ EXERCISE_CHECK("Twice as far away, it pulls a quarter as hard") {
 }
 
 EXERCISE_CHECK("A step leaves the momentum of all three together as it was, and no force behind") {
-  auto bodies = course::three_suns<Real>();
+  auto bodies = support::three_suns<Real>();
   for (int n = 0; n < 4; ++n) {
     bodies = ask<std::vector<Particle<Real>>>("step_all", bodies, Real(0.0625));
     require(bodies.size() == 3,
@@ -79,7 +79,7 @@ EXERCISE_CHECK("A step leaves the momentum of all three together as it was, and 
   require(moved > Real(0.1) && moved < 1,
           "after a quarter of a second the third body, which began with 1.3 m/s, is " +
               shown(moved) + " m from where it was. Does a step move every body?");
-  require((bodies[2].velocity - course::three_suns<Real>()[2].velocity).norm() > Real(0.01),
+  require((bodies[2].velocity - support::three_suns<Real>()[2].velocity).norm() > Real(0.01),
           "after four steps the velocities are still those of the start. Does every body feel the "
           "others?");
   // Velocities and their changes stay below 4 m/s; six roundings a step and body are more than
@@ -95,9 +95,9 @@ EXERCISE_CHECK(
     "After one period all three are back where they began, the nearer the shorter the step") {
   const Real coarse = missed_by<Real>(250), fine = missed_by<Real>(500);
   // Who has never left is back, too. All three follow one path, a third of a period apart.
-  const auto start = course::three_suns<Real>();
+  const auto start = support::three_suns<Real>();
   const int third = 250;
-  const auto then = flown(Real(course::period_of_the_eight / (3 * third)), third);
+  const auto then = flown(Real(support::period_of_the_eight / (3 * third)), third);
   for (std::size_t i = 0; i < 3; ++i) {
     Real nearest = std::numeric_limits<Real>::infinity();
     for (std::size_t j = 0; j < 3; ++j)

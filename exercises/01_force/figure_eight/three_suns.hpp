@@ -5,7 +5,7 @@
 #include <tumble/particle.hpp>
 #include <vector>
 
-namespace tumble::course {
+namespace tumble::support {
 
 /// The time in which each body runs through the whole curve, s.
 inline constexpr double period_of_the_eight = 6.32591398;
@@ -22,4 +22,4 @@ std::vector<Particle<Real>> three_suns() {
           make_particle<Real>(1, Vec3<Real>::Zero(), velocity)};
 }
 
-}  // namespace tumble::course
+}  // namespace tumble::support

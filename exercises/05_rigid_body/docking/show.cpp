@@ -1,10 +1,10 @@
 // A shuttle docks at a station, off its centre, and the pair tumbles on; the student's functions
 // say how.
 #include <array>
-#include <course/player_page.hpp>
-#include <course/recording.hpp>
 #include <docking.hpp>
 #include <iostream>
+#include <support/player_page.hpp>
+#include <support/recording.hpp>
 #include <tumble/make_rigid_body.hpp>
 #include <tumble/solids.hpp>
 #include <tumble/tumbling.hpp>
@@ -42,15 +42,15 @@ int main(int, char** arguments) {
         "shuttle", capsule, {.position = {1.6, 1.2, 0}, .orientation = along_y}, {0, -0.6, 0},
         {0, 0.8, 0});
 
-    course::Recording recording("Docking", time_step * steps_per_frame);
+    support::Recording recording("Docking", time_step * steps_per_frame);
     recording.add_body("station",
-                       {course::Part::cylinder(0.5, 4),
-                        course::Part::box({3.2, 0.05, 0.9}).at(Posed{.position = {0, 0, -1.2}}),
-                        course::Part::sphere(0.5).at(Posed{.position = {0, 0, 2}})});
+                       {support::Part::cylinder(0.5, 4),
+                        support::Part::box({3.2, 0.05, 0.9}).at(Posed{.position = {0, 0, -1.2}}),
+                        support::Part::sphere(0.5).at(Posed{.position = {0, 0, 2}})});
     recording.add_body("shuttle",
-                       {course::Part::cylinder(0.4, 1.0),
-                        course::Part::cone(0.4, 0.5).at(Posed{.position = {0, 0, 0.75}}),
-                        course::Part::box({1.8, 0.05, 0.5}).at(Posed{.position = {0, 0, -0.2}})});
+                       {support::Part::cylinder(0.4, 1.0),
+                        support::Part::cone(0.4, 0.5).at(Posed{.position = {0, 0, 0.75}}),
+                        support::Part::box({1.8, 0.05, 0.5}).at(Posed{.position = {0, 0, -0.2}})});
     for (double time = -approach; time < 0; time += time_step * steps_per_frame) {
       Bodyd coming = shuttle.body;
       drift(coming.centre, time);
@@ -70,7 +70,7 @@ int main(int, char** arguments) {
         recording.add_frame(std::array{drawn_pose(pair, first), drawn_pose(pair, second)});
       drift(pair, time_step);
     }
-    course::write_player_page(arguments[1], recording.json());
+    support::write_player_page(arguments[1], recording.json());
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

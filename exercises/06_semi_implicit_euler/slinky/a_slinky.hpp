@@ -2,7 +2,7 @@
 /// The numbers of the lab's slinky.
 #pragma once
 
-namespace tumble::course {
+namespace tumble::support {
 
 /// A slinky as a row of beads with a spring between each and the next.
 struct Slinky {
@@ -13,4 +13,4 @@ struct Slinky {
   static constexpr double gravity = 9.81;   ///< downward, m/s²
 };
 
-}  // namespace tumble::course
+}  // namespace tumble::support

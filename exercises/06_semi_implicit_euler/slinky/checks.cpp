@@ -5,7 +5,7 @@
 
 using namespace tumble;
 using namespace tumble::exercise;
-using course::Slinky;
+using support::Slinky;
 
 namespace {
 

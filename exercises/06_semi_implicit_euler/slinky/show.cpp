@@ -3,11 +3,11 @@
 
 #include <array>
 #include <cmath>
-#include <course/player_page.hpp>
-#include <course/recording.hpp>
 #include <iostream>
 #include <numbers>
 #include <slinky.hpp>
+#include <support/player_page.hpp>
+#include <support/recording.hpp>
 #include <tumble/pose.hpp>
 
 namespace {
@@ -15,7 +15,7 @@ namespace {
 using namespace tumble;
 
 /// A flat ring of wire around z.
-course::Part ring(double radius, double wire) {
+support::Part ring(double radius, double wire) {
   const int corners_around = 20;
   std::vector<Vec3d> corners;
   std::vector<std::array<int, 3>> triangles;
@@ -31,18 +31,18 @@ course::Part ring(double radius, double wire) {
       triangles.push_back({here + side, there + next, here + next});
     }
   }
-  return course::Part::mesh(corners, triangles);
+  return support::Part::mesh(corners, triangles);
 }
 
 }  // namespace
 
 int main(int, char** arguments) {
-  using course::Slinky;
+  using support::Slinky;
   try {
     const int steps_a_frame = 2, frames = 200, frames_before = 30;
     const double time_step = 1.0 / 960, slower = 10;
-    course::Recording recording("A slinky and a stone, ten times slower",
-                                time_step * steps_a_frame * slower);
+    support::Recording recording("A slinky and a stone, ten times slower",
+                                 time_step * steps_a_frame * slower);
     const double radius = 0.06;
     auto beads = hung_up<double>(Slinky::beads, Slinky::mass, Slinky::stiffness, Slinky::closed,
                                  Slinky::gravity);
@@ -52,7 +52,7 @@ int main(int, char** arguments) {
       const double side = i % 2 == 0 ? radius : -radius;
       recording.add_link({{side, 0, 0}, i}, {{-side, 0, 0}, i + 1});
     }
-    recording.add_body("stone", {course::Part::sphere(0.03)});
+    recording.add_body("stone", {support::Part::sphere(0.03)});
 
     double centre = 0;
     for (const Particled& bead : beads) centre += bead.position.z() / Slinky::beads;
@@ -71,7 +71,7 @@ int main(int, char** arguments) {
         drift(stone, time_step);
       }
     }
-    course::write_player_page(arguments[1], recording.json());
+    support::write_player_page(arguments[1], recording.json());
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <course/player_page.hpp>
-#include <course/recording.hpp>
 #include <iostream>
+#include <support/player_page.hpp>
+#include <support/recording.hpp>
 #include <tumble/pose.hpp>
 #include <upside_down.hpp>
 
@@ -28,17 +28,18 @@ int main(int, char** arguments) {
     const double mass = 0.4, longest = 1.06, shortest = 0.35, time_step = 1.0 / 120;
     const double spin = 4, seconds = 34, second_order = 17;
     const int steps_a_frame = 4;
-    course::Recording recording("A satellite that turns itself over", time_step * steps_a_frame);
+    support::Recording recording("A satellite that turns itself over", time_step * steps_a_frame);
     const auto at_x = [](double x) {
       return Posed{.position = {x, 0, 0},
                    .orientation = quaternion_about(Vec3d(0, 1, 0), std::numbers::pi / 2)};
     };
     // A disc of a hull with two wings along z, the antenna on its x side.
-    const int body = recording.add_body("satellite", {course::Part::cylinder(0.3, 0.3).at(at_x(0)),
-                                                      course::Part::box({0.04, 0.5, 2.4}),
-                                                      course::Part::cone(0.2, 0.3).at(at_x(0.25))});
-    const int left = recording.add_body("mass on x", {course::Part::sphere(0.07)});
-    const int right = recording.add_body("mass on -x", {course::Part::sphere(0.07)});
+    const int body =
+        recording.add_body("satellite", {support::Part::cylinder(0.3, 0.3).at(at_x(0)),
+                                         support::Part::box({0.04, 0.5, 2.4}),
+                                         support::Part::cone(0.2, 0.3).at(at_x(0.25))});
+    const int left = recording.add_body("mass on x", {support::Part::sphere(0.07)});
+    const int right = recording.add_body("mass on -x", {support::Part::sphere(0.07)});
     recording.add_link({{0, 0, 0}, body}, {{0, 0, 0}, left});
     recording.add_link({{0, 0, 0}, body}, {{0, 0, 0}, right});
 
@@ -64,7 +65,7 @@ int main(int, char** arguments) {
       set_booms(top, hull, mass, std::sqrt(place * place - shortest * shortest));
       turn_by_splitting(top, time_step);
     }
-    course::write_player_page(arguments[1], recording.json());
+    support::write_player_page(arguments[1], recording.json());
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

@@ -1,9 +1,9 @@
 // Three shots over a net, as the student's functions make them, and one with damping in place of
 // drag.
-#include <course/player_page.hpp>
-#include <course/recording.hpp>
 #include <iostream>
 #include <shuttlecock.hpp>
+#include <support/player_page.hpp>
+#include <support/recording.hpp>
 #include <tumble/damping.hpp>
 #include <tumble/pose.hpp>
 
@@ -29,16 +29,16 @@ int main(int, char** arguments) {
     const double coefficient = coefficient_of(mass, terminal);
     const Vec3d still = Vec3d::Zero();
 
-    course::Recording recording("A smash, a clear and a drop", between);
+    support::Recording recording("A smash, a clear and a drop", between);
     // The court, and shuttles eight times as large as life.
     recording.add_body("court",
-                       {course::Part::box({13.4, 6.1, 0.02}).at(Posed{.position = {0, 0, -0.01}}),
-                        course::Part::box({0.03, 6.1, 0.76}).at(Posed{.position = {0, 0, 1.17}})});
-    const std::vector<course::Part> shuttle = {
-        course::Part::sphere(0.13).at(Posed{.position = {0, 0, 0.26}}),
-        course::Part::cone(0.26, 0.55)};
+                       {support::Part::box({13.4, 6.1, 0.02}).at(Posed{.position = {0, 0, -0.01}}),
+                        support::Part::box({0.03, 6.1, 0.76}).at(Posed{.position = {0, 0, 1.17}})});
+    const std::vector<support::Part> shuttle = {
+        support::Part::sphere(0.13).at(Posed{.position = {0, 0, 0.26}}),
+        support::Part::cone(0.26, 0.55)};
     for (const char* name : {"smash", "clear", "drop"}) recording.add_body(name, shuttle);
-    recording.add_body("the clear, damped", {course::Part::sphere(0.13)});
+    recording.add_body("the clear, damped", {support::Part::sphere(0.13)});
 
     std::vector<Particled> flying_ones = {
         make_particle<double>(mass, {-4, -1.8, 2.7}, {96, 0, -22}),
@@ -70,7 +70,7 @@ int main(int, char** arguments) {
         }
       }
     }
-    course::write_player_page(arguments[1], recording.json());
+    support::write_player_page(arguments[1], recording.json());
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

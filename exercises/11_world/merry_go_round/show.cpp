@@ -1,9 +1,9 @@
 // A throw across a merry-go-round, in a world with the student's effect; and the same flight, seen
 // from the ground.
-#include <course/player_page.hpp>
-#include <course/recording.hpp>
 #include <iostream>
 #include <merry_go_round.hpp>
+#include <support/player_page.hpp>
+#include <support/recording.hpp>
 #include <tumble/world.hpp>
 
 namespace {
@@ -15,13 +15,13 @@ const Vec3d aside(2.7, 2.7, 0);  // how far the two pictures are apart
 const int steps_in_a_frame = 16;
 
 /// A round floor with a thrower at the one end and a catcher at the other, and where the ball went.
-std::vector<course::Part> floor_with(const std::vector<Vec3d>& path) {
-  std::vector<course::Part> parts = {
-      course::Part::cylinder(3.2, 0.1).at(Posed{.position = {0, 0, -0.05}}),
-      course::Part::capsule(0.2, 0.9).at(Posed{.position = {-2.9, 0, 0.65}}),
-      course::Part::capsule(0.2, 0.9).at(Posed{.position = {2.9, 0, 0.65}})};
+std::vector<support::Part> floor_with(const std::vector<Vec3d>& path) {
+  std::vector<support::Part> parts = {
+      support::Part::cylinder(3.2, 0.1).at(Posed{.position = {0, 0, -0.05}}),
+      support::Part::capsule(0.2, 0.9).at(Posed{.position = {-2.9, 0, 0.65}}),
+      support::Part::capsule(0.2, 0.9).at(Posed{.position = {2.9, 0, 0.65}})};
   for (const Vec3d& place : path)
-    parts.push_back(course::Part::sphere(0.05).at(Posed{.position = place}));
+    parts.push_back(support::Part::sphere(0.05).at(Posed{.position = place}));
   return parts;
 }
 
@@ -48,18 +48,18 @@ int main(int, char** arguments) {
 
     const double between = 1.0 / 60;
     std::vector<Vec3d> path;
-    std::vector<course::Part> path_on_ground;
+    std::vector<support::Part> path_on_ground;
     for (std::size_t n = 0; n < on_board.size(); n += 3) {
       path.push_back(on_board[n]);
       const Vec3d seen = point_outward(turned(double(n) * between), on_board[n]);
-      path_on_ground.push_back(course::Part::sphere(0.05).at(Posed{.position = seen}));
+      path_on_ground.push_back(support::Part::sphere(0.05).at(Posed{.position = seen}));
     }
-    course::Recording recording("On board, and from the ground", between);
+    support::Recording recording("On board, and from the ground", between);
     recording.add_body("seen on board", floor_with(path));
     recording.add_body("seen from the ground", floor_with({}));
     recording.add_body("where it flew, from the ground", path_on_ground);
-    recording.add_body("ball", {course::Part::sphere(0.15)});
-    recording.add_body("ball, from the ground", {course::Part::sphere(0.15)});
+    recording.add_body("ball", {support::Part::sphere(0.15)});
+    recording.add_body("ball, from the ground", {support::Part::sphere(0.15)});
     for (std::size_t n = 0; n < on_board.size(); ++n) {
       const Posed floor = turned(double(n) * between);
       recording.add_frame(
@@ -69,7 +69,7 @@ int main(int, char** arguments) {
                              {.position = on_board[n] - aside},
                              {.position = point_outward(floor, on_board[n]) + aside}});
     }
-    course::write_player_page(arguments[1], recording.json());
+    support::write_player_page(arguments[1], recording.json());
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
     return 1;

@@ -1,4 +1,4 @@
-#include <course/checks.hpp>
+#include <support/checks.hpp>
 #include <tumble/tiny.hpp>
 
 TEST_CASE("The stick is shorter than two metres") {

@@ -1,9 +1,9 @@
 // Prints the one number, draws a line that ends there, and records the stick as it rises.
-#include <course/record.hpp>
-#include <course/recording.hpp>
+#include <support/record.hpp>
+#include <support/recording.hpp>
 #include <tumble/tiny.hpp>
 
-using tumble::course::number;
+using tumble::support::number;
 
 namespace {
 
@@ -20,16 +20,16 @@ struct Pose {
 }  // namespace
 
 int main(int argument_count, char** arguments) {
-  tumble::course::Notebook notebook(argument_count, arguments);
+  tumble::support::Notebook notebook(argument_count, arguments);
   const double length = tumble::stick_length();
   std::printf("The stick is %.2f m long.\n", length);
   notebook.value("length", number("%.2f m", length));
-  tumble::course::Table line = notebook.table("line", {"time (s)", "length (m)"});
+  tumble::support::Table line = notebook.table("line", {"time (s)", "length (m)"});
   line.row(0.0, 0.0);
   line.row(1.0, length);
-  tumble::course::Recording rising("The stick rises", 0.5);
-  rising.add_body("stick", {tumble::course::Part::cylinder(0.05, length)});
+  tumble::support::Recording rising("The stick rises", 0.5);
+  rising.add_body("stick", {tumble::support::Part::cylinder(0.05, length)});
   for (const double height : {0.0, 1.0}) rising.add_frame(std::array{Pose{{0, 0, height}}});
   rising.write(notebook.file_in_folder("stick.recording.json"));
-  tumble::course::expect(length < 2.1, "the stick is hardly longer than two metres");
+  tumble::support::expect(length < 2.1, "the stick is hardly longer than two metres");
 }

@@ -1,0 +1,11 @@
+#include <support/random_world.hpp>
+
+namespace tumble {
+
+template World<float> support::random_world(support::Dice&, std::size_t);
+template void support::meddle(World<float>&, support::Dice&, int);
+template BodyHandle support::add_random_body(World<float>&, support::Dice&, const std::string&);
+template void support::add_random_effect(World<float>&, support::Dice&,
+                                         const std::vector<BodyHandle>&);
+
+}  // namespace tumble

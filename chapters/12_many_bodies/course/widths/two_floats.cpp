@@ -1,3 +1,0 @@
-#include <course/beside_one_by_one.hpp>
-
-template void tumble::course::compare_with_one_by_one<float, 2>(std::uint64_t, int, int);

@@ -1,0 +1,13 @@
+#include <support/random_world.hpp>
+#include <tumble/in_packs.hpp>
+
+namespace tumble {
+
+template ManyBodies<double> support::random_world(support::Dice&, std::size_t);
+template void support::meddle(ManyBodies<double>&, support::Dice&, int);
+template BodyHandle support::add_random_body(ManyBodies<double>&, support::Dice&,
+                                             const std::string&);
+template void support::add_random_effect(ManyBodies<double>&, support::Dice&,
+                                         const std::vector<BodyHandle>&);
+
+}  // namespace tumble

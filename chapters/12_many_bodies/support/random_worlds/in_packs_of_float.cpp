@@ -1,0 +1,13 @@
+#include <support/random_world.hpp>
+#include <tumble/in_packs.hpp>
+
+namespace tumble {
+
+template ManyBodies<float> support::random_world(support::Dice&, std::size_t);
+template void support::meddle(ManyBodies<float>&, support::Dice&, int);
+template BodyHandle support::add_random_body(ManyBodies<float>&, support::Dice&,
+                                             const std::string&);
+template void support::add_random_effect(ManyBodies<float>&, support::Dice&,
+                                         const std::vector<BodyHandle>&);
+
+}  // namespace tumble

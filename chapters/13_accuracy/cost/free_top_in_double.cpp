@@ -1,4 +1,0 @@
-#include "free_top_rungs.hpp"
-
-template void tumble::cost::append_free_top<double>(std::vector<Candidate>&, const FreeTopQuestion&,
-                                                    const Frames&, const StepKinds&, double);

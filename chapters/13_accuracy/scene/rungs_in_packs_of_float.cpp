@@ -1,3 +1,0 @@
-#include <course/scene_rules.hpp>
-
-template void tumble::course::SceneRules::choose(tumble::ManyBodies<float>&, std::size_t);

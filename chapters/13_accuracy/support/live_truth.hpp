@@ -1,0 +1,24 @@
+/// @file
+/// The truth for live figures: without a library's functions, whose roundings differ from machine
+/// to machine.
+#pragma once
+
+#include <cmath>
+#include <tumble/compositions.hpp>
+
+namespace tumble::support {
+
+/// The length of the chord between two orientations: their angle (rad), but for its third power
+/// over 24. The angle itself would need a library's arc tangent.
+inline double chord_between(const Quaternion<double>& p, const Quaternion<double>& q) {
+  return 2 * (conjugate(p) * q).imaginary.norm();
+}
+
+/// Turns a free top for `seconds` by the tenth order, so finely that it is right to a few
+/// roundings; `fastest` (rad/s) is how fast it spins.
+inline void turn_finely(Topd& top, double seconds, double fastest) {
+  const int parts = static_cast<int>(std::ceil(fastest * seconds / 0.5));
+  for (int n = 0; n < parts; ++n) turn_by_row<SofroniouSpaletta>(top, seconds / parts);
+}
+
+}  // namespace tumble::support

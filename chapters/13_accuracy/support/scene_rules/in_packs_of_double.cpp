@@ -1,0 +1,3 @@
+#include <support/scene_rules.hpp>
+
+template void tumble::support::SceneRules::choose(tumble::ManyBodies<double>&, std::size_t);

@@ -1,0 +1,105 @@
+/// @file
+/// A figure that a reader can touch is a function from knobs to columns of numbers. The same
+/// function makes the still picture, as a program, and the moving one, as a module of WebAssembly
+/// in the page.
+#pragma once
+
+#include <cmath>
+#include <deque>
+#include <span>
+#include <string>
+#include <string_view>
+#include <tumble/require.hpp>
+#include <utility>
+#include <vector>
+
+namespace tumble::support {
+
+/// What the reader has set, and what follows from it.
+class Live {
+ public:
+  struct Knob {
+    std::string name, unit;
+    double start, least, most;
+  };
+  struct Column {
+    std::string name, unit;
+    std::vector<double> values;
+  };
+
+  /// `set`: the knobs' values in the order in which they are asked for; where it ends, the others
+  /// stand at their start. `drawn`: what was drawn by hand, empty at the start.
+  explicit Live(std::vector<double> set = {}, std::vector<double> drawn = {})
+      : set_(std::move(set)), drawn_(std::move(drawn)) {}
+
+  /// The value of the next knob. Every run asks for the same knobs in the same order.
+  /// @throws std::invalid_argument if it was set to less than `least` or more than `most`.
+  double knob(std::string_view name, std::string_view unit, double start, double least,
+              double most) {
+    const double value = knobs_.size() < set_.size() ? set_[knobs_.size()] : start;
+    knobs_.push_back({std::string(name), std::string(unit), start, least, most});
+    require_between(name, value, unit, least, most);
+    return value;
+  }
+
+  /// The next knob as one of `count` choices, counted from 0.
+  /// @throws std::invalid_argument if it is no such number.
+  int choice(std::string_view name, int start, int count) {
+    const double value = knob(name, "", start, 0, count - 1);
+    if (value != std::floor(value)) reject(name, value, "", "a choice is a whole number");
+    return static_cast<int>(value);
+  }
+
+  std::span<const double> drawn() const { return drawn_; }
+
+  /// A new column, to be filled. It stays where it is while others are added.
+  std::vector<double>& column(std::string_view name, std::string_view unit) {
+    return columns_.emplace_back(Column{std::string(name), std::string(unit), {}}).values;
+  }
+
+  /// Says that this run has done only a part of the work, so that a page has time for a picture.
+  /// Whoever called run_live() calls it again with the same knobs, until a run says nothing. What
+  /// is done already must be kept meanwhile; the columns of the last run alone have to be right.
+  void go_on() { goes_on_ = true; }
+  bool goes_on() const { return goes_on_; }
+
+  const std::vector<Knob>& knobs() const { return knobs_; }
+  const std::deque<Column>& columns() const { return columns_; }
+
+ private:
+  std::vector<double> set_, drawn_;
+  std::vector<Knob> knobs_;
+  std::deque<Column> columns_;
+  bool goes_on_ = false;
+};
+
+/// What a figure is: each defines it once, in a file of its own.
+void run_live(Live& live);
+
+/// Knobs and columns as JSON, without the columns' numbers, for `with_numbers(column)` to add.
+template <class Numbers>
+std::string as_json(const Live& live, const Numbers& with_numbers) {
+  std::string json = live.goes_on() ? "{\"goes_on\":true,\"knobs\":[" : "{\"knobs\":[";
+  const auto add = [&json](const char* key, std::string_view text) {
+    json.append(key).append(text).append("\"");
+  };
+  for (const Live::Knob& knob : live.knobs()) {
+    json.append(&knob == &live.knobs().front() ? "" : ",");
+    add("{\"name\":\"", knob.name);
+    add(",\"unit\":\"", knob.unit);
+    json.append(",\"start\":").append(text_of(knob.start));
+    json.append(",\"least\":").append(text_of(knob.least));
+    json.append(",\"most\":").append(text_of(knob.most)).append("}");
+  }
+  json.append("],\"columns\":[");
+  for (const Live::Column& column : live.columns()) {
+    json.append(&column == &live.columns().front() ? "" : ",");
+    add("{\"name\":\"", column.name);
+    add(",\"unit\":\"", column.unit);
+    with_numbers(json, column);
+    json.append("}");
+  }
+  return json.append("]}");
+}
+
+}  // namespace tumble::support

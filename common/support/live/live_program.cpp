@@ -1,0 +1,45 @@
+// A live figure as a program: NAME_live [VALUE,VALUE...] [DRAWN,DRAWN...] prints the knobs and all
+// columns as JSON. Its numbers are the shortest that are read back as the same bits; what is none
+// is null.
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <support/live.hpp>
+
+namespace {
+
+std::vector<double> numbers_of(const char* text) {
+  std::vector<double> numbers;
+  while (*text != '\0') {
+    char* end = nullptr;
+    numbers.push_back(std::strtod(text, &end));
+    if (end == text) throw std::invalid_argument(std::string(text) + " is no number");
+    text = *end == ',' ? end + 1 : end;
+  }
+  return numbers;
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) try {
+  using namespace tumble;
+  const auto given = [&](int n) {
+    return n < argument_count ? numbers_of(arguments[n]) : std::vector<double>();
+  };
+  support::Live live;
+  do {
+    live = support::Live(given(1), given(2));
+    support::run_live(live);
+  } while (live.goes_on());
+  const auto with_values = [](std::string& json, const support::Live::Column& column) {
+    json.append(",\"values\":[");
+    for (const double& value : column.values)
+      json.append(&value == column.values.data() ? "" : ",")
+          .append(std::isfinite(value) ? text_of(value) : "null");
+    json.append("]");
+  };
+  std::puts(support::as_json(live, with_values).c_str());
+} catch (const std::invalid_argument& refusal) {
+  std::fprintf(stderr, "%s\n", refusal.what());
+  return EXIT_FAILURE;
+}

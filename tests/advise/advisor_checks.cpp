@@ -1,0 +1,259 @@
+#include <advisor.hpp>
+#include <support/checks.hpp>
+
+using namespace tumble::advise;
+
+namespace {
+
+constexpr Frames frames{.count = 10, .rate = 10};  // a second
+constexpr double longest_run = 1;
+
+/// A method whose error is `first` with one step a frame and falls by its order down to `floor`; a
+/// step costs `price` ns.
+Candidate method(const char* name, int order, double first, double price, double floor = 0) {
+  return {.method = name,
+          .precision = "double",
+          .order = order,
+          .errors =
+              [=](long steps, int) {
+                return Errors{
+                    .angle = std::max(first / std::pow(static_cast<double>(steps), order), floor)};
+              },
+          .nanoseconds = [=](long steps,
+                             int) { return price * static_cast<double>(steps * frames.count); }};
+}
+
+Verdict asked(const std::vector<Candidate>& candidates, double angle) {
+  return Advisor(candidates, frames, longest_run).cheapest({.angle = angle});
+}
+
+}  // namespace
+
+TEST_CASE(
+    "The advisor takes the cheap method for a coarse tolerance and the dear one for a fine one") {
+  const std::vector<Candidate> list = {method("first order", 1, 1, 10),
+                                       method("fourth order", 4, 0.1, 100)};
+  const Verdict coarse = asked(list, 1), fine = asked(list, 1e-8);
+  REQUIRE(coarse.winner.has_value());
+  REQUIRE(fine.winner.has_value());
+  CHECK(coarse.winner->candidate->method == "first order");
+  CHECK(fine.winner->candidate->method == "fourth order");
+}
+
+TEST_CASE("The advisor's steps are as few as will do, and what it expects is what it found") {
+  const std::vector<Candidate> list = {method("second order", 2, 1, 10)};
+  for (const double wish : {0.3, 1e-2, 1e-5, 3e-7}) {
+    const Verdict verdict = asked(list, wish);
+    REQUIRE(verdict.winner.has_value());
+    const auto steps = static_cast<double>(verdict.winner->fineness);
+    CHECK(verdict.winner->errors.angle == 1 / (steps * steps));
+    CHECK(verdict.winner->errors.angle <= wish / 2);
+    // Half of the tolerance is aimed at; a twentieth of the steps, and one, may be too many.
+    const double fewer = steps / 1.06 - 1;
+    CHECK(1 / (fewer * fewer) >= wish / 2);
+    CHECK(verdict.winner->nanoseconds == doctest::Approx(10 * 10 * steps));
+  }
+}
+
+TEST_CASE(
+    "Where rounding stops every method above the tolerance, the advisor refuses and says how near "
+    "it "
+    "came") {
+  const std::vector<Candidate> list = {method("float", 4, 0.1, 10, 1e-5),
+                                       method("double", 4, 0.1, 20, 1e-13)};
+  CHECK(asked(list, 1e-4).winner->candidate->method == "float");
+  CHECK(asked(list, 1e-7).winner->candidate->method == "double");
+  const Verdict verdict = asked(list, 1e-17);
+  CHECK(!verdict.winner.has_value());
+  REQUIRE(verdict.nearest.has_value());
+  CHECK(verdict.nearest->candidate->method == "double");
+  CHECK(verdict.nearest->errors.angle == 1e-13);
+}
+
+TEST_CASE(
+    "A promise holds for the questions like the one asked, or the advisor takes shorter steps") {
+  Candidate uneven = method("second order", 2, 1, 10);
+  uneven.trials = 3;
+  uneven.errors = [](long steps, int trial) {
+    return Errors{.angle = (trial == 2 ? 3 : 1) / static_cast<double>(steps * steps)};
+  };
+  const std::vector<Candidate> list = {uneven};
+  const Verdict verdict = asked(list, 1e-4);
+  REQUIRE(verdict.winner.has_value());
+  const auto steps = static_cast<double>(verdict.winner->fineness);
+  CHECK(verdict.winner->errors.angle == 3 / (steps * steps));
+  CHECK(verdict.winner->errors.angle <= 1e-4);
+}
+
+TEST_CASE("A method that fails when it is run again is passed over, however cheap") {
+  Candidate lucky = method("lucky", 2, 1, 1);
+  lucky.trials = 2;
+  lucky.errors = [](long steps, int trial) {
+    return trial == 0 ? Errors{.angle = 1 / static_cast<double>(steps * steps)} : failed_run;
+  };
+  const std::vector<Candidate> list = {lucky, method("sound", 2, 1, 3)};
+  const Verdict verdict = asked(list, 1e-4);
+  REQUIRE(verdict.winner.has_value());
+  CHECK(verdict.winner->candidate->method == "sound");
+  const std::vector<Candidate> lucky_alone = {lucky};
+  CHECK(!asked(lucky_alone, 1e-4).winner.has_value());
+}
+
+TEST_CASE("A run that ends in no number, or lasts too long, or never converges, is no answer") {
+  Candidate diverging = method("diverging", 4, 1, 1);
+  diverging.errors = [](long, int) { return Errors{.angle = NAN}; };
+  Candidate constant = method("constant", 4, 0.5, 1);
+  constant.errors = [](long, int) { return Errors{.angle = 0.5}; };
+  // A first order needs 2e8 steps a frame for 1e-8, of 100 ns: minutes.
+  const std::vector<Candidate> list = {diverging, constant, method("slow", 1, 1, 100)};
+  CHECK(!asked(list, 1e-8).winner.has_value());
+  CHECK(asked(list, 1e-2).winner->candidate->method == "slow");
+}
+
+TEST_CASE("On a method that gains nothing from shorter steps no more time is spent") {
+  int runs = 0;
+  Candidate constant = method("constant", 4, 0.5, 1e-6);
+  constant.errors = [&runs](long, int) {
+    ++runs;
+    return Errors{.angle = 0.5};
+  };
+  const std::vector<Candidate> list = {constant};
+  CHECK(!asked(list, 1e-8).winner.has_value());
+  CHECK(runs <= 6);  // one, and four that gain nothing
+}
+
+TEST_CASE("What diverges with long steps may do with short ones") {
+  Candidate stiff = method("stiff", 2, 1, 10);
+  stiff.errors = [](long steps, int) {
+    return steps < 64 ? failed_run : Errors{.angle = 1 / static_cast<double>(steps * steps)};
+  };
+  const std::vector<Candidate> list = {stiff};
+  REQUIRE(asked(list, 1e-2).winner.has_value());
+  CHECK(asked(list, 1e-2).winner->fineness >= 64);
+}
+
+TEST_CASE("A solution that takes no steps is asked once a frame, or not at all") {
+  Candidate exact = method("exact", 0, 1e-15, 500);
+  exact.takes_steps = false;
+  const std::vector<Candidate> list = {method("second order", 2, 1, 10), exact};
+  CHECK(asked(list, 1e-2).winner->candidate->method == "second order");
+  const Verdict fine = asked(list, 1e-10);
+  REQUIRE(fine.winner.has_value());
+  CHECK(fine.winner->candidate->method == "exact");
+  CHECK(fine.winner->fineness == 1);
+  CHECK(!asked(list, 1e-15).winner.has_value());
+}
+
+TEST_CASE("A tolerance for places counts places, and one for both counts both") {
+  Candidate body = method("body", 2, 1, 10);
+  body.errors = [](long steps, int) {
+    const auto n = static_cast<double>(steps);
+    return Errors{.angle = 1 / (n * n), .place = 100 / (n * n)};
+  };
+  const std::vector<Candidate> list = {body};
+  const Advisor advisor(list, frames, longest_run);
+  const auto steps = [&](const Wish& wish) { return advisor.cheapest(wish).winner->fineness; };
+  const long both = steps({.angle = 1e-2, .place = 1e-2});
+  CHECK(both == steps({.place = 1e-2}));
+  CHECK(both > 5 * steps({.angle = 1e-2}));
+}
+
+namespace {
+
+/// A method that chooses its steps, at least one in a frame: ever smaller tolerances have the same
+/// ones as long as a frame meets them. The error is that of the rule, in steps of that length.
+Candidate choosing(const char* name, int power, double first, double price) {
+  Candidate made = method(name, power + 1, first, price);
+  made.power = power;
+  made.coarsest = 0.1;
+  made.finest = 1000;
+  const auto steps_at = [made_of = made, first, power](long fineness) {
+    // What is estimated of the error per second is `first` times the step to that power.
+    const double wanted = std::pow(first / made_of.given(fineness), 1.0 / power);
+    return std::max(1L, static_cast<long>(std::ceil(wanted)));
+  };
+  made.errors = [=](long fineness, int) {
+    const long steps = steps_at(fineness);
+    return Errors{.angle = first / std::pow(static_cast<double>(steps), power + 1),
+                  .steps = steps * frames.count,
+                  .rejected = steps - 1};
+  };
+  made.nanoseconds = [=](long fineness, int) {
+    return price * static_cast<double>(steps_at(fineness) * frames.count);
+  };
+  return made;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "Of a method that chooses its steps the advisor finds the tolerance, and says the steps") {
+  for (const double wish : {1e-3, 1e-5, 1e-8}) {
+    CAPTURE(wish);
+    const std::vector<Candidate> list = {choosing("own", 4, 1, 10)};
+    const Verdict verdict = asked(list, wish);
+    REQUIRE(verdict.winner.has_value());
+    const Found& found = *verdict.winner;
+    CHECK(found.errors.angle <= wish / 2);
+    CHECK(found.errors.steps > 0);
+    CHECK(found.errors.rejected == found.errors.steps / frames.count - 1);
+    // Coarser by a twentieth, and one, it would not do, or it is at its coarsest.
+    const long coarser = found.fineness - found.fineness / 16 - 1;
+    if (coarser >= 1) CHECK(list[0].errors(coarser, 0).angle > wish / 2);
+  }
+}
+
+TEST_CASE("That smaller tolerances call for the same steps does not end the search") {
+  // One step a frame meets 0.1 divided by 2^4, 4^4, 8^4, 16^4 and more.
+  const std::vector<Candidate> list = {choosing("own", 4, 1e-7, 10)};
+  REQUIRE(list[0].errors(1, 0).angle == list[0].errors(16, 0).angle);
+  const Verdict verdict = asked(list, 1e-9);
+  REQUIRE(verdict.winner.has_value());
+  CHECK(verdict.winner->fineness > 16);
+  CHECK(verdict.winner->errors.angle <= 1e-9 / 2);
+  // But there is an end to it.
+  std::vector<Candidate> hopeless = {choosing("own", 4, 1e-7, 10)};
+  hopeless[0].finest = 16;
+  CHECK(!asked(hopeless, 1e-9).winner.has_value());
+}
+
+TEST_CASE("Of two that choose their steps or not, the cheaper one is promised") {
+  const std::vector<Candidate> list = {method("even", 5, 1, 10), choosing("own", 4, 1, 9),
+                                       choosing("dear", 4, 1, 20)};
+  REQUIRE(asked(list, 1e-6).winner.has_value());
+  CHECK(asked(list, 1e-6).winner->candidate->method == "own");
+}
+
+TEST_CASE(
+    "The error that a method which chooses its steps has for a given cost is one at that cost") {
+  const std::vector<Candidate> list = {choosing("own", 4, 1, 10)};
+  const Advisor advisor(list, frames, longest_run);
+  for (const double most : {300.0, 2500.0, 1e5}) {
+    const auto found = advisor.best_for(most, {.angle = 1});
+    REQUIRE(found.has_value());
+    CHECK(found->nanoseconds <= most);
+    CHECK(found->errors.angle == list[0].errors(found->fineness, 0).angle);
+  }
+  CHECK(!advisor.best_for(50, {.angle = 1}).has_value());
+}
+
+TEST_CASE("For a given cost the advisor finds the least error, and for none the least cost") {
+  const std::vector<Candidate> list = {method("first order", 1, 1, 10),
+                                       method("fourth order", 4, 0.1, 100)};
+  const Advisor advisor(list, frames, longest_run);
+  // 10 frames a second: 300 ns are 30 ns a frame, three steps of the first.
+  const auto cheap = advisor.best_for(300, {.angle = 1});
+  REQUIRE(cheap.has_value());
+  CHECK(cheap->candidate->method == "first order");
+  CHECK(cheap->fineness == 3);
+  CHECK(cheap->nanoseconds <= 300);
+  CHECK(advisor.best_for(3000, {.angle = 1})->candidate->method == "fourth order");
+  CHECK(!advisor.best_for(50, {.angle = 1}).has_value());
+  Candidate exact = method("exact", 0, 1e-15, 500);
+  exact.takes_steps = false;
+  const std::vector<Candidate> exact_alone = {exact};
+  const Advisor with_exact(exact_alone, frames, longest_run);
+  CHECK(!with_exact.best_for(300, {.angle = 1}).has_value());
+  CHECK(with_exact.best_for(6000, {.angle = 1})->fineness == 1);
+  CHECK(advisor.least({.angle = 1})->candidate->method == "first order");
+}

@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <cstdarg>
+#include <cstdio>
+
+#include "answer.hpp"
+
+namespace tumble::advise {
+namespace {
+
+/// As printf would write it.
+[[gnu::format(printf, 1, 2)]] std::string formatted(const char* format, ...) {
+  std::va_list arguments;
+  va_start(arguments, format);
+  char buffer[400];
+  std::vsnprintf(buffer, sizeof buffer, format, arguments);
+  va_end(arguments);
+  return buffer;
+}
+
+/// A line, and more of them where it is longer than 92 letters, each indented to where the first
+/// one's text begins.
+std::string line(const char* name, const std::string& text) {
+  constexpr std::size_t margin = 19, longest = 92;
+  std::string lines = formatted("%-*s", static_cast<int>(margin), name);
+  std::size_t column = margin;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    if (column > margin && column + 1 + (end - begin) > longest) {
+      lines += "\n" + std::string(margin, ' ');
+      column = margin;
+    } else if (column > margin) {
+      lines += ' ';
+      ++column;
+    }
+    lines.append(text, begin, end - begin);
+    column += end - begin;
+    begin = end + 1;
+  }
+  return lines + "\n";
+}
+
+std::string counted(double number, const char* noun) {
+  return formatted("%.0f %s%s", number, noun, number == 1 ? "" : "s");
+}
+
+std::string method_of(const Found& found, const Frames& frames) {
+  const std::string& scheme = found.candidate->scheme;
+  std::string text = found.candidate->method + (scheme.empty() ? "" : ", scheme " + scheme) +
+                     ", in " + found.candidate->precision;
+  if (!found.candidate->takes_steps) return text + ", asked once a state";
+  if (found.candidate->chooses_steps())
+    return text + (found.candidate->is_given_angle ? ", angle " : ", tolerance ") +
+           formatted("%.3g rad a %s: ", found.candidate->given(found.fineness),
+                     found.candidate->is_given_angle ? "step" : "second") +
+           counted(static_cast<double>(found.errors.steps), "step") + " in all" +
+           (found.errors.rejected > 0 ? formatted(" and %ld repeated", found.errors.rejected)
+                                      : "") +
+           formatted(", %.3g a state",
+                     static_cast<double>(found.errors.steps) / static_cast<double>(frames.count));
+  const auto steps = static_cast<double>(found.fineness);
+  const double rate = static_cast<double>(frames.rate) * steps;
+  return text + ", " + counted(steps, "step") +
+         " a state: " + formatted("%.6g s, %.0f a second", 1 / rate, rate);
+}
+
+/// The errors that somebody asked about.
+std::string errors_of(const Errors& errors, const Wish& wish) {
+  std::string text;
+  if (std::isfinite(wish.angle)) text = formatted("%.2g rad", errors.angle);
+  if (std::isfinite(wish.place))
+    text += (text.empty() ? "" : " and ") + formatted("%.2g m", errors.place);
+  return text;
+}
+
+std::string wanted(const Wish& wish) {
+  return errors_of({.angle = wish.angle, .place = wish.place}, wish);
+}
+
+std::string question(const Answer& answer) {
+  const Options& asked = answer.asked;
+  std::string text;
+  if (asked.top) {
+    const auto& I = asked.top->moments;
+    const auto& w = asked.top->spin;
+    text = formatted("A free top: moments %g, %g, %g kg m^2, spin %g, %g, %g rad/s", I[0], I[1],
+                     I[2], w[0], w[1], w[2]);
+  } else {
+    text = "The scene " + asked.scene.filename().string() + ": " +
+           counted(static_cast<double>(answer.bodies), "body");
+    if (answer.bodies != 1) text.replace(text.size() - 5, 5, "bodies");
+  }
+  return text +
+         formatted(", for %g s, %ld state%s a second\n", asked.frames.seconds(), asked.frames.rate,
+                   asked.frames.rate == 1 ? "" : "s") +
+         line("wanted", "errors of at most " + wanted(asked.wish) + ", all the way");
+}
+
+std::string frame_of(const Answer& answer, const Found& found) {
+  const double fit = std::floor(1e9 / found.nanoseconds);
+  const double bodies = fit * static_cast<double>(answer.bodies);
+  if (fit < 1) return "not even one of these fits in a frame of 1/60 s";
+  if (answer.asked.top)
+    return counted(bodies, "such top") + " in each frame of 1/60 s, on one thread, one by one";
+  return counted(fit, "such scene") +
+         " in each frame of 1/60 s, on one thread: " + formatted("%.0f bodies", bodies);
+}
+
+}  // namespace
+
+std::string text_of(const Answer& answer) {
+  const Options& asked = answer.asked;
+  std::string text = question(answer);
+  if (!answer.verdict.winner) {
+    text += line("refused", answer.refusal);
+    text += line("reference",
+                 answer.reference + ", sure to " + errors_of(answer.uncertainty, asked.wish));
+    if (answer.verdict.nearest)
+      text += line("nearest", method_of(*answer.verdict.nearest, asked.frames) + ": " +
+                                  errors_of(answer.verdict.nearest->errors, asked.wish));
+    return text;
+  }
+  const Found& winner = *answer.verdict.winner;
+  text += line("cheapest", method_of(winner, asked.frames));
+  const double ratio = winner.errors.of(asked.wish);
+  text += line("expected error",
+               errors_of(winner.errors, asked.wish) +
+                   (ratio > 0 ? formatted(", %.2g times less than wanted", 1 / ratio) : ""));
+  if (asked.top)
+    text += line("", formatted("energy off by %.2g, angular momentum by %.2g, relatively",
+                               winner.errors.energy, winner.errors.momentum));
+  text += line("confirmed", "against " + answer.reference + ", sure to " +
+                                errors_of(answer.uncertainty, asked.wish));
+  if (asked.top) text += line("", "with this top, and with three that are like it");
+  text += line("costs", formatted("%.4g ns for each simulated second", winner.nanoseconds));
+  text += line("that makes", frame_of(answer, winner));
+  text += line("ten times better",
+               answer.better ? formatted("%.2g times the cost: ",
+                                         answer.better->nanoseconds / winner.nanoseconds) +
+                                   method_of(*answer.better, asked.frames) + ", " +
+                                   errors_of(answer.better->errors, asked.wish)
+                             : std::string("can't be confirmed"));
+  if (answer.worse)
+    text += line("ten times cheaper", errors_of(answer.worse->errors, asked.wish) + ": " +
+                                          method_of(*answer.worse, asked.frames));
+  else if (answer.least)
+    text += line("ten times cheaper", formatted("nothing is; at %.2g of the cost: ",
+                                                answer.least->nanoseconds / winner.nanoseconds) +
+                                          method_of(*answer.least, asked.frames) + ", " +
+                                          errors_of(answer.least->errors, asked.wish));
+  for (std::size_t n = 0; n < std::min<std::size_t>(answer.verdict.others.size(), 3); ++n) {
+    const Found& other = answer.verdict.others[n];
+    text += line(n == 0 ? "would do too" : "",
+                 formatted("%.2f times the cost: ", other.nanoseconds / winner.nanoseconds) +
+                     method_of(other, asked.frames));
+  }
+  return text;
+}
+
+}  // namespace tumble::advise

@@ -1,0 +1,51 @@
+/// @file
+/// One body without a world: what its kick, its drift and its turn take, called one after another.
+#pragma once
+
+#include <support/bench/setting.hpp>
+#include <tumble/make_rigid_body.hpp>
+#include <tumble/solids.hpp>
+#include <tumble/tumbling.hpp>
+
+namespace tumble::support::bench {
+
+/// The box number n, as it begins.
+template <class Real>
+RigidBody<Real> box_number(std::size_t n) {
+  const auto vector = [](const Triple& v) { return Vec3d(v[0], v[1], v[2]).cast<Real>().eval(); };
+  const Box<Real> box{vector(edges)};
+  RigidBody<Real> body =
+      make_rigid_body<Real>("box", mass_properties(box, static_cast<Real>(mass))).body;
+  const Start start = start_of(n);
+  body.centre.position = vector(start.position);
+  body.centre.velocity = vector(start.velocity);
+  set_angular_velocity_world(body.top, vector(start.angular_velocity));
+  return body;
+}
+
+/// A box that tumbles under a steady torque.
+template <class Real>
+class BareBody {
+ public:
+  explicit BareBody(const Setting& setting)
+      : body_(box_number<Real>(0)), time_step_(static_cast<Real>(setting.time_step())) {
+    body_.top.torque = Vec3d(torque[0], torque[1], torque[2]).cast<Real>();
+  }
+  void run(int steps) {
+    for (int step = 0; step < steps; ++step) {
+      kick(body_.top, time_step_);
+      drift(body_.centre, time_step_);
+      turn_by_splitting(body_.top, time_step_);
+    }
+  }
+  Motion motion(std::size_t) const {
+    return {triple_of(body_.centre.position), triple_of(body_.centre.velocity),
+            triple_of(angular_velocity_world(body_.top))};
+  }
+
+ private:
+  RigidBody<Real> body_;
+  Real time_step_;
+};
+
+}  // namespace tumble::support::bench
