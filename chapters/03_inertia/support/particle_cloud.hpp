@@ -2,27 +2,10 @@
 /// Bodies made of particles: strewn at random or set up in rows.
 #pragma once
 
-#include <random>
+#include <support/dice.hpp>
 #include <tumble/mass_properties.hpp>
 
 namespace tumble::support {
-
-/// Random numbers between 0 and 1, the same on every machine; std::uniform_real_distribution isn't.
-class Dice {
- public:
-  explicit Dice(unsigned seed) : engine_(seed) {}
-  double operator()() { return static_cast<double>(engine_() >> 11) * 0x1p-53; }
-  /// Between −1 and 1.
-  double both_ways() { return 2 * (*this)() - 1; }
-  template <class Real>
-  Vec3<Real> vector() {
-    const double x = both_ways(), y = both_ways(), z = both_ways();
-    return Vec3<double>(x, y, z).cast<Real>();
-  }
-
- private:
-  std::mt19937_64 engine_;
-};
 
 /// `count` equal particles anywhere in a box about the origin, 1 kg in all.
 template <class Real>

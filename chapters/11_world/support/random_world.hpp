@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cmath>
-#include <random>
+#include <support/dice.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/solids.hpp>
@@ -13,27 +13,6 @@
 #include <tumble/world.hpp>
 
 namespace tumble::support {
-
-/// Draws numbers that are the same with every standard library.
-class Dice {
- public:
-  explicit Dice(std::uint64_t seed) : generator_(seed) {}
-  bool one_in(std::uint64_t n) { return generator_() % n == 0; }
-  std::size_t below(std::size_t n) { return static_cast<std::size_t>(generator_() % n); }
-  /// Between −1 and 1.
-  template <class Real>
-  Real real() {
-    return static_cast<Real>(static_cast<double>(generator_() >> 11) / 4503599627370496.0 - 1);
-  }
-  template <class Real>
-  Vec3<Real> vector() {
-    const Real x = real<Real>(), y = real<Real>();
-    return {x, y, real<Real>()};
-  }
-
- private:
-  std::mt19937_64 generator_;
-};
 
 /// A torque that is the same for all bodies and at all times.
 template <class Real>
