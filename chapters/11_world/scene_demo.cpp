@@ -2,7 +2,7 @@
 #include <course/record.hpp>
 #include <course/shipped_scenes.hpp>
 #include <cstdio>
-#include <tumble/scene/read_scene.hpp>
+#include <tumble/scene/read_scene_file.hpp>
 
 using namespace tumble;
 

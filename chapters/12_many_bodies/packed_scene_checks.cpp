@@ -2,7 +2,7 @@
 #include <course/random_world.hpp>
 #include <course/shipped_scenes.hpp>
 #include <tumble/in_packs.hpp>
-#include <tumble/scene/read_scene.hpp>
+#include <tumble/scene/read_scene_file.hpp>
 
 using namespace tumble;
 using namespace tumble::course;

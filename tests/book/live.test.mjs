@@ -7,7 +7,6 @@ import {spawnSync} from 'node:child_process';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {test} from 'node:test';
-import {fileURLToPath} from 'node:url';
 import vm from 'node:vm';
 import '../../book/player/vectors.js';
 import '../../book/player/solids.js';
@@ -19,7 +18,6 @@ import '../../book/live/still.js';
 import {tables_of} from '../../book/tools/live.mjs';
 
 const live = globalThis.tumble_live;
-const chapters = fileURLToPath(new URL('../../chapters', import.meta.url));
 const {TUMBLE_RESULTS: results, TUMBLE_LIVE_PROGRAMS: programs} = process.env;
 const colour = [1, 2, 3];
 const palette = {paper: colour, ink: colour, grid: colour, shade: colour, bodies: Array(6).fill(colour)};
@@ -50,7 +48,7 @@ function assert_same(mine, its, where) {
 }
 
 for (const [chapter, name] of process.env.TUMBLE_LIVE.split(',').map(figure => figure.split('/'))) {
-  vm.runInThisContext(readFileSync(join(chapters, chapter, `${name}_live.js`), 'utf8'));
+  vm.runInThisContext(readFileSync(join(results, chapter, `${name}.live.js`), 'utf8'));
   const figure = live.figures[name];
   live.tables = {...live.tables, ...tables_of(figure, join(results, chapter))};
   const module = await live.Module.from(readFileSync(join(results, chapter, `${name}.wasm`)));

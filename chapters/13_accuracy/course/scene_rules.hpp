@@ -4,7 +4,6 @@
 
 #include <limits>
 #include <tumble/exact/free_top.hpp>
-#include <tumble/in_packs.hpp>
 #include <tumble/turning_rungs.hpp>
 
 namespace tumble::course {
@@ -27,6 +26,7 @@ using SceneRules = Longer<RungsOfWorlds, ExactSolution>::Type;
 }  // namespace tumble::course
 
 #ifdef TUMBLE_COMPILED_SCENES
+#include <tumble/in_packs.hpp>
 namespace tumble {
 // They are compiled once, see chapters/13_accuracy/scene.
 extern template void course::SceneRules::choose(World<float>&, std::size_t);
