@@ -1,9 +1,11 @@
 // Every <figure class="live"> of a page comes to life as soon as it comes near: its module and its drawing are loaded by
 // a script tag, since a page opened from a file may not fetch. The figure gets a property `live` with what a script may
-// want: values, texts, set({knob: value}), seek(seconds), columns, and panels, each with its canvas. What a figure describes may
-// have, beside panels and knobs: attach(figure), which adds parts of its own to the page; took(figure), after each run;
-// refused(figure), where a run was not to be had; progress(figure, said), while one goes on; and changed(figure, changes), which
-// makes texts of changes that are neither knobs nor texts.
+// want: values, texts, set({knob: value}), seek(seconds), columns, and panels, each with its canvas.
+//
+// What describes a figure may have, beside panels and knobs: attach(figure), which adds parts of its own to the page;
+// took(figure), after each run; refused(figure), where a run was not to be had; reset(figure), when a reader goes back to the
+// start; progress(figure, said), while a run goes on; and changed(figure, changes), which makes texts of changes that are
+// neither knobs nor texts.
 (() => {
   if (typeof document === 'undefined') return; // node draws stills only
   const live = globalThis.tumble_live, player = globalThis.tumble_player;
@@ -149,13 +151,11 @@
     texts = {}; // those that differ from their start
     #in_sight = false;
 
-    constructor(element, name, module, run) {
-      Object.assign(this, {element, name, module, described: live.figures[name], run});
+    constructor(element, name, module, run, own_texts) {
+      Object.assign(this, {element, name, module, described: live.figures[name], run, own_texts});
       this.#make_panels();
       this.#make_controls();
       this.values = Object.fromEntries(this.knobs.map(({name: knob, start}) => [knob, start]));
-      // A page of its own brings the texts that its figure begins with.
-      this.own_texts = JSON.parse(element.querySelector('script.live-texts')?.textContent ?? '{}');
       this.described.attach?.(this);
       element.classList.add('ready');
       this.#watch_the_page();
@@ -218,6 +218,7 @@
     reset() {
       this.drawn = [];
       this.texts = {};
+      this.described.reset?.(this);
       for (const panel of this.panels) Object.assign(panel.view, panel.first_view);
       this.time = 0;
       return this.set(Object.fromEntries(this.knobs.map(({name, start}) => [name, start])));
@@ -249,10 +250,11 @@
       clearTimeout(this.telling);
       this.finding.textContent = this.refusal;
       this.described.refused?.(this);
+      this.element.dispatchEvent(new Event('told'));
     }
 
     #take(run) {
-      this.last_run = this.run;
+      if (run !== this.run) this.last_run = this.run;
       this.run = run;
       for (const knob of this.knobs) knob.show(this.values[knob.name]);
       this.time = Math.min(this.time, this.duration);
@@ -359,8 +361,12 @@
         });
       const module = await live.Module.from(bytes_of(live.modules[name]));
       delete live.modules[name];
-      const figure = new Figure(element, name, module, await module.run([], [], frame_by_frame()));
-      if (Object.keys(figure.own_texts).length) await figure.set({});
+      // A page of its own brings the texts that its figure begins with.
+      const own_texts = JSON.parse(element.querySelector('script.live-texts')?.textContent ?? '{}');
+      const run = await module.run([], [], frame_by_frame(), own_texts);
+      const sound = run.refusal ? await module.run([], [], frame_by_frame()) : run;
+      const figure = new Figure(element, name, module, sound, own_texts);
+      if (run.refusal) await figure.set({});
       element.live = figure;
       return figure;
     })();
@@ -377,13 +383,18 @@
   async function follow_address() {
     const [, id, query] = /^#(live_\w+)\?(.*)$/.exec(location.hash) ?? [];
     const element = id && document.getElementById(id);
-    if (!element?.dataset.script) return;
+    if (element?.dataset.script === undefined) return;
     element.scrollIntoView({block: 'start'});
     await (await wake(element)).set(changes_of(query));
   }
 
   function start() {
     const figures = document.querySelectorAll('figure.live[data-script]');
+    if (typeof WebAssembly === 'undefined') {
+      for (const element of figures)
+        element.append(make('p', {className: 'live-absent', textContent: 'This figure is computed by WebAssembly, which this browser lacks.'}));
+      return;
+    }
     const near = new IntersectionObserver(entries => {
       for (const {isIntersecting, target} of entries)
         if (isIntersecting) {
@@ -395,7 +406,7 @@
     document.addEventListener('click', async event => {
       const link = event.target.closest('a.live-set');
       const element = link && document.getElementById(link.hash.slice(1));
-      if (!element?.dataset.script) return;
+      if (element?.dataset.script === undefined) return;
       event.preventDefault();
       element.scrollIntoView({block: 'nearest'});
       await (await wake(element)).set(changes_of(link.dataset.set));

@@ -75,6 +75,7 @@ for (const [chapter, name] of process.env.TUMBLE_LIVE.split(',').map(figure => f
 
   test(`${name}: a knob beyond its limit is refused by name, and the next run is sound.`, async () => {
     const {knobs} = await module.run();
+    if (!knobs.length) return; // its texts are tried in scene.test.mjs
     const beyond = knobs.map(({most}) => 2 * Math.abs(most) + 1);
     assert_same(await module.run(beyond), by_program(name, beyond), 'beyond');
     assert.match((await module.run(beyond)).refusal, new RegExp(`^${knobs[0].name} is .*it must lie between`));

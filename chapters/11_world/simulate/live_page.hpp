@@ -48,15 +48,15 @@ inline std::string escaped(std::string_view text) {
 }
 
 /// The page of a scene; `drawing` is the figure's script, and `module` what computes it.
-inline std::string live_page(const std::string& title, std::string_view scene_text,
-                             std::string_view file, std::string_view drawing,
-                             std::string_view module) {
+template <class AnyScene>
+std::string live_page(const AnyScene& scene, std::string_view text, std::string_view file,
+                      std::string_view drawing, std::string_view module) {
   std::string page = R"(<!DOCTYPE html>
 <html lang="en-GB">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<title>)" + escaped(title) +
+<title>)" + escaped(scene.title) +
                      R"(</title>
 <link rel="icon" href="data:,">
 <style>
@@ -66,12 +66,13 @@ inline std::string live_page(const std::string& title, std::string_view scene_te
 <body class="player-page">
 <main>
 <h1>)");
-  page.append(escaped(title)).append(R"(</h1>
+  page.append(escaped(scene.title)).append("</h1>\n<p>").append(escaped(scene.description));
+  page.append(R"(</p>
 <noscript><p>The scene is computed and drawn by a script, and this browser runs none.</p></noscript>
 <figure class="live" id="live_scene" data-live="scene" data-script="">
 <div class="live-picture"></div>
 <script type="application/json" class="live-texts">)");
-  page.append(course::json_in_script("{\"scene\":" + course::json_text(scene_text) +
+  page.append(course::json_in_script("{\"scene\":" + course::json_text(text) +
                                      ",\"file\":" + course::json_text(file) + "}"));
   page.append("</script>\n</figure>\n</main>\n<script>\n");
   page.append(course::player_script).append(course::live_script).append(drawing);
@@ -93,7 +94,7 @@ inline void write_live_page(const Options& options) {
                     "the engine for pages was not built; that takes clang++ with Debian's packages "
                     "lld, wasi-libc, libc++-dev-wasm32 and libclang-rt-dev-wasm32");
   OutputFile file(options.live);
-  file.write(live_page(scene.title, text_of_file(options.scene), options.scene.filename().string(),
+  file.write(live_page(scene, text_of_file(options.scene), options.scene.filename().string(),
                        drawing, module));
   file.finish();
   std::printf("wrote %s\n", file.path().c_str());

@@ -100,7 +100,7 @@
 
     #scene(scene, units, said) {
       const rows = numbers_of(scene, units, 'scene').map(([path, value, unit]) => this.#numbers('the scene', path, value, unit, now => now));
-      return [made('h4', {textContent: 'Steps'}), ...rows, this.#choice(scene, 'scheme', 'semi_implicit_euler', JSON.parse(said.schemes)),
+      return [made('div', {className: 'scene-head', textContent: 'Steps'}), ...rows, this.#choice(scene, 'scheme', 'semi_implicit_euler', JSON.parse(said.schemes)),
         this.#choice(scene, 'turning_method', 'splitting', JSON.parse(said.methods))];
     }
 
@@ -108,7 +108,7 @@
       const folds = scene.bodies.map((body, n) => this.#fold(`body ${body.name}`, body.name, [
         ...numbers_of(body, units, 'body', always(body)).map(([path, value, unit]) => this.#numbers(body.name, path, value, unit, now => now.bodies[n])),
         this.#button(`Remove ${body.name}`, now => { now.bodies.splice(n, 1); })]));
-      return [made('h4', {textContent: 'Bodies'}), ...folds,
+      return [made('div', {className: 'scene-head', textContent: 'Bodies'}), ...folds,
         this.#adder('body', live.scene_text.bodies, (now, kind) => { now.bodies.push(live.scene_text.new_body(now, kind)); })];
     }
 
@@ -127,7 +127,7 @@
         const numbers = numbers_of(effect, units, effect.kind).map(([path, value, unit]) => this.#numbers(name, path, value, unit, find));
         return made('div', {className: 'scene-effect'}, {}, [label, this.#fold(`effect ${title}`, `Numbers of ${name}`, numbers)]);
       };
-      return [made('h4', {textContent: 'Effects'}), ...(scene.effects ?? []).map((effect, n) => item(effect, n, true)),
+      return [made('div', {className: 'scene-head', textContent: 'Effects'}), ...(scene.effects ?? []).map((effect, n) => item(effect, n, true)),
         ...aside.map((effect, n) => item(effect, n, false)),
         this.#adder('effect', live.scene_text.kinds, (now, kind) => { (now.effects ??= []).push(live.scene_text.new_effect(now, kind)); })];
     }

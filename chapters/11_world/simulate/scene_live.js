@@ -100,9 +100,10 @@
       this.figure.set({scene: live.scene_text.text_of(scene)});
     }
 
-    /** The text that follows from changes which a link asks for. */
+    /** The page's own scene with the changes that a link asks for. */
     changed(changes) {
-      const {scene} = this;
+      const scene = JSON.parse(this.figure.start_of('scene'));
+      this.aside = [];
       live.scene_text.change(scene, this.aside, changes);
       return live.scene_text.text_of(scene);
     }
@@ -116,6 +117,7 @@
     took() {
       const {figure} = this;
       this.#show_text();
+      figure.said.textContent = '';
       this.form.element.disabled = false;
       this.note.textContent = `Save it under a name such as my_scene.json, and ./course simulate my_scene.json runs it too. It was ` +
         `computed in ${JSON.parse(figure.run.said.books).steps} steps.`;
@@ -170,6 +172,7 @@
     attach(figure) { figure.editor = new Editor(figure); },
     took(figure) { figure.editor.took(); },
     refused(figure) { figure.editor.refused(); },
+    reset(figure) { figure.editor.aside = []; },
     progress(figure, {progress}) { if (progress) figure.said.textContent = `Computed: ${progress} %`; },
     changed(figure, changes) {
       if ('scene' in changes || !Object.keys(changes).length) return changes;

@@ -67,7 +67,7 @@
     const line = (name, {energy, momentum, angular_momentum}) =>
       row([name, number(energy), momentum.map(number).join(', '), angular_momentum.map(number).join(', ')]);
     return table(`The books after ${live.shown(books.time, 6)} s: what each effect put in`,
-      ['', 'energy (J)', 'momentum x, y, z (kg m/s)', 'angular momentum x, y, z (kg m²/s)'],
+      ['from', 'energy (J)', 'momentum x, y, z (kg m/s)', 'angular momentum x, y, z (kg m²/s)'],
       [line('at the start', books.at_the_start), ...books.effects.map(effect => line(`+ ${effect.name}`, effect)),
         line('now', books.now), line('unexplained', books.unexplained)]);
   }

@@ -3,18 +3,24 @@
   const live = (globalThis.tumble_live ??= {figures: {}, modules: {}});
   const width = 116;
 
-  /** JSON in which a list or an object that is short enough keeps to one line, as in the scenes that come with the course. */
-  function laid_out(value, indent = '') {
-    if (value === null || typeof value !== 'object') return JSON.stringify(value);
-    const is_list = Array.isArray(value);
-    const entries = is_list ? value.map(entry => ['', entry]) : Object.entries(value).map(([key, entry]) => [`${JSON.stringify(key)}: `, entry]);
-    const [open, close] = is_list ? '[]' : '{}';
-    const pad = is_list || !entries.length ? '' : ' ';
-    const line = () => `${open}${pad}${entries.map(([key, entry]) => key + laid_out(entry)).join(', ')}${pad}${close}`;
-    const is_flat = indent !== '' && !entries.some(([, entry]) => entry !== null && typeof entry === 'object' && !Array.isArray(entry) && indent.length < 4);
-    if (!entries.length || (is_flat && indent.length + line().length <= width)) return line();
-    const deeper = `${indent}  `;
-    return `${open}\n${entries.map(([key, entry]) => `${deeper}${key}${laid_out(entry, deeper)}`).join(',\n')}\n${indent}${close}`;
+  const entries_of = value => (Array.isArray(value) ? value.map(entry => ['', entry])
+    : Object.entries(value).map(([key, entry]) => [`${JSON.stringify(key)}: `, entry]));
+
+  const is_leaf = value => value === null || typeof value !== 'object';
+
+  function in_one_line(value) {
+    if (is_leaf(value)) return JSON.stringify(value);
+    const inner = entries_of(value).map(([key, entry]) => key + in_one_line(entry)).join(', ');
+    return Array.isArray(value) ? `[${inner}]` : inner ? `{ ${inner} }` : '{}';
+  }
+
+  /** JSON in which what is short enough keeps to one line, but for the scene and its lists, as in the scenes of the course. */
+  function laid_out(value, indent = '', used = 0) {
+    const line = in_one_line(value);
+    if (is_leaf(value) || (indent !== '' && indent.length + used + line.length <= width)) return line;
+    const [open, close] = Array.isArray(value) ? '[]' : '{}', deeper = `${indent}  `;
+    const lines = entries_of(value).map(([key, entry]) => `${deeper}${key}${laid_out(entry, deeper, key.length)}`);
+    return lines.length ? `${open}\n${lines.join(',\n')}\n${indent}${close}` : line;
   }
 
   const text_of = scene => `${laid_out(scene)}\n`;
