@@ -6,7 +6,8 @@
 #   PROGRAM.values.tsv the numbers that the prose quotes, and any TABLE.tsv
 #   FIGURE.svg         what gnuplot drew from those tables
 #   COST.json          what Google Benchmark measured
-#   FIGURE.live.json   the first picture of a figure that one can touch, in numbers, and FIGURE.wasm, which computes the others
+#   FIGURE.live.json   the first picture of a figure that one can touch, in numbers; FIGURE.live.js draws it, and FIGURE.wasm
+#                      computes the others
 
 set(TUMBLE_RESULTS ${PROJECT_BINARY_DIR}/results)
 set(TUMBLE_QUIET ${PROJECT_BINARY_DIR}/quiet)
@@ -372,7 +373,8 @@ tumble_find_wasm_compiler()
 
 # tumble_compile_for_wasm(OBJECT SOURCE TARGET): SOURCE with the flags and the folders of TARGET, which runs here.
 function(tumble_compile_for_wasm object source target)
-  set(folders $<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>)
+  # The system's own folder comes with WebAssembly's headers in front, and would hide them here.
+  set(folders $<FILTER:$<TARGET_PROPERTY:${target},INCLUDE_DIRECTORIES>,EXCLUDE,^/usr/include$>)
   set(definitions $<TARGET_PROPERTY:tumble_common,INTERFACE_COMPILE_DEFINITIONS>)
   add_custom_command(OUTPUT ${object}
     COMMAND ${CMAKE_CXX_COMPILER_LAUNCHER} ${TUMBLE_WASM_COMPILER} ${TUMBLE_WASM_FLAGS} -Os -DNDEBUG -ffp-contract=off -fno-math-errno
@@ -381,9 +383,11 @@ function(tumble_compile_for_wasm object source target)
     DEPENDS ${source} DEPFILE ${object}.d COMMAND_EXPAND_LISTS COMMENT "Compiling ${object}" VERBATIM)
 endfunction()
 
-# tumble_add_live(CHAPTER NAME): the figure that NAME_live.cpp computes and NAME_live.js draws. It is compiled twice from the
-# same lines: as a program, whose numbers make the still picture, and as a module, whose numbers are equal to the bit.
+# tumble_add_live(CHAPTER NAME [AFTER SCRIPT...] [LINKS LIBRARY...]): the figure that NAME_live.cpp computes and NAME_live.js
+# draws, with the scripts before it. It is compiled twice from the same lines: as a program, whose numbers make the still
+# picture, and as a module, whose numbers are equal to the bit.
 function(tumble_add_live chapter name)
+  cmake_parse_arguments(its "" "" "AFTER;LINKS" ${ARGN})
   set(program live_${name})
   if(NOT TARGET live_program)
     add_library(live_program OBJECT ${PROJECT_SOURCE_DIR}/common/support/live/live_program.cpp)
@@ -391,7 +395,10 @@ function(tumble_add_live chapter name)
     target_precompile_headers(live_program REUSE_FROM tumble_program_headers)
   endif()
   add_executable(${program} ${name}_live.cpp)
-  target_link_libraries(${program} PRIVATE live_program tumble_${chapter})
+  if(TARGET tumble_${chapter})
+    list(PREPEND its_LINKS tumble_${chapter})
+  endif()
+  target_link_libraries(${program} PRIVATE live_program ${its_LINKS})
   target_precompile_headers(${program} REUSE_FROM tumble_program_headers)
   set_target_properties(${program} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/live)
   set(folder ${TUMBLE_RESULTS}/${chapter})
@@ -399,7 +406,13 @@ function(tumble_add_live chapter name)
     COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
     COMMAND $<TARGET_FILE:${program}> > ${folder}/${name}.live.json
     DEPENDS ${program} COMMENT "Computing the still picture of ${name}" VERBATIM)
-  set(made ${folder}/${name}.live.json)
+  list(TRANSFORM its_AFTER PREPEND ${CMAKE_CURRENT_SOURCE_DIR}/)
+  set(scripts ${its_AFTER} ${CMAKE_CURRENT_SOURCE_DIR}/${name}_live.js)
+  add_custom_command(OUTPUT ${folder}/${name}.live.js
+    COMMAND ${CMAKE_COMMAND} -E make_directory ${folder}
+    COMMAND ${CMAKE_COMMAND} -E cat ${scripts} > ${folder}/${name}.live.js
+    DEPENDS ${scripts} COMMENT "" VERBATIM)
+  set(made ${folder}/${name}.live.json ${folder}/${name}.live.js)
   if(TUMBLE_WASM_COMPILER)
     set(objects ${PROJECT_BINARY_DIR}/wasm)
     if(NOT TARGET live_module)
@@ -408,7 +421,8 @@ function(tumble_add_live chapter name)
     endif()
     tumble_compile_for_wasm(${objects}/${name}.o ${CMAKE_CURRENT_SOURCE_DIR}/${name}_live.cpp ${program})
     add_custom_command(OUTPUT ${folder}/${name}.wasm
-      COMMAND ${TUMBLE_WASM_COMPILER} --target=wasm32-wasi -mexec-model=reactor -Wl,--strip-all
+      COMMAND ${TUMBLE_WASM_COMPILER} --target=wasm32-wasi -mexec-model=reactor
+        -Wl,--strip-all,--stack-first,-z,stack-size=1048576
         ${objects}/${name}.o ${objects}/live_module.o -o ${folder}/${name}.wasm
       DEPENDS ${objects}/${name}.o live_module ${objects}/live_module.o COMMENT "Linking ${name} for WebAssembly" VERBATIM)
     list(APPEND made ${folder}/${name}.wasm)

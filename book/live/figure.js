@@ -1,6 +1,11 @@
 // Every <figure class="live"> of a page comes to life as soon as it comes near: its module and its drawing are loaded by
 // a script tag, since a page opened from a file may not fetch. The figure gets a property `live` with what a script may
-// want: values, set({knob: value}), seek(seconds), columns, and panels, each with its canvas.
+// want: values, texts, set({knob: value}), seek(seconds), columns, and panels, each with its canvas.
+//
+// What describes a figure may have, beside panels and knobs: attach(figure), which adds parts of its own to the page;
+// took(figure), after each run; refused(figure), where a run was not to be had; reset(figure), when a reader goes back to the
+// start; progress(figure, said), while a run goes on; and changed(figure, changes), which makes texts of changes that are
+// neither knobs nor texts.
 (() => {
   if (typeof document === 'undefined') return; // node draws stills only
   const live = globalThis.tumble_live, player = globalThis.tumble_player;
@@ -143,13 +148,15 @@
   class Figure {
     time = 0;
     drawn = [];
+    texts = {}; // those that differ from their start
     #in_sight = false;
 
-    constructor(element, name, module, run) {
-      Object.assign(this, {element, name, module, described: live.figures[name], run});
+    constructor(element, name, module, run, own_texts) {
+      Object.assign(this, {element, name, module, described: live.figures[name], run, own_texts});
       this.#make_panels();
       this.#make_controls();
       this.values = Object.fromEntries(this.knobs.map(({name: knob, start}) => [knob, start]));
+      this.described.attach?.(this);
       element.classList.add('ready');
       this.#watch_the_page();
       this.#take(run);
@@ -162,6 +169,10 @@
       return live.state_of(this.described, this.run, this.time, this.knobs.map(({name}) => this.values[name]));
     }
     get duration() { return this.described.duration?.(this.run) ?? 0; }
+
+    /** A text as it stands, and as it was at the start. */
+    text(name) { return this.texts[name] ?? this.start_of(name); }
+    start_of(name) { return this.own_texts[name] ?? this.run.texts[name]; }
 
     #make_panels() {
       this.panels = this.described.panels.map(panel => new Panel(panel, this));
@@ -199,11 +210,15 @@
       for (const knob of this.knobs)
         if (knob.name in changes) this.values[knob.name] = knob.clamped(Number(changes[knob.name]));
       if (changes.drawn) this.drawn = [...changes.drawn];
+      const written = this.described.changed?.(this, changes) ?? changes;
+      for (const name of Object.keys(this.run.texts)) if (name in written) this.texts[name] = written[name];
       return this.#rerun();
     }
 
     reset() {
       this.drawn = [];
+      this.texts = {};
+      this.described.reset?.(this);
       for (const panel of this.panels) Object.assign(panel.view, panel.first_view);
       this.time = 0;
       return this.set(Object.fromEntries(this.knobs.map(({name, start}) => [name, start])));
@@ -215,10 +230,15 @@
         while (this.is_stale) {
           this.is_stale = false;
           const has_time = frame_by_frame();
-          const run = await this.module.run(this.knobs.map(({name}) => this.values[name]), this.drawn,
-            async () => (await has_time()) && !this.is_stale);
+          const goes_on = async said => {
+            this.described.progress?.(this, said);
+            return (await has_time()) && !this.is_stale;
+          };
+          const run = await this.module.run(this.knobs.map(({name}) => this.values[name]), this.drawn, goes_on,
+            {...this.own_texts, ...this.texts});
           if (!run) continue; // a knob was turned meanwhile
-          if (run.refusal) this.finding.textContent = run.refusal;
+          this.refusal = run.refusal;
+          if (run.refusal) this.#refuse();
           else this.#take(run);
         }
         this.running = undefined;
@@ -226,12 +246,21 @@
       return this.running;
     }
 
+    #refuse() {
+      clearTimeout(this.telling);
+      this.finding.textContent = this.refusal;
+      this.described.refused?.(this);
+      this.element.dispatchEvent(new Event('told'));
+    }
+
     #take(run) {
+      if (run !== this.run) this.last_run = this.run;
       this.run = run;
       for (const knob of this.knobs) knob.show(this.values[knob.name]);
       this.time = Math.min(this.time, this.duration);
       this.draw();
-      const text = this.described.finding(this.state);
+      this.described.took?.(this);
+      const text = this.described.finding(this.state, this.last_run);
       clearTimeout(this.telling);
       // Who drags a knob is told where it stops.
       this.telling = setTimeout(() => {
@@ -288,6 +317,7 @@
       const given = new URLSearchParams();
       for (const {name, start} of this.knobs) if (this.values[name] !== start) given.set(name, String(this.values[name]));
       if (this.drawn.length) given.set('drawn', this.drawn.join(','));
+      for (const name of Object.keys(this.texts)) if (this.text(name) !== this.start_of(name)) given.set(name, this.text(name));
       return `${location.href.split('#')[0]}#${this.element.id}?${given}`;
     }
 
@@ -325,13 +355,20 @@
   function wake(element) {
     element.waking ??= (async () => {
       const name = element.dataset.live;
-      await new Promise((done, failed) => {
-        document.head.append(make('script', {src: element.dataset.script, onload: done, onerror: () => failed(new Error('no script'))}));
-      });
+      if (!live.modules[name])
+        await new Promise((done, failed) => {
+          document.head.append(make('script', {src: element.dataset.script, onload: done, onerror: () => failed(new Error('no script'))}));
+        });
       const module = await live.Module.from(bytes_of(live.modules[name]));
       delete live.modules[name];
-      element.live = new Figure(element, name, module, await module.run([], [], frame_by_frame()));
-      return element.live;
+      // A page of its own brings the texts that its figure begins with.
+      const own_texts = JSON.parse(element.querySelector('script.live-texts')?.textContent ?? '{}');
+      const run = await module.run([], [], frame_by_frame(), own_texts);
+      const sound = run.refusal ? await module.run([], [], frame_by_frame()) : run;
+      const figure = new Figure(element, name, module, sound, own_texts);
+      if (run.refusal) await figure.set({});
+      element.live = figure;
+      return figure;
     })();
     return element.waking;
   }
@@ -346,13 +383,18 @@
   async function follow_address() {
     const [, id, query] = /^#(live_\w+)\?(.*)$/.exec(location.hash) ?? [];
     const element = id && document.getElementById(id);
-    if (!element?.dataset.script) return;
+    if (element?.dataset.script === undefined) return;
     element.scrollIntoView({block: 'start'});
     await (await wake(element)).set(changes_of(query));
   }
 
   function start() {
     const figures = document.querySelectorAll('figure.live[data-script]');
+    if (typeof WebAssembly === 'undefined') {
+      for (const element of figures)
+        element.append(make('p', {className: 'live-absent', textContent: 'This figure is computed by WebAssembly, which this browser lacks.'}));
+      return;
+    }
     const near = new IntersectionObserver(entries => {
       for (const {isIntersecting, target} of entries)
         if (isIntersecting) {
@@ -364,7 +406,7 @@
     document.addEventListener('click', async event => {
       const link = event.target.closest('a.live-set');
       const element = link && document.getElementById(link.hash.slice(1));
-      if (!element?.dataset.script) return;
+      if (element?.dataset.script === undefined) return;
       event.preventDefault();
       element.scrollIntoView({block: 'nearest'});
       await (await wake(element)).set(changes_of(link.dataset.set));

@@ -4,12 +4,12 @@
 
   const superscripts = {'-': '⁻', 0: '⁰', 1: '¹', 2: '²', 3: '³', 4: '⁴', 5: '⁵', 6: '⁶', 7: '⁷', 8: '⁸', 9: '⁹'};
 
-  /** A number as a reader wants it, with `digits` that count: "0.0167", "3.2 × 10⁻⁶", "−4". */
-  function shown(value, digits = 3) {
+  /** A number as a reader wants it, with `digits` that count: "0.0167", "3.2 × 10⁻⁶", "−4"; as a power of ten from `large` on. */
+  function shown(value, digits = 3, large = 1e6) {
     if (Number.isNaN(value)) return 'not a number';
     if (!Number.isFinite(value)) return 'more than a number can hold';
     const size = Math.abs(value);
-    if (size !== 0 && (size < 1e-3 || size >= 1e6)) {
+    if (size !== 0 && (size < 1e-3 || size >= large)) {
       const [mantissa, power] = value.toExponential(digits - 1).split('e');
       const factor = Number(mantissa) === 1 ? '' : `${String(Number(mantissa)).replace('-', '−')} × `;
       return `${factor}10${[...String(Number(power))].map(c => superscripts[c]).join('')}`;
@@ -26,7 +26,7 @@
       const [first, last] = [Math.ceil(Math.log10(least) - 1e-9), Math.floor(Math.log10(most) + 1e-9)];
       const apart = Math.max(1, Math.ceil((last - first) / 6));
       return Array.from({length: Math.floor((last - first) / apart) + 1}, (_, n) => 10 ** (first + n * apart))
-        .map(value => [value, shown(value)]);
+        .map(value => [value, shown(value, 3, 1e4)]); // shorter than "10000"
     }
     const power = 10 ** Math.floor(Math.log10((most - least) / 4));
     const apart = [1, 2, 5, 10].map(factor => factor * power).find(step => (most - least) / step <= 6);

@@ -73,10 +73,10 @@
       `style="--width: ${columns * across}">${cells.join('')}</svg>`;
   }
 
-  /** What a figure draws from: the columns, the knobs' values by name, and the time shown, s. */
+  /** What a figure draws from: the columns, the words, the knobs' values by name, and the time shown, s. */
   function state_of(figure, run, time, values = undefined) {
     const by_name = Object.fromEntries(run.knobs.map(({name, start}, n) => [name, values?.[n] ?? start]));
-    return {columns: run.columns, units: run.units, values: by_name, time, figure};
+    return {columns: run.columns, units: run.units, said: run.said, values: by_name, time, figure};
   }
 
   Object.assign(live, {still_of, state_of});

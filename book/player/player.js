@@ -221,9 +221,9 @@
   function start() {
     for (const figure of document.querySelectorAll('figure.player')) figure.player = new Player(figure);
     // A page that is nothing but a player takes the recording's title.
-    const heading = document.querySelector('.player-page h1');
-    if (!heading) return;
-    const {title} = document.querySelector('figure.player').player.views[0].recording;
+    const heading = document.querySelector('.player-page h1'), only = document.querySelector('.player-page figure.player');
+    if (!only) return;
+    const {title} = only.player.views[0].recording;
     heading.textContent = document.title = title;
   }
 

@@ -219,10 +219,9 @@ export class Blocks {
   #live(page, argument) {
     const [reference, says] = this.#described(page, argument, 'live', 'name');
     const [chapter, name] = this.#of(page, reference);
-    const folder = this.#folder(chapter);
     const {html, script} = live_figure({
       name,
-      file: join(this.settings.source, folder, `${name}_live.js`),
+      file: join(this.settings.results, chapter, `${name}.live.js`),
       printed: this.results.text(chapter, name, '.live.json', 'live figure'),
       module: join(this.settings.results, chapter, `${name}.wasm`),
       says,

@@ -1,14 +1,16 @@
 /// @file
-/// A figure that a reader can touch is a function from knobs to columns of numbers. The same
-/// function makes the still picture, as a program, and the moving one, as a module of WebAssembly
-/// in the page.
+/// A figure that a reader can touch is a function from knobs, and texts where it has some, to
+/// columns of numbers. The same function makes the still picture, as a program, and the moving one,
+/// as a module of WebAssembly in the page.
 #pragma once
 
 #include <cmath>
 #include <deque>
+#include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <support/json_text.hpp>
 #include <tumble/require.hpp>
 #include <utility>
 #include <vector>
@@ -27,10 +29,13 @@ class Live {
     std::vector<double> values;
   };
 
+  using Texts = std::map<std::string, std::string, std::less<>>;  ///< by their names
+
   /// `set`: the knobs' values in the order in which they are asked for; where it ends, the others
-  /// stand at their start. `drawn`: what was drawn by hand, empty at the start.
-  explicit Live(std::vector<double> set = {}, std::vector<double> drawn = {})
-      : set_(std::move(set)), drawn_(std::move(drawn)) {}
+  /// stand at their start. `drawn`: what was drawn by hand, empty at the start. `written`: the
+  /// texts that differ from their start.
+  explicit Live(std::vector<double> set = {}, std::vector<double> drawn = {}, Texts written = {})
+      : set_(std::move(set)), drawn_(std::move(drawn)), written_(std::move(written)) {}
 
   /// The value of the next knob. Every run asks for the same knobs in the same order.
   /// @throws std::invalid_argument if it was set to less than `least` or more than `most`.
@@ -50,12 +55,22 @@ class Live {
     return static_cast<int>(value);
   }
 
+  /// A text that a reader may edit.
+  std::string text(const std::string& name, std::string_view start) {
+    const auto found = written_.find(name);
+    starts_.emplace(name, start);
+    return found == written_.end() ? std::string(start) : found->second;
+  }
+
   std::span<const double> drawn() const { return drawn_; }
 
   /// A new column, to be filled. It stays where it is while others are added.
   std::vector<double>& column(std::string_view name, std::string_view unit) {
     return columns_.emplace_back(Column{std::string(name), std::string(unit), {}}).values;
   }
+
+  /// Words that a page shows, or JSON that it draws from.
+  void say(const std::string& name, std::string words) { said_[name] = std::move(words); }
 
   /// Says that this run has done only a part of the work, so that a page has time for a picture.
   /// Whoever called run_live() calls it again with the same knobs, until a run says nothing. What
@@ -65,9 +80,12 @@ class Live {
 
   const std::vector<Knob>& knobs() const { return knobs_; }
   const std::deque<Column>& columns() const { return columns_; }
+  const Texts& starts() const { return starts_; }
+  const Texts& said() const { return said_; }
 
  private:
   std::vector<double> set_, drawn_;
+  Texts written_, starts_, said_;
   std::vector<Knob> knobs_;
   std::deque<Column> columns_;
   bool goes_on_ = false;
@@ -99,7 +117,17 @@ std::string as_json(const Live& live, const Numbers& with_numbers) {
     with_numbers(json, column);
     json.append("}");
   }
-  return json.append("]}");
+  const auto add_texts = [&json](const char* key, const Live::Texts& texts) {
+    json.append(key);
+    const char* comma = "";
+    for (const auto& [name, text] : texts) {
+      json.append(std::exchange(comma, ",")).append(json_text(name)).append(":");
+      json.append(json_text(text));
+    }
+  };
+  add_texts("],\"texts\":{", live.starts());
+  add_texts("},\"said\":{", live.said());
+  return json.append("}}");
 }
 
 }  // namespace tumble::support

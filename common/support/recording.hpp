@@ -4,11 +4,11 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
-#include <fstream>
+#include <cstdio>
 #include <initializer_list>
 #include <string>
 #include <string_view>
+#include <support/json_text.hpp>
 #include <tumble/require.hpp>
 #include <vector>
 
@@ -26,22 +26,6 @@ inline std::string json_numbers(std::string_view name, std::string_view unit,
     json += text_of(static_cast<float>(number));
   }
   return json;
-}
-
-/// A text in quotation marks.
-inline std::string json_text(std::string_view text) {
-  std::string json = "\"";
-  for (const char letter : text) {
-    if (letter == '"' || letter == '\\') json += '\\';
-    if (static_cast<unsigned char>(letter) < ' ') {
-      constexpr std::string_view digits = "0123456789abcdef";
-      json.append("\\u00").append(1, digits[static_cast<unsigned char>(letter) / 16]);
-      json += digits[static_cast<unsigned char>(letter) % 16];
-    } else {
-      json += letter;
-    }
-  }
-  return json + '"';
 }
 
 /// A solid to draw, centred as in chapter 3; lengths in m, in the model's axes.
@@ -182,11 +166,12 @@ class Recording {
   }
 
   /// @throws std::runtime_error if the file can't be written.
-  void write(const std::filesystem::path& file) const {
-    std::ofstream out(file);
-    out << json();
-    out.close();
-    if (!out) throw std::runtime_error("cannot write " + file.string());
+  void write(const std::string& file) const {
+    const std::string text = json();
+    std::FILE* out = std::fopen(file.c_str(), "wb");
+    const bool is_written = out && std::fwrite(text.data(), 1, text.size(), out) == text.size();
+    const bool is_closed = out && std::fclose(out) == 0;
+    if (!is_written || !is_closed) throw std::runtime_error("cannot write " + file);
   }
 
  private:

@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <concepts>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -12,9 +13,12 @@
 
 namespace tumble {
 
-/// The shortest text that reads back as exactly `value`.
+/// The shortest text that reads back as exactly `value`. What is no number is "nan": the sign that
+/// a processor gives it means nothing, and libraries write it each in a way of their own.
 template <class Real>
 std::string text_of(Real value) {
+  if constexpr (std::floating_point<Real>)
+    if (std::isnan(value)) return "nan";
   char buffer[64] = {};  // to_chars writes no closing zero
   std::to_chars(buffer, buffer + sizeof buffer - 1, value);
   return buffer;

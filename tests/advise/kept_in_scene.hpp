@@ -5,7 +5,7 @@
 #include <support/scene_rules.hpp>
 #include <tumble/exact/free_top.hpp>
 #include <tumble/exact/kepler.hpp>
-#include <tumble/scene/read_scene.hpp>
+#include <tumble/scene/read_scene_file.hpp>
 
 #include "kept.hpp"
 

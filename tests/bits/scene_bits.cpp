@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <tumble/in_packs.hpp>
-#include <tumble/scene/read_scene.hpp>
+#include <tumble/scene/read_scene_file.hpp>
 
 namespace {
 

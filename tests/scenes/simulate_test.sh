@@ -185,6 +185,22 @@ run t_handle --dt
 verify "an option without its value is refused" ends_with 2
 run t_handle coin
 verify "a second scene is refused" complains "one word too many: coin"
+run t_handle --live page.html --dt 0.01
+verify "--live changes nothing of the scene" complains "--live writes a page of the scene as its file has it and runs nothing; --dt can't go with it"
+verify "and ends as for a wrong command line" ends_with 2
+run rain --live page.html
+verify "nor does it write a page that nobody could wait for" complains "the scene has 100000 bodies; a page that runs it by itself draws at most 2000"
+verify "and ends with 2 as well" ends_with 2
+run t_handle --live page.html
+if ends_with 0; then
+  verify "a page with the engine holds the scene" grep -q 'class="live-texts">{"scene":"{.u000a  ."$schema.*"file":"t_handle.json"}' page.html
+  verify "and the engine" grep -q "tumble_live.modules.scene = 'AGFzbQ" page.html
+  rm page.html
+else
+  verify "without the engine it says what is missing" complains "the engine for pages was not built; that takes clang++ with Debian's packages"
+  verify "and ends with 3" ends_with 3
+fi
+verify "and leaves no page" test ! -e page.html
 mkdir folder
 for path in folder nowhere/file.csv /dev/null; do
   run t_handle --until 0.1 --csv $path
@@ -243,7 +259,7 @@ cp scene.json kept.json
 ln scene.json hard.json
 ln -s scene.json soft.json
 for path in scene.json ./scene.json hard.json soft.json "$PWD/scene.json"; do
-  for option in csv jsonl plot view books; do
+  for option in csv jsonl plot view live books; do
     run scene.json "--$option" "$path"
     verify "--$option $path does not overwrite the scene" complains "that is the scene itself"
     verify "and ends with 2" ends_with 2

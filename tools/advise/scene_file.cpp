@@ -6,7 +6,7 @@
 #include <optional>
 #include <support/scene_rules.hpp>
 #include <tumble/scene/number_range.hpp>
-#include <tumble/scene/read_scene.hpp>
+#include <tumble/scene/read_scene_file.hpp>
 
 namespace tumble::advise {
 namespace {

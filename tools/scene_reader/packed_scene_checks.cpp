@@ -2,7 +2,7 @@
 #include <support/random_world.hpp>
 #include <support/shipped_scenes.hpp>
 #include <tumble/in_packs.hpp>
-#include <tumble/scene/read_scene.hpp>
+#include <tumble/scene/read_scene_file.hpp>
 
 using namespace tumble;
 using namespace tumble::support;

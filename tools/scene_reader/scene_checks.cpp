@@ -5,7 +5,7 @@
 #include <support/shipped_scenes.hpp>
 #include <support/tumbling_problems.hpp>
 #include <tumble/scene/portable_random.hpp>
-#include <tumble/scene/read_scene.hpp>
+#include <tumble/scene/read_scene_file.hpp>
 
 using namespace tumble;
 using namespace tumble::support;

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <support/record.hpp>
 #include <support/shipped_scenes.hpp>
-#include <tumble/scene/read_scene.hpp>
+#include <tumble/scene/read_scene_file.hpp>
 
 using namespace tumble;
 

@@ -2,9 +2,9 @@
 /// The books as JSON, for programs: what the table prints with three digits, with all of them.
 #pragma once
 
+#include <nlohmann/json.hpp>
 #include <tumble/ledger.hpp>
-
-#include "trajectory.hpp"
+#include <tumble/scene/scene.hpp>
 
 namespace tumble::simulate {
 

@@ -4,7 +4,7 @@
 #include <support/complaint_of_step.hpp>
 #include <support/exhaustive.hpp>
 #include <support/scene_rules.hpp>
-#include <tumble/scene/read_scene.hpp>
+#include <tumble/scene/read_scene_file.hpp>
 
 #include "steps_until.hpp"
 
@@ -15,7 +15,7 @@ template <class Real>
 ExitCode check(const Options& options) {
   Scene<Real> scene =
       read_scene_file<Real, OneByOne<Real>, support::SceneRules>(options.scene, options.changes);
-  const std::int64_t steps = steps_until(scene, options);
+  const std::int64_t steps = steps_until(scene, options.until);
   World<Real>& planned = scene.world;
   planned.on_warning([](const std::string&) {});
   support::settle(planned);

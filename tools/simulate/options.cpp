@@ -41,6 +41,8 @@ scene file.
   --jsonl FILE        the same, an object of JSON in each line
   --plot FILE.svg     draw paths and energies
   --view FILE.html    write a page that replays the motion
+  --live FILE.html    write a page that holds the engine and the scene, so that one can
+                      change it, run it and replay it, and do nothing else
   --books FILE.json   write the books of energy and momentum with all digits
   --every N           record only every N-th step (and the first and last moment)
 
@@ -56,8 +58,8 @@ plus the number of the signal that ended it: 130 after Ctrl-C.
 )";
 
 const std::vector<std::string> options_with_value = {
-    "dt",   "until", "method", "scheme",  "precision", "csv", "jsonl",
-    "plot", "view",  "every",  "threads", "books",     "seed"};
+    "dt",   "until", "method", "scheme", "precision", "csv",   "jsonl",
+    "plot", "view",  "live",   "every",  "threads",   "books", "seed"};
 const std::vector<std::string> switches = {"plan", "check-plan", "no-ledger", "bill", "help"};
 
 double seconds(const std::string& option, const std::string& text) {
@@ -104,11 +106,8 @@ bool is_same_file(const std::filesystem::path& one, const std::filesystem::path&
 /// Throws if an output would go where the scene is, or where another one goes.
 void require_different_files(const Options& options) {
   const std::vector<std::pair<std::string, std::filesystem::path>> outputs = {
-      {"--csv", options.csv},
-      {"--jsonl", options.json_lines},
-      {"--plot", options.plot},
-      {"--view", options.view},
-      {"--books", options.books}};
+      {"--csv", options.csv},   {"--jsonl", options.json_lines}, {"--plot", options.plot},
+      {"--view", options.view}, {"--live", options.live},        {"--books", options.books}};
   for (auto one = outputs.begin(); one != outputs.end(); ++one) {
     const auto& [option, path] = *one;
     if (path.empty()) continue;
@@ -206,12 +205,19 @@ Options read(const cxxopts::ParseResult& given) {
   options.json_lines = path("jsonl");
   options.plot = path("plot");
   options.view = path("view");
+  options.live = path("live");
   options.books = path("books");
   if (options.check_plan)
-    for (const char* output : {"csv", "jsonl", "plot", "view", "books"})
+    for (const char* output : {"csv", "jsonl", "plot", "view", "live", "books"})
       if (given.count(output) > 0)
         throw UsageError("--check-plan compares two runs and writes no files; --" +
                          std::string(output) + " can't go with it");
+  if (!options.live.empty())
+    for (const cxxopts::KeyValue& other : given.arguments())
+      if (other.key() != "live" && other.key() != "scene")
+        throw UsageError(
+            "--live writes a page of the scene as its file has it and runs nothing; --" +
+            other.key() + " can't go with it");
   require_different_files(options);
   return options;
 }

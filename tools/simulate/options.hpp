@@ -5,9 +5,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <tumble/scene/scene.hpp>
+
+#include "usage_error.hpp"
 
 namespace tumble::simulate {
 
@@ -21,12 +22,6 @@ enum ExitCode {
   interrupted = 128  ///< plus the signal's number, as shells count; what was computed is kept
 };
 
-/// The command line is wrong.
-class UsageError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
 struct Options {
   std::filesystem::path scene;
   bool is_float = false;
@@ -36,7 +31,7 @@ struct Options {
   std::optional<double> until;  ///< s
   std::int64_t every = 1;       ///< steps between two records
   int threads = 1;
-  std::filesystem::path csv, json_lines, plot, view, books;  ///< empty if not asked for
+  std::filesystem::path csv, json_lines, plot, view, live, books;  ///< empty if not asked for
 };
 
 /// @return nothing if the help was printed and that was all.

@@ -154,7 +154,7 @@ template <class Real>
 ExitCode run(const Options& options) {
   using Keeping = InPacks<Real>;
   SceneInPacks<Real> scene = scene_of<Real>(options);
-  const std::int64_t steps = steps_until(scene, options);
+  const std::int64_t steps = steps_until(scene, options.until);
   scene.world.on_warning([](const std::string&) {});  // they stand below the plan
   if (options.only_plan) {
     print_scene(scene, options, steps);

@@ -8,8 +8,7 @@
 
 #include "check_plan.hpp"
 #include "interrupts.hpp"
-#include "options.hpp"
-#include "output_file.hpp"
+#include "live_page.hpp"
 
 namespace tumble::simulate {
 template <class Real>
@@ -31,6 +30,10 @@ int answer(int argument_count, char** arguments) {
     const std::optional<Options> options = read_options(argument_count, arguments);
     if (!options) return all_simulated;
     if (options->check_plan) return check_plan(*options);
+    if (!options->live.empty()) {
+      write_live_page(*options);
+      return all_simulated;
+    }
     return options->is_float ? run<float>(*options) : run<double>(*options);
   } catch (const UsageError& error) {
     return said(error.what(), bad_input);

@@ -4,7 +4,7 @@
 
 #include <support/scene_rules.hpp>
 #include <tumble/in_packs.hpp>
-#include <tumble/scene/read_scene.hpp>
+#include <tumble/scene/read_scene_file.hpp>
 
 #include "options.hpp"
 

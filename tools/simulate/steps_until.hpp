@@ -3,20 +3,23 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
+#include <tumble/scene/scene.hpp>
 
-#include "options.hpp"
+#include "usage_error.hpp"
 
 namespace tumble::simulate {
 
-/// The steps whose end comes nearest to the end of the simulation.
+/// The steps whose end comes nearest to the end of the simulation: `until` (s), or what the scene
+/// says.
 /// @throws UsageError if that is none.
 template <class Real, class Keeping>
-std::int64_t steps_until(const Scene<Real, Keeping>& scene, const Options& options) {
+std::int64_t steps_until(const Scene<Real, Keeping>& scene, std::optional<double> until = {}) {
   const double h = time_step_of<double>(scene.world.step_length());
-  const double duration = options.until.value_or(scene.duration);
+  const double duration = until.value_or(scene.duration);
   const std::int64_t steps = std::llround(duration / h);
   if (steps == 0)
-    throw UsageError((options.until ? "--until is " : "the scene lasts ") + text_of(duration) +
+    throw UsageError((until ? "--until is " : "the scene lasts ") + text_of(duration) +
                      " s; that is less than half a step of " + text_of(h) +
                      " s, and only whole steps are taken");
   return steps;

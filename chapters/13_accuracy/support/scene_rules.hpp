@@ -4,7 +4,6 @@
 
 #include <limits>
 #include <tumble/exact/free_top.hpp>
-#include <tumble/in_packs.hpp>
 #include <tumble/turning_rungs.hpp>
 
 namespace tumble::support {
@@ -27,6 +26,7 @@ using SceneRules = Longer<RungsOfWorlds, ExactSolution>::Type;
 }  // namespace tumble::support
 
 #ifdef TUMBLE_COMPILED_RULES
+#include <tumble/in_packs.hpp>
 namespace tumble {
 // They are compiled once, see support/scene_rules.
 extern template void support::SceneRules::choose(World<float>&, std::size_t);

@@ -1,6 +1,6 @@
-// A live figure as a program: NAME_live [VALUE,VALUE...] [DRAWN,DRAWN...] prints the knobs and all
-// columns as JSON. Its numbers are the shortest that are read back as the same bits; what is none
-// is null.
+// A live figure as a program: NAME_live [VALUE,VALUE...] [DRAWN,DRAWN...] [TEXT=WORDS...] prints
+// the knobs and all columns as JSON. Its numbers are the shortest that are read back as the same
+// bits; what is none is null.
 #include <cstdio>
 #include <cstdlib>
 #include <stdexcept>
@@ -26,9 +26,16 @@ int main(int argument_count, char** arguments) try {
   const auto given = [&](int n) {
     return n < argument_count ? numbers_of(arguments[n]) : std::vector<double>();
   };
+  support::Live::Texts written;
+  for (int n = 3; n < argument_count; ++n) {
+    const std::string_view argument = arguments[n];
+    const std::size_t end = argument.find('=');
+    if (end == argument.npos) throw std::invalid_argument("a text reads NAME=WORDS");
+    written[std::string(argument.substr(0, end))] = argument.substr(end + 1);
+  }
   support::Live live;
   do {
-    live = support::Live(given(1), given(2));
+    live = support::Live(given(1), given(2), written);
     support::run_live(live);
   } while (live.goes_on());
   const auto with_values = [](std::string& json, const support::Live::Column& column) {
@@ -39,7 +46,7 @@ int main(int argument_count, char** arguments) try {
     json.append("]");
   };
   std::puts(support::as_json(live, with_values).c_str());
-} catch (const std::invalid_argument& refusal) {
+} catch (const std::exception& refusal) {
   std::fprintf(stderr, "%s\n", refusal.what());
   return EXIT_FAILURE;
 }

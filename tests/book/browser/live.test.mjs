@@ -80,7 +80,8 @@ async function follow_sentences(page, figure, name) {
   assert.ok(await links.count() > 0, 'a sentence with a link');
   const findings = new Set([await told(figure)]);
   for (let n = 0; n < await links.count(); ++n) {
-    const wanted = [...new URLSearchParams(await links.nth(n).getAttribute('data-set'))].filter(([knob]) => knob !== 'drawn');
+    const knobs = await ask(figure, 'live.knobs.map(knob => knob.name)');
+    const wanted = [...new URLSearchParams(await links.nth(n).getAttribute('data-set'))].filter(([knob]) => knobs.includes(knob));
     await figure.evaluate(element => { element.has_told = new Promise(done => { element.addEventListener('told', done, {once: true}); }); });
     await links.nth(n).click();
     await figure.evaluate(element => element.has_told);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <optional>
+#include <tumble/explained.hpp>
 #include <tumble/require.hpp>
 #include <tumble/scene/keys.hpp>
 #include <tumble/scene/number_range.hpp>
@@ -48,11 +49,9 @@ class Value {
   /// Calls a function of the library and adds file and place to what it throws.
   template <class Action>
   auto guarded(const Action& action) const {
-    try {
-      return action();
-    } catch (const std::invalid_argument& error) {
-      fail(std::string("is refused: ") + error.what());
-    }
+    return explained(action, [this](const std::invalid_argument& refusal) {
+      fail(std::string("is refused: ") + refusal.what());
+    });
   }
 
   Value at(std::size_t index) const {

@@ -132,6 +132,10 @@ void read_spring_between(const Object& object, Scene<Real, Keeping>& scene) {
   object.value().guarded([&] {
     return scene.world.add(effect, {first.bodies[0], second.bodies[0]});
   });
+  const auto end = [&](std::string_view key, const Targets& targets) {
+    return drawn_end(object, key, scene.models[targets.model].model_in_body, targets.indices[0]);
+  };
+  scene.springs.push_back({end("attachment_first", first), end("attachment_second", second)});
 }
 
 template <class Real, class Keeping>

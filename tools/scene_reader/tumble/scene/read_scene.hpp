@@ -2,9 +2,6 @@
 /// From the text of a scene file to a world.
 #pragma once
 
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <span>
 #include <string>
 #include <tumble/scene/scene.hpp>
@@ -29,18 +26,6 @@ Scene<Real, Keeping> read_scene(std::string_view text, const std::string& file,
       read_scene_text<Real, Keeping>(text, file, changes, turning_method_words<Rules>());
   if (scene.turning_method) Rules::choose(scene.world, *scene.turning_method);
   return scene;
-}
-
-/// The scene in a file.
-/// @throws SceneError as read_scene() does, and if the file can't be read.
-template <class Real, class Keeping = OneByOne<Real>, class Rules = FirstTurningRules>
-Scene<Real, Keeping> read_scene_file(const std::filesystem::path& path,
-                                     const SceneChanges& changes = {}) {
-  std::ifstream in(path, std::ios::binary);
-  if (!in || std::filesystem::is_directory(path))
-    throw SceneError(path.string(), "", "there is no such file, or it can't be read");
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
-  return read_scene<Real, Keeping, Rules>(text, path.filename().string(), changes);
 }
 
 #ifdef TUMBLE_COMPILED_SCENES
