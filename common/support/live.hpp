@@ -4,9 +4,9 @@
 /// as a module of WebAssembly in the page.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
@@ -29,12 +29,11 @@ class Live {
     std::vector<double> values;
   };
 
-  using Texts = std::map<std::string, std::string, std::less<>>;  ///< by their names
-
   /// `set`: the knobs' values in the order in which they are asked for; where it ends, the others
   /// stand at their start. `drawn`: what was drawn by hand, empty at the start. `written`: the
-  /// texts that differ from their start.
-  explicit Live(std::vector<double> set = {}, std::vector<double> drawn = {}, Texts written = {})
+  /// texts that differ from their start, each as_written().
+  explicit Live(std::vector<double> set = {}, std::vector<double> drawn = {},
+                std::string written = {})
       : set_(std::move(set)), drawn_(std::move(drawn)), written_(std::move(written)) {}
 
   /// The value of the next knob. Every run asks for the same knobs in the same order.
@@ -55,11 +54,30 @@ class Live {
     return static_cast<int>(value);
   }
 
+  /// A text with its name: name, zero, count of bytes, zero, bytes.
+  static std::string as_written(const std::string& name, const std::string& text) {
+    return name + '\0' + std::to_string(text.size()) + '\0' + text;
+  }
+
   /// A text that a reader may edit.
-  std::string text(const std::string& name, std::string_view start) {
-    const auto found = written_.find(name);
-    starts_.emplace(name, start);
-    return found == written_.end() ? std::string(start) : found->second;
+  std::string text(std::string_view name, std::string_view start) {
+    add_text(starts_, name, start);
+    std::string_view rest = written_;
+    const auto take = [&rest](std::size_t count) {
+      const std::string_view front = rest.substr(0, count);
+      rest.remove_prefix(std::min(rest.size(), count));
+      return front;
+    };
+    while (!rest.empty()) {
+      const std::string_view its_name = take(rest.find('\0')), zero = take(1),
+                             length = take(rest.find('\0'));
+      take(zero.size());
+      std::size_t bytes = 0;
+      std::from_chars(length.data(), length.data() + length.size(), bytes);
+      const std::string_view its_text = take(bytes);
+      if (its_name == name) return std::string(its_text);
+    }
+    return std::string(start);
   }
 
   std::span<const double> drawn() const { return drawn_; }
@@ -70,7 +88,7 @@ class Live {
   }
 
   /// Words that a page shows, or JSON that it draws from.
-  void say(const std::string& name, std::string words) { said_[name] = std::move(words); }
+  void say(std::string_view name, std::string_view words) { add_text(said_, name, words); }
 
   /// Says that this run has done only a part of the work, so that a page has time for a picture.
   /// Whoever called run_live() calls it again with the same knobs, until a run says nothing. What
@@ -80,12 +98,19 @@ class Live {
 
   const std::vector<Knob>& knobs() const { return knobs_; }
   const std::deque<Column>& columns() const { return columns_; }
-  const Texts& starts() const { return starts_; }
-  const Texts& said() const { return said_; }
+
+  /// The texts at their start, and the words: what stands between the braces of a JSON object.
+  const std::string& starts() const { return starts_; }
+  const std::string& said() const { return said_; }
 
  private:
+  static void add_text(std::string& json, std::string_view name, std::string_view text) {
+    json.append(json.empty() ? "" : ",").append(json_text(name)).append(":");
+    json.append(json_text(text));
+  }
+
   std::vector<double> set_, drawn_;
-  Texts written_, starts_, said_;
+  std::string written_, starts_, said_;
   std::vector<Knob> knobs_;
   std::deque<Column> columns_;
   bool goes_on_ = false;
@@ -117,17 +142,8 @@ std::string as_json(const Live& live, const Numbers& with_numbers) {
     with_numbers(json, column);
     json.append("}");
   }
-  const auto add_texts = [&json](const char* key, const Live::Texts& texts) {
-    json.append(key);
-    const char* comma = "";
-    for (const auto& [name, text] : texts) {
-      json.append(std::exchange(comma, ",")).append(json_text(name)).append(":");
-      json.append(json_text(text));
-    }
-  };
-  add_texts("],\"texts\":{", live.starts());
-  add_texts("},\"said\":{", live.said());
-  return json.append("}}");
+  json.append("],\"texts\":{").append(live.starts());
+  return json.append("},\"said\":{").append(live.said()).append("}}");
 }
 
 }  // namespace tumble::support

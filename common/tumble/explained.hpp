@@ -10,24 +10,29 @@
 namespace tumble {
 
 #ifdef __wasi__
-/// WASI's C++ library can't catch. There, whatever stands in for throwing calls tell() before it
-/// ends the program, and the innermost of those who wait explains the refusal by another.
+/// WASI's C++ library can't catch. There, whatever stands in for throwing calls this before it ends
+/// the program, so that those who wait can explain a refusal by another; null where nobody waits.
+inline void (*tell_of_throw)(const std::exception& thrown) = nullptr;
+
+/// One who waits. The innermost is asked first.
 class Explaining {
  public:
   explicit Explaining(std::function<void(const std::invalid_argument&)> explain)
-      : explain_(std::move(explain)), outer_(std::exchange(innermost_, this)) {}
+      : explain_(std::move(explain)), outer_(std::exchange(innermost_, this)) {
+    tell_of_throw = ask_innermost;
+  }
   Explaining(const Explaining&) = delete;
   Explaining& operator=(const Explaining&) = delete;
   ~Explaining() { innermost_ = outer_; }
 
-  static void tell(const std::exception& thrown) {
+ private:
+  static void ask_innermost(const std::exception& thrown) {
     const auto* refusal = dynamic_cast<const std::invalid_argument*>(&thrown);
     if (!refusal || !innermost_) return;
     const Explaining* asked = std::exchange(innermost_, innermost_->outer_);
     asked->explain_(*refusal);
   }
 
- private:
   std::function<void(const std::invalid_argument&)> explain_;
   Explaining* outer_;
   static inline Explaining* innermost_ = nullptr;

@@ -22,25 +22,6 @@ double* resized(std::vector<double>& numbers, int count) {
   return numbers.data();
 }
 
-/// The texts by their names. Of each: its name, a zero, how many bytes it has, a zero, its bytes.
-Live::Texts written() {
-  Live::Texts by_name;
-  std::string_view rest = texts;
-  const auto take = [&rest](std::size_t count) {
-    const std::string_view front = rest.substr(0, count);
-    rest.remove_prefix(front.size());
-    return std::string(front);
-  };
-  while (!rest.empty()) {
-    const std::string name = take(rest.find('\0'));
-    take(1);
-    const std::string length = take(rest.find('\0'));
-    take(1);
-    by_name[name] = take(std::strtoul(length.c_str(), nullptr, 10));
-  }
-  return by_name;
-}
-
 }  // namespace
 
 extern "C" {
@@ -60,7 +41,7 @@ extern "C" {
 
 [[clang::export_name("live_run")]] const char* live_run() {
   answer.clear();
-  live = Live(knobs, drawn, written());
+  live = Live(knobs, drawn, texts);
   tumble::support::run_live(live);
   const auto with_place = [](std::string& json, const Live::Column& column) {
     const auto at = reinterpret_cast<std::uintptr_t>(column.values.data());
@@ -84,7 +65,7 @@ void* __cxa_allocate_exception(std::size_t size) noexcept {
 
 [[noreturn]] void __cxa_throw(void* thrown, std::type_info*, void (*)(void*)) {
   const auto& exception = *static_cast<std::exception*>(thrown);
-  tumble::Explaining::tell(exception);
+  if (tumble::tell_of_throw) tumble::tell_of_throw(exception);
   answer = exception.what();
   __builtin_trap();
 }

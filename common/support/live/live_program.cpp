@@ -26,12 +26,12 @@ int main(int argument_count, char** arguments) try {
   const auto given = [&](int n) {
     return n < argument_count ? numbers_of(arguments[n]) : std::vector<double>();
   };
-  support::Live::Texts written;
+  std::string written;
   for (int n = 3; n < argument_count; ++n) {
-    const std::string_view argument = arguments[n];
+    const std::string argument = arguments[n];
     const std::size_t end = argument.find('=');
     if (end == argument.npos) throw std::invalid_argument("a text reads NAME=WORDS");
-    written[std::string(argument.substr(0, end))] = argument.substr(end + 1);
+    written += support::Live::as_written(argument.substr(0, end), argument.substr(end + 1));
   }
   support::Live live;
   do {
