@@ -162,13 +162,16 @@ class Responses {
 /// among all bodies, is added to the pull: of a sum of two symmetric matrices no eigenvalue exceeds
 /// the sum of the largest.
 ///
-/// So are the turning stiffness K and the turning damping C of an effect, a controller say, as
-/// h² K + 2 h C. The step is linear in the turn about each axis as it is in a place, with the
-/// inverse moments for the inverse mass; with λ for the factor of a step it leads to
-/// λ² + (h² k + h c − 2) λ + 1 − h c = 0, where k and c are K and C along the motion in these
-/// units. Neither root is larger than 1 as long as h² k + 2 h c < 4, and where it is 4 one of them
-/// is −1. An effect that answers the turn of one body relative to another has K in both, and −K
-/// between: in no motion does that pull harder than 2 K in each alone.
+/// So are the turning stiffness K and the turning damping C of an effect, a controller say: h²
+/// times the largest eigenvalue of K in these units, and 2 h times that of C. An effect that
+/// answers the turn of one body relative to another has K in both, and −K between. In no motion
+/// does that pull harder than 2 K in each alone.
+///
+/// None of this asks that stiffness and damping share their axes. Take all coordinates in units of
+/// the root of the inverse inertia. Let d be their change in a step, d' that in the step before and
+/// m the mean of where the step begins and ends. Then V = d·S d + m·h² K m, where S = 1 − h² K/4 −
+/// h C/2, falls in each step by (d + d')·h C (d + d')/2. It is a sum of squares as long as h² K +
+/// 2 h C < 4, and so nothing grows. Where that is 4 along a motion, a step multiplies it by −1.
 ///
 /// Where stiffness and damping are in the same proportion everywhere, this is h² times the same of
 /// k, plus 2 h times that of c. Elsewhere it is more. In a step t < 1 times as long each s is at
