@@ -348,12 +348,11 @@ TEST_CASE(
   world.add(Silent{}, {body});
   world.add(Finder{});
   REQUIRE(world.plan().unknown.size() == 2);
-  CHECK(world.plan().unknown[0] == "'silent' reads position and does not say how it answers them");
+  CHECK(world.plan().unknown[0] == "'silent' reads position, and has no response()");
   CHECK(world.plan().unknown[1] ==
-        "'finder' reads position, velocity, orientation, spin and does not say how it answers "
-        "them");
+        "'finder' reads position, velocity, orientation, spin, of pairs that it finds itself");
   CHECK(table_of(world.plan())
-            .find("\nlimit of the step unknown: 'silent' reads position and does not say") !=
+            .find("\nlimit of the step unknown: 'silent' reads position, and has no response()\n") !=
         std::string::npos);
   CHECK(world.warnings().empty());
 }

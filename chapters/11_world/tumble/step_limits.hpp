@@ -200,9 +200,9 @@ std::vector<std::string> unknown_limits(const Work<Real>& work) {
   for (const Entry<Real>& entry : work.effects)
     if (const EffectTraits<Real>& traits = entry.effect->traits();
         traits.may_feed_back && entry.visits.size() > 0)
-      sentences.push_back("'" + traits.name + "' reads " +
-                          text_of(traits.reads & quantity::of_motion) +
-                          " and does not say how it answers them");
+      sentences.push_back(
+          "'" + traits.name + "' reads " + text_of(traits.reads & quantity::of_motion) +
+          (traits.finds_pairs ? ", of pairs that it finds itself" : ", and has no response()"));
   return sentences;
 }
 //! [unknown_limits]
