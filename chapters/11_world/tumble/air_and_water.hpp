@@ -30,6 +30,8 @@ struct LinearDamping {
     damp(centre, fraction);
     return centre.velocity;
   }
+  /// No fraction e^(−k h) is more than 1, however long the step.
+  NoResponse response(const BodyState<Real>&) const { return {}; }
   template <class Wide>
   LinearDamping<Wide> widened() const {
     return {rate, fraction};
@@ -57,6 +59,8 @@ struct AngularDamping {
     damp(top, fraction);
     return top.angular_momentum_body;
   }
+  /// No fraction e^(−k h) is more than 1, however long the step.
+  NoResponse response(const BodyState<Real>&) const { return {}; }
   template <class Wide>
   AngularDamping<Wide> widened() const {
     return {rate, fraction};

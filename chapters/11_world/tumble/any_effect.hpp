@@ -21,7 +21,8 @@ struct EffectTraits {
   bool stores_energy = false;
   bool replaces = false;          ///< what it writes takes the place of what there was
   bool finds_pairs = false;       ///< it finds the pairs that it joins itself, in each step
-  bool has_response = false;      ///< it can limit the time step
+  bool has_response = false;      ///< it says how it limits the time step
+  bool may_feed_back = false;     ///< it reads how a body moves, and does not say what follows
   bool depends_on_speed = false;  ///< what it gives depends on a velocity or a spin
   bool joins_two() const { return sees == Sees::pair; }
   bool visits_tops() const { return sees == Sees::top; }
@@ -82,11 +83,25 @@ constexpr Quantities reads_of() {
   }
 }
 
+/// What the effect's response() returns, for a body or for two; void if it has none.
+template <class Real, class Effect>
+auto response_type_of(const Effect& effect, const BodyState<Real>& body) {
+  if constexpr (requires { effect.response(body); })
+    return effect.response(body);
+  else if constexpr (requires { effect.response(body, body); })
+    return effect.response(body, body);
+}
+
 /// @cond the base class says what it does
 /// AnyEffect for one type of effect.
 template <class Real, class Effect>
 class EffectOf : public AnyEffect<Real> {
   static constexpr Form form = form_of<Effect, Real>();
+  using Answer = decltype(response_type_of<Real, Effect>(std::declval<const Effect&>(),
+                                                         std::declval<const BodyState<Real>&>()));
+  static_assert(std::is_void_v<Answer> || std::is_same_v<Answer, Response<Real>> ||
+                    std::is_same_v<Answer, NoResponse>,
+                "response() returns a Response or, of what can't feed on itself, NoResponse");
   static_assert(form.count == 1, "an effect has exactly one function, see effect.hpp");
   static_assert(ActsInItsPhase<Effect, Real>,
                 "a force or a torque acts in the phase force and a blow in the phase impulse, "
@@ -138,12 +153,12 @@ class EffectOf : public AnyEffect<Real> {
 
   Response<Real> response([[maybe_unused]] const BodyState<Real>& first,
                           [[maybe_unused]] const BodyState<Real>& second) const override {
-    if constexpr (requires { effect_.response(first); })
-      return effect_.response(first);
-    else if constexpr (requires { effect_.response(first, second); })
-      return effect_.response(first, second);
-    else
+    if constexpr (!std::is_same_v<Answer, Response<Real>>)
       return {};
+    else if constexpr (requires { effect_.response(first); })
+      return effect_.response(first);
+    else
+      return effect_.response(first, second);
   }
 
  private:
@@ -177,12 +192,9 @@ class EffectOf : public AnyEffect<Real> {
     };
     traits.stores_energy = of_one || of_two;
     traits.finds_pairs = FindsPairs<Effect, Real>;
-    traits.has_response = requires(const BodyState<Real>& body) {
-      effect.response(body);
-    }
-    || requires(const BodyState<Real>& body) {
-      effect.response(body, body);
-    };
+    traits.has_response = std::is_same_v<Answer, Response<Real>> && !traits.finds_pairs;
+    traits.may_feed_back = !traits.has_response && !std::is_same_v<Answer, NoResponse> &&
+                           traits.reads.has_any(quantity::of_motion);
     traits.depends_on_speed = traits.reads.has_any(quantity::velocity | quantity::spin);
     if constexpr (requires { effect.depends_on_speed(); })
       traits.depends_on_speed = effect.depends_on_speed();

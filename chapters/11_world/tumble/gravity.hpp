@@ -76,6 +76,14 @@ struct PointGravity {
     const Real distance = r.norm();
     return -(mass_of(body) * (strength / distance / distance)) * (r / distance);
   }
+  /// A small step aside turns the force by its angle, so it meets the stiffness G M m/|r|³: with
+  /// it, a circular orbit has the angular frequency of its revolutions. Along r the force drives.
+  /// At the point itself a step stops anyway.
+  Response<Real> response(const BodyState<Real>& body) const {
+    const Real distance = (body.centre.position - centre).norm();
+    if (distance == 0) return {};
+    return {.stiffness = mass_of(body.centre) * (strength / distance / distance / distance)};
+  }
   template <class Wide>
   PointGravity<Wide> widened() const {
     return {strength, centre.template cast<Wide>()};

@@ -1,11 +1,13 @@
 /// @file
-/// How a body yields where a force holds it, and what a held force does to its turning.
+/// How a body yields where a force holds it, and what resists its turning.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+#include <tumble/bodies.hpp>
 #include <tumble/principal_axes.hpp>
 #include <tumble/rigid_body.hpp>
+#include <vector>
 
 namespace tumble {
 
@@ -57,18 +59,53 @@ Mat3<Real> turning_stiffness(const Vec3<Real>& arm, const Vec3<Same<Real>>& forc
 }
 //! [turning_stiffness]
 
-/// The largest square of an angular frequency, (rad/s)², with which a stiffness against turns
-/// (N m/rad, body axes) lets the body oscillate; 0 if it resists no turn.
+/// The largest eigenvalue of √J K √J, where J holds the inverse moments; 0 if K resists no turn.
 ///
-/// That is the largest eigenvalue of √J K √J, where J holds the inverse moments.
+/// Of a stiffness against turns (N m/rad, body axes) that is the largest square of an angular
+/// frequency with which it lets the body oscillate, (rad/s)²; of a damping (N m s/rad), the largest
+/// rate at which a spin fades, 1/s.
+//! [largest_turning_strength]
 template <class Real>
-Real largest_turning_rate_squared(const RigidBody<Real>& body, const Mat3<Same<Real>>& stiffness) {
+Real largest_turning_strength(const RigidBody<Real>& body, const Mat3<Same<Real>>& K) {
   const Vec3<Real>& J = body.top.inverse_moments;
   Mat3<Real> scaled;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j) scaled(i, j) = std::sqrt(J[i]) * stiffness(i, j) * std::sqrt(J[j]);
+    for (int j = 0; j < 3; ++j) scaled(i, j) = std::sqrt(J[i]) * K(i, j) * std::sqrt(J[j]);
   if (!is_finite(scaled)) return std::numeric_limits<Real>::infinity();
   return std::max(Real(0), principal_axes<Real>(scaled).moments.z());
 }
+//! [largest_turning_strength]
+
+/// What resists the turns of each body, and which of the holds has the most part in it.
+template <class Real>
+struct HeldTurns {
+  struct Sum {
+    Mat3<Real> strength = Mat3<Real>::Zero();  ///< body axes
+    Real most = 0;                             ///< the largest part that a hold has in it
+    std::size_t hold = 0;                      ///< which has it
+  };
+  std::vector<Sum> sums;  ///< by body; no more than up to the last that is held
+  Real largest = 0;       ///< see largest_turning_strength(), of all bodies
+  std::size_t hold = 0;   ///< which has the most part in that
+
+  /// A hold gives this to a body. `part` is how large that is.
+  void add(BodyIndex body, const Mat3<Real>& strength, Real part, std::size_t of_hold) {
+    if (part == 0) return;
+    if (sums.size() <= body) sums.resize(body + 1);
+    Sum& sum = sums[body];
+    sum.strength += strength;
+    if (!(part <= sum.most)) sum.most = part, sum.hold = of_hold;
+  }
+
+  /// Once all has been added. `roster` has the bodies.
+  template <class Roster>
+  void find_largest(const Roster& roster) {
+    for (BodyIndex body = 0; body < sums.size(); ++body) {
+      if (sums[body].most == 0) continue;
+      const Real found = largest_turning_strength<Real>(roster.body(body), sums[body].strength);
+      if (found > largest) largest = found, hold = sums[body].hold;
+    }
+  }
+};
 
 }  // namespace tumble

@@ -31,6 +31,7 @@ struct Plan {
   std::vector<PlanRow> rows;
   Accuracy accuracy;
   std::vector<std::string> warnings;  ///< what may go wrong, such as a step too long for a spring
+  std::vector<std::string> unknown;   ///< which effects don't say how they limit the step
   /// The lines of those that visit somebody.
   std::size_t passes() const {
     return static_cast<std::size_t>(
@@ -173,6 +174,8 @@ inline std::string table_of(const Plan& plan) {
     text.append(line).append("\n");
   }
   text.append(text_of(plan.accuracy)).append("\n");
+  for (const std::string& what : plan.unknown)
+    text.append("limit of the step unknown: ").append(what) += '\n';
   for (const std::string& warning : plan.warnings) text.append("warning: ").append(warning) += '\n';
   return text;
 }

@@ -16,6 +16,7 @@ struct Quantities {
   constexpr bool has(Quantities other) const { return (bits & other.bits) == other.bits; }
   constexpr bool has_any(Quantities other) const { return (bits & other.bits) != 0; }
   friend constexpr Quantities operator|(Quantities a, Quantities b) { return {a.bits | b.bits}; }
+  friend constexpr Quantities operator&(Quantities a, Quantities b) { return {a.bits & b.bits}; }
   friend constexpr bool operator==(Quantities, Quantities) = default;
 };
 
@@ -26,6 +27,8 @@ inline constexpr Quantities none{0}, time{1}, mass{2}, position{4}, velocity{8},
 inline constexpr Quantities of_centre = time | mass | position | velocity;
 inline constexpr Quantities of_top = time | orientation | spin;
 inline constexpr Quantities of_body = of_centre | of_top;
+// Where a body is, which way it faces, and how fast it moves and turns.
+inline constexpr Quantities of_motion = position | velocity | orientation | spin;
 }  // namespace quantity
 //! [quantities]
 

@@ -1,5 +1,5 @@
 /// @file
-/// Up to which time step springs, dampers and drag can't feed on themselves.
+/// Up to which time step springs, dampers, drag and controllers can't feed on themselves.
 #pragma once
 
 #include <limits>
@@ -31,7 +31,7 @@ class Responses {
       : body_count_(roster.size()) {
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const EffectTraits<Real>& traits = entries[i].effect->traits();
-      if (!traits.has_response || traits.finds_pairs) continue;
+      if (!traits.has_response) continue;
       std::vector<BodyIndex> bodies;
       if (entries[i].everyone)
         for (BodyIndex body = 0; body < body_count_; ++body) bodies.push_back(body);
@@ -42,19 +42,18 @@ class Responses {
                               second = roster.body(bodies[k + stride - 1]);
         const Response<Real> response =
             entries[i].effect->response({first.centre, first.top}, {second.centre, second.top});
-        if (response.stiffness == 0 && response.damping == 0) continue;
+        if (response.stiffness == 0 && response.damping == 0 &&
+            response.turning_stiffness == Mat3<Real>::Zero() &&
+            response.turning_damping == Mat3<Real>::Zero())
+          continue;
         holds_.push_back({i, bodies[k], stride});
-        hold(first, bodies[k], response, response.arm_first, response.force);
+        const auto ends = static_cast<Real>(stride);
+        hold(first, bodies[k], response, response.arm_first, response.force, ends);
         if (stride == 2)
-          hold(second, bodies[k + 1], response, response.arm_second, -response.force);
+          hold(second, bodies[k + 1], response, response.arm_second, -response.force, ends);
       }
     }
-    for (BodyIndex body = 0; body < turnings_.size(); ++body) {
-      const Turning& turning = turnings_[body];
-      if (turning.most == 0) continue;
-      const Real rate = largest_turning_rate_squared<Real>(roster.body(body), turning.stiffness);
-      if (rate > turning_) turning_ = rate, turning_hold_ = turning.hold;
-    }
+    for (HeldTurns<Real>* turnings : {&stiff_, &damped_}) turnings->find_largest(roster);
   }
 
   /// See step_limit(). @return that of semi-implicit Euler
@@ -64,26 +63,27 @@ class Responses {
     const Real most = std::numeric_limits<Real>::max();  // in place of infinite and NaN
     const auto bounded = [most](Real value) { return value <= most ? value : most; };
     for (std::size_t i = 0; i < holds_.size(); ++i) {
-      const Real largest =
-          largest_stable_time_step<Real>(bounded(stiffness[i] + turning_), bounded(damping[i]), 1);
+      const Real largest = largest_stable_time_step<Real>(bounded(stiffness[i] + stiff_.largest),
+                                                          bounded(damping[i] + damped_.largest), 1);
       if (largest < limit.time_step) limit = limited_by(holds_[i], largest);
     }
     if (!std::isfinite(limit.time_step)) return limit;
     const Real h = limit.time_step;
-    if (is_damped_) {
+    if (is_damped()) {
       const std::vector<Real> together = rows(h, h, 2 * h);
       std::size_t hardest = 0;
       for (std::size_t i = 1; i < together.size(); ++i)
         if (together[i] > together[hardest]) hardest = i;
-      const Real pull = together[hardest] + h * turning_ * h;
+      const Real pull = together[hardest] + turning_pull(h);
       if (pull > 4 * (1 + 64 * std::numeric_limits<Real>::epsilon()))  // by more than rounding
         limit = limited_by(holds_[hardest], h * 4 / pull);
     }
-    const bool turns_most = limit.time_step * turning_ * limit.time_step > 2;
-    return turns_most ? limited_by(holds_[turning_hold_], limit.time_step) : limit;
+    if (!(turning_pull(limit.time_step) > 2)) return limit;
+    const bool is_stiff = limit.time_step * stiff_.largest > 2 * damped_.largest;
+    return limited_by(holds_[is_stiff ? stiff_.hold : damped_.hold], limit.time_step);
   }
 
-  bool is_damped() const { return is_damped_; }
+  bool is_damped() const { return is_damped_ || damped_.largest != 0; }
 
  private:
   struct End {
@@ -95,30 +95,31 @@ class Responses {
     BodyIndex body;
     std::size_t end_count;  // one or two
   };
-  struct Turning {
-    Mat3<Real> stiffness = Mat3<Real>::Zero();  // N m/rad, body axes
-    Real most = 0;                              // the largest part that a hold has in it, N m
-    std::size_t hold = 0;                       // which has it
-  };
-
   static StepLimit<Real> limited_by(const Hold& hold, Real time_step) {
     return {time_step, hold.entry, hold.body};
   }
 
+  /// `ends`: one, or two of a hold that joins two.
   void hold(const RigidBody<Real>& body, BodyIndex index, const Response<Real>& response,
-            const Vec3<Real>& arm, const Vec3<Real>& force) {
+            const Vec3<Real>& arm, const Vec3<Real>& force, Real ends) {
     const Vec3<Real> arm_body = rotate_back<Real>(body.top.orientation, arm),
                      force_body = rotate_back<Real>(body.top.orientation, force);
-    ends_.push_back({response.stiffness, response.damping,
-                     largest_inverse_mass_at<Real>(body, arm_body), index});
-    is_damped_ |= response.damping != 0;
-    const Real part = arm.norm() * force.norm();
-    if (part == 0) return;
-    turnings_.resize(body_count_);
-    Turning& turning = turnings_[index];
-    turning.stiffness += turning_stiffness<Real>(arm_body, force_body);
-    if (!(part <= turning.most)) turning.most = part, turning.hold = holds_.size() - 1;
+    const Real inverse_mass = largest_inverse_mass_at<Real>(body, arm_body);
+    const bool yields = inverse_mass != 0;
+    ends_.push_back({yields ? response.stiffness : Real(0), yields ? response.damping : Real(0),
+                     inverse_mass, index});
+    is_damped_ |= ends_.back().damping != 0;
+    const std::size_t last = holds_.size() - 1;
+    stiff_.add(index, turning_stiffness<Real>(arm_body, force_body), arm.norm() * force.norm(),
+               last);
+    const Mat3<Real> R = matrix_of(body.top.orientation);
+    for (const auto& [turnings, K] :
+         {std::pair(&stiff_, &response.turning_stiffness), {&damped_, &response.turning_damping}})
+      turnings->add(index, ends * (R.transpose() * *K * R), ends * K->norm(), last);
   }
+
+  /// How hard what resists turns pulls back in a step, in units of the inverse moments, at most.
+  Real turning_pull(Real h) const { return h * stiff_.largest * h + 2 * h * damped_.largest; }
 
   /// √s (w_a Σ_a √s + w_b Σ_b √s) of each hold, for the strengths s = a k b + d c of its ends.
   std::vector<Real> rows(Real a, Real b, Real d) const {
@@ -139,11 +140,9 @@ class Responses {
 
   std::size_t body_count_;
   std::vector<Hold> holds_;
-  std::vector<End> ends_;          // of the first hold, one or two, then of the second, ...
-  std::vector<Turning> turnings_;  // of each body; none if no hold has an arm and a force
+  std::vector<End> ends_;  // of the first hold, one or two, then of the second, ...
+  HeldTurns<Real> stiff_, damped_;
   bool is_damped_ = false;
-  Real turning_ = 0;  // the largest of the squared rates, 1/s²
-  std::size_t turning_hold_ = 0;
 };
 
 /// The bound of a scene, as its bodies are now: for small motions about an equilibrium.
@@ -163,6 +162,17 @@ class Responses {
 /// among all bodies, is added to the pull: of a sum of two symmetric matrices no eigenvalue exceeds
 /// the sum of the largest.
 ///
+/// So are the turning stiffness K and the turning damping C of an effect, a controller say: h²
+/// times the largest eigenvalue of K in these units, and 2 h times that of C. An effect that
+/// answers the turn of one body relative to another has K in both, and −K between. In no motion
+/// does that pull harder than 2 K in each alone.
+///
+/// None of this asks that stiffness and damping share their axes. Take all coordinates in units of
+/// the root of the inverse inertia. Let d be their change in a step, d' that in the step before and
+/// m the mean of where the step begins and ends. Then V = d·S d + m·h² K m, where S = 1 − h² K/4 −
+/// h C/2, falls in each step by (d + d')·h C (d + d')/2. It is a sum of squares as long as h² K +
+/// 2 h C < 4, and so nothing grows. Where that is 4 along a motion, a step multiplies it by −1.
+///
 /// Where stiffness and damping are in the same proportion everywhere, this is h² times the same of
 /// k, plus 2 h times that of c. Elsewhere it is more. In a step t < 1 times as long each s is at
 /// most t times as large, so the step that the same proportion would allow is shortened by as much.
@@ -180,5 +190,21 @@ StepLimit<Real> step_limit(const Work<Real>& work, const Roster& roster) {
   return limit;
 }
 //! [bound]
+
+/// Of which effects step_limit() knows nothing, though they may feed on themselves: a sentence
+/// each.
+//! [unknown_limits]
+template <class Real>
+std::vector<std::string> unknown_limits(const Work<Real>& work) {
+  std::vector<std::string> sentences;
+  for (const Entry<Real>& entry : work.effects)
+    if (const EffectTraits<Real>& traits = entry.effect->traits();
+        traits.may_feed_back && entry.visits.size() > 0)
+      sentences.push_back(
+          "'" + traits.name + "' reads " + text_of(traits.reads & quantity::of_motion) +
+          (traits.finds_pairs ? ", of pairs that it finds itself" : ", and has no response()"));
+  return sentences;
+}
+//! [unknown_limits]
 
 }  // namespace tumble

@@ -57,8 +57,11 @@ struct PairBlow {
   Vec3<Real> turn_on_second = Vec3<Real>::Zero();
 };
 
-/// How an effect answers small changes of where a body is and how fast it moves: what limits the
-/// time step. An effect that has response() for a body, or for two, is taken into account.
+/// How an effect answers small changes of where a body is, which way it faces and how fast it moves
+/// and turns: what limits the time step. An effect that has response() for a body, or for two, is
+/// taken into account. The matrices are symmetric, in world axes, and drive nothing: no eigenvalue
+/// is negative. Of two bodies they answer the turn and the spin of the first relative to the
+/// second.
 //! [response]
 template <class Real>
 struct Response {
@@ -67,7 +70,12 @@ struct Response {
   Vec3<Real> arm_first = Vec3<Real>::Zero();   ///< from the (first) body's centre, m, world axes
   Vec3<Real> arm_second = Vec3<Real>::Zero();  ///< from the second's
   Vec3<Real> force = Vec3<Real>::Zero();       ///< on the first at that arm, N, world axes
+  Mat3<Real> turning_stiffness = Mat3<Real>::Zero();  ///< K of the torque −K θ − C ω, N m/rad
+  Mat3<Real> turning_damping = Mat3<Real>::Zero();    ///< C of it, N m s/rad
 };
+
+/// What response() returns if the effect can't feed on itself, however long the step.
+struct NoResponse {};
 //! [response]
 
 /// Two bodies that an effect joins.

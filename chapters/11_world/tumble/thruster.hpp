@@ -36,6 +36,9 @@ struct Thruster {
     return {.force = burning * rotate(body.top.orientation, force_body),
             .torque = burning * rotate(body.top.orientation, torque_body)};
   }
+  /// Its torque is constant in body axes, and so no turn and no place changes it: nothing that it
+  /// does comes back to it.
+  NoResponse response(const BodyState<Real>&) const { return {}; }
   template <class Wide>
   Thruster<Wide> widened() const {
     return {force_body.template cast<Wide>(), point.template cast<Wide>(), from, until, name};

@@ -66,7 +66,9 @@ class World : public Scenery<Real, Keeping> {
   // --- The plan ---------------------------------------------------------------------------------
 
   /// What each step does, as a table. It is made when one asks; what it tells of is always right.
-  Plan plan() const { return {rows_of(planner_, bodies_), accuracy_of(work()), warnings()}; }
+  Plan plan() const {
+    return {rows_of(planner_, bodies_), accuracy_of(work()), warnings(), unknown_limits(work())};
+  }
   /// What may go wrong as the bodies are now, such as a step too long for a spring.
   std::vector<std::string> warnings() const {
     const StepLimit<Real> limit = step_limit();
@@ -77,7 +79,7 @@ class World : public Scenery<Real, Keeping> {
             " s, and only up to " + text_of(limit.time_step) + " s can this be excluded"};
   }
 
-  /// Up to which step springs, dampers and drag can't feed on themselves, as the bodies are now.
+  /// Up to which step no effect that has a response() can feed on itself, as the bodies are now.
   StepLimit<Real> step_limit() const { return tumble::step_limit(work(), bodies_); }
 
   /// What has changed the plan since the world began, a sentence each; the last hundred of them.
