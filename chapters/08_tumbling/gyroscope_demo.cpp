@@ -37,6 +37,21 @@ void show_numbers(support::Notebook& notebook) {
                                                                std::pow(gyroscope.along * spin, 2);
   std::printf("let go, it dips by  %6.2f deg, roughly %.2f\n", (lowest - tilt) / degree,
               rough_dip / degree);
+  // How far the simple formulas are off, as fractions: those of precession, nodding and dip.
+  const auto errors_at = [](double w) {
+    const double momentum = gyroscope.along * w, pull = pull_of(gyroscope);
+    const auto let_go = support::exactly_spinning(set_spinning(gyroscope, tilt, w), gyroscope);
+    const double exactly_slow = steady_precessions(gyroscope, std::cos(tilt), w).first,
+                 exactly_nodding = 2 * pi / let_go.nutation_period(),
+                 exact_dip = std::acos(let_go.lowest()) - tilt;
+    return std::array{
+        pull / momentum / exactly_slow - 1, momentum / gyroscope.across / exactly_nodding - 1,
+        2 * pull * gyroscope.across * std::sin(tilt) / (momentum * momentum) / exact_dip - 1};
+  };
+  const std::array errors = errors_at(spin), errors_at_twice = errors_at(2 * spin);
+  const std::array names = {"error_left_precession", "error_left_nodding", "error_left_dip"};
+  for (std::size_t k = 0; k < 3; ++k)
+    notebook.value(names[k], number("%.0f %%", 100 * errors_at_twice[k] / errors[k]));
   const double sleeps = least_sleeping_spin(gyroscope);
   std::printf("stands by itself from %.1f rad/s on\n\n", sleeps);
   support::expect(std::abs(lowest_cosine(gyroscope, std::cos(tilt), spin) - exact.lowest()) < 1e-12,

@@ -497,8 +497,10 @@ TEST_CASE("A chain of points under tension explodes from 1.56 times its limit on
   CHECK(sharpest < 1 + 64 * unit_roundoff<double>);
 }
 
-TEST_CASE_TEMPLATE("Below the limit drag only slows, and beyond twice the limit it explodes", Real,
-                   EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "Below the limit drag only slows, beyond it throws back more slowly, and beyond twice the "
+    "limit it explodes",
+    Real, EVERY_PRECISION) {
   Dice dice(9);
   for (int n = 0; n < 100; ++n) {
     const Real mass = std::exp2(3 * dice.real<Real>()), c = std::exp2(3 * dice.real<Real>());
@@ -513,6 +515,16 @@ TEST_CASE_TEMPLATE("Below the limit drag only slows, and beyond twice the limit 
     const double limit = double(feather_at(1000).step_limit().time_step);
     // h · 2 c |u|/m = 2
     CHECK(limit == doctest::Approx(double(mass / (c * (velocity - wind).norm()))).epsilon(1e-6));
+    // One step of h leaves 1 - h c |u|/m of the motion through the air.
+    for (const double times : {0.5, 1.0, 1.5, 1.9}) {
+      World<Real> world = feather_at(std::int64_t(1e9 * times * limit));
+      world.step();
+      const Vec3<Real> left = world.body(world.handle_at(0)).centre.velocity - wind;
+      const Real share = left.dot(velocity - wind) / (velocity - wind).squaredNorm();
+      const double nanosecond = 1e-9 / limit;
+      CHECK(std::abs(double(share) - (1 - times)) <=
+            nanosecond + 8 * unit_roundoff<Real> * (1 + wind.norm() / (velocity - wind).norm()));
+    }
     for (const double times : {0.1, 0.99, 2.1}) {
       World<Real> world = feather_at(std::int64_t(1e9 * times * limit));
       CHECK(world.warnings().empty() == (times < 1));

@@ -1,4 +1,4 @@
-// A fourth-order rule that looks up the torque once a step is of first order.
+// A fourth-order rule that evaluates the torque once a step is of first order.
 #include <support/record.hpp>
 #include <support/rules.hpp>
 #include <tumble/ladder.hpp>
@@ -17,13 +17,13 @@ struct Swinging {
 };
 
 //! [frozen]
-Topd after_ten_seconds(int steps_per_second, bool looked_up_once) {
+Topd after_ten_seconds(int steps_per_second, bool evaluated_once) {
   const double h = 1.0 / steps_per_second;
   const Swinging swinging;
   Topd top = support::top_of<double>(support::tumbling_problems[0]);
   for (int n = 0; n < 10 * steps_per_second; ++n) {
     swinging(top, n * h);
-    const Swinging seen = looked_up_once ? Swinging{n * h} : swinging;
+    const Swinging seen = evaluated_once ? Swinging{n * h} : swinging;
     step_by_runge_kutta<Kutta>(top, seen, n * h, h);
   }
   return top;
@@ -43,7 +43,7 @@ int main(int argument_count, char** arguments) {
     };
     const double order = std::log2(error(60) / error(120));
     std::printf("%-34s %9.1e %9.1e  %5.2f\n",
-                once ? "torque looked up once a step" : "torque looked up at each look", error(60),
+                once ? "torque evaluated once a step" : "torque evaluated at each stage", error(60),
                 error(120), order);
     support::expect(std::abs(order - (once ? 1 : 4)) < 0.1, "the order that the page says");
   }
