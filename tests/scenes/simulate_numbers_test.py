@@ -279,9 +279,11 @@ class Numbers(unittest.TestCase):
     def test_links_of_the_view(self):
         static = {"name": "wall", "static": True, "position": [10, 20, 30]}
         spring = {"kind": "spring", "bodies": ["odd"], "stiffness": 0, "anchor": ANCHOR}
-        run({**SCENE, "bodies": [static, BODY], "effects": [{**spring, "attachment": ATTACHMENT}, spring]}, "--until", "0.1",
+        between = {"kind": "spring_between", "first": "wall", "second": "odd", "stiffness": 0, "attachment_second": ATTACHMENT}
+        run({**SCENE, "bodies": [static, BODY], "effects": [{**spring, "attachment": ATTACHMENT}, spring, between]}, "--until", "0.1",
             "--view", "links.html")
-        held, central = recording("links.html")["links"]
+        held, central, joining = recording("links.html")["links"]
+        self.assertEqual(joining, {"from": {"body": 0, "point": [0, 0, 0]}, "to": {"body": 1, "point": ATTACHMENT}})
         self.assertEqual(held, {"from": {"body": 1, "point": ATTACHMENT}, "to": {"point": ANCHOR}})
         self.near(central["from"]["point"], CENTRE, relative=FLOAT_ROUNDING)
 

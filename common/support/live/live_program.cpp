@@ -30,7 +30,7 @@ int main(int argument_count, char** arguments) try {
   for (int n = 3; n < argument_count; ++n) {
     const std::string argument = arguments[n];
     const std::size_t end = argument.find('=');
-    if (end == argument.npos) throw std::invalid_argument("a text reads NAME=WORDS");
+    if (end == std::string::npos) throw std::invalid_argument("a text reads NAME=WORDS");
     written += support::Live::as_written(argument.substr(0, end), argument.substr(end + 1));
   }
   support::Live live;
