@@ -249,6 +249,12 @@ TEST_CASE_TEMPLATE("The step that a controller bears depends on the least moment
   CHECK(close(limit(none, all), Real(2) / 9));  // h c/I < 2
   CHECK(close(limit(none, 9 * third * third.transpose()), Real(8) / 9));
   CHECK(close(limit(all, all), 2 / (Real(4.5) + std::sqrt(Real(4.5) * Real(4.5) + 9))));
+  // Two like bodies that turn against each other: each meets twice the stiffness.
+  World<Real> world;
+  const BodyHandle one = world.add("one", body), other = world.add("other", body);
+  world.add(SteeringBetween<Real>{all, none, body.top.orientation, body.top.orientation},
+            {one, other});
+  CHECK(close(world.step_limit().time_step, 2 / std::sqrt(Real(18))));
   body.top.inverse_moments = {0, 0, 0};
   CHECK(limit(all, all) == std::numeric_limits<Real>::infinity());
 }

@@ -48,6 +48,80 @@ TEST_CASE_TEMPLATE("A world that is taken back moves on with the same bits, from
 }
 //! [rewind]
 
+//! [marks]
+TEST_CASE_TEMPLATE("A world goes back to its marks, in any order, to the bit", Real,
+                   EVERY_PRECISION) {
+  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+    CAPTURE(seed);
+    Dice dice(seed);
+    World<Real> world = random_world<Real>(dice, 8);
+    // Somebody plays with it, and in each frame it is saved in both ways.
+    std::vector<Mark<Real>> marks;
+    std::vector<Snapshot<Real>> snapshots;
+    const auto play = [&] {
+      const BodyHandle body =
+          world.handle_at(static_cast<BodyIndex>(dice.below(world.body_count())));
+      if (dice.one_in(4)) world.set_position(body, dice.vector<Real>());
+      if (dice.one_in(4)) world.apply_impulse_at(body, dice.vector<Real>(), dice.vector<Real>());
+      if (dice.one_in(4)) world.push_at(body, dice.vector<Real>(), dice.vector<Real>());
+      if (dice.one_in(2)) world.step();
+      if (dice.one_in(20)) world.step_by_reference();
+    };
+    for (int n = 0; n < 30; ++n) {
+      play();
+      marks.push_back(world.mark());
+      snapshots.push_back(world.save());
+    }
+    World<Real> twin = world;
+    for (int n = 0; n < 30; ++n) {
+      const std::size_t frame = dice.below(marks.size());
+      CAPTURE(frame);
+      if (dice.one_in(5)) world.restore(snapshots[dice.below(snapshots.size())]);
+      world.restore(marks[frame]);
+      twin.restore(snapshots[frame]);
+      REQUIRE(world.ticks() == twin.ticks());
+      REQUIRE(same_motion(twin.bodies(), world.bodies()));
+      REQUIRE(world.facts() == twin.facts());
+      for (int k = 0; k < 3; ++k) world.step(), twin.step();
+      REQUIRE(same_motion(twin.bodies(), world.bodies()));
+      play();
+    }
+  }
+}
+//! [marks]
+
+TEST_CASE_TEMPLATE("A mark holds the bodies that may have moved since the first one, and no others",
+                   Real, EVERY_PRECISION) {
+  World<Real> world;
+  for (int n = 0; n < 9; ++n)
+    world.add("body " + std::to_string(n), make_particle<Real>(1, {Real(n), 0, 0}));
+  const BodyHandle mover = world.find("body 3");
+  world.set_velocity(mover, {1, 0, 0});
+  const EffectHandle weight = world.add(Gravity<Real>{}, {world.find("body 5")});
+  CHECK(world.mark().moved.empty());
+  CHECK(world.mark().moved.size() == 2);
+  world.step();
+  world.set_position(world.find("body 7"), {0, 9, 0});
+  CHECK(world.mark().moved.size() == 3);
+  // Who falls no more has fallen; and so for a body that was put somewhere and back to rest.
+  world.remove(weight);
+  world.set_velocity(world.find("body 5"), {0, 0, 0});
+  const Mark<Real> mark = world.mark();
+  CHECK(mark.moved.size() == 3);
+  world.set_position(world.find("body 1"), {5, 5, 5});
+  world.restore(mark);
+  CHECK(same_bits(world.body(world.find("body 1")).centre.position, Vec3<Real>(1, 0, 0)));
+  CHECK(same_bits(world.body(world.find("body 7")).centre.position, Vec3<Real>(0, 9, 0)));
+  world.add("tenth", make_particle<Real>(1));
+  CHECK(world.mark().moved.empty());  // of a new list of all
+  try {
+    world.restore(mark);
+    FAIL("it was taken");
+  } catch (const std::invalid_argument& error) {
+    CHECK(std::string(error.what()) == "the mark has 9 bodies; the world has 10");
+  }
+}
+
 TEST_CASE_TEMPLATE("A snapshot of more bodies or of fewer is refused with both counts", Real,
                    EVERY_PRECISION) {
   World<Real> world;

@@ -22,6 +22,7 @@ class PlanGroups {
   //! [refresh]
   template <class Roster>
   void refresh(BodyIndex body, const Roster& roster) {
+    touched_.insert(body);
     const BodyIndex top = roster.top_of(body);
     alone_[body] = roster.facts_of(body, alone_[body]);
     const Facts facts = facts_[body] = facts_under<Real>(alone_[body], [&](const auto& ask) {
@@ -109,6 +110,7 @@ class PlanGroups {
   }
 
   Work<Real> work_;
+  Group touched_;  // whose motion or facts somebody has changed since touched_by_nobody()
   std::vector<Facts> alone_, facts_;
   std::vector<std::vector<std::uint64_t>> own_;  // effects meant for a body, once for each pair
   std::vector<std::uint64_t> everyone_;          // effects meant for all

@@ -15,7 +15,7 @@ class Planner : public PlanGroups<Real> {
   using Base = PlanGroups<Real>;
   using Base::entry_of, Base::for_each_entry_of, Base::join, Base::list_phase;
   using Base::find, Base::disown, Base::meet, Base::refresh, Base::refresh_targets;
-  using Base::work_, Base::alone_, Base::facts_, Base::own_, Base::everyone_;
+  using Base::work_, Base::touched_, Base::alone_, Base::facts_, Base::own_, Base::everyone_;
 
  public:
   void turn_by(std::shared_ptr<const AnyRule<Real>> rule) {
@@ -123,13 +123,24 @@ class Planner : public PlanGroups<Real> {
   template <class Roster>
   void know_again(const std::vector<bool>& moved, const std::vector<bool>& turned,
                   const Roster& roster) {
-    for (BodyIndex body = 0; body < facts_.size(); ++body) {
-      if (alone_[body].moves == moved[body] && alone_[body].turns == turned[body]) continue;
-      alone_[body].moves = moved[body];
-      alone_[body].turns = turned[body];
-      refresh(body, roster);
-    }
+    for (BodyIndex body = 0; body < facts_.size(); ++body)
+      know_again(body, moved[body], turned[body], roster);
   }
+
+  /// The same for one body.
+  template <class Roster>
+  void know_again(BodyIndex body, bool moved, bool turned, const Roster& roster) {
+    if (alone_[body].moves == moved && alone_[body].turns == turned) return;
+    alone_[body].moves = moved;
+    alone_[body].turns = turned;
+    refresh(body, roster);
+  }
+
+  /// The motion of a body is changed from outside.
+  void touch(BodyIndex body) { touched_.insert(body); }
+  void touched_by_nobody() { touched_ = {}; }
+  /// Whose motion or facts somebody has changed since then.
+  const Group& touched() const { return touched_; }
 
   /// True if an effect that is meant for this body can limit the step.
   bool is_limiting(BodyIndex body) {

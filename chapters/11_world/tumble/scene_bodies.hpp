@@ -2,6 +2,7 @@
 /// The bodies of a world, and how to change them while it runs.
 #pragma once
 
+#include <tumble/marks.hpp>
 #include <tumble/named_bodies.hpp>
 #include <tumble/news.hpp>
 #include <tumble/planner.hpp>
@@ -32,6 +33,7 @@ class SceneBodies {
     const BodyIndex index = bodies_.index_of(body);
     news_.note("'" + name_of(body) + "' was removed");
     limit_changed_ |= planner_.is_limiting(index);
+    marks_.forget_all();
     planner_.forget_body(body, bodies_);
     bodies_.remove(body);
     planner_.join_again(index, bodies_);
@@ -137,10 +139,12 @@ class SceneBodies {
   Planner<Real> planner_;
   News news_;
   bool limit_changed_ = false;
+  Marks<Real> marks_;
 
  private:
   BodyHandle came(const std::string& name, BodyHandle body) {
     news_.note("'" + name + "' came");
+    marks_.forget_all();
     planner_.add_body(bodies_);
     limit_changed_ |= planner_.is_limiting(bodies_.index_of(body));
     return note_motion(body);
@@ -158,6 +162,7 @@ class SceneBodies {
     RigidBody<Real> changed = bodies_.body(index);
     change(changed);
     bodies_.set(index, changed);
+    planner_.touch(index);
     note_motion(body);
   }
 

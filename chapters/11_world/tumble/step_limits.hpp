@@ -104,11 +104,9 @@ class Responses {
             const Vec3<Real>& arm, const Vec3<Real>& force, Real ends) {
     const Vec3<Real> arm_body = rotate_back<Real>(body.top.orientation, arm),
                      force_body = rotate_back<Real>(body.top.orientation, force);
-    const Real inverse_mass = largest_inverse_mass_at<Real>(body, arm_body);
-    const bool yields = inverse_mass != 0;
-    ends_.push_back({yields ? response.stiffness : Real(0), yields ? response.damping : Real(0),
-                     inverse_mass, index});
-    is_damped_ |= ends_.back().damping != 0;
+    ends_.push_back({response.stiffness, response.damping,
+                     largest_inverse_mass_at<Real>(body, arm_body), index});
+    is_damped_ |= response.damping != 0;
     const std::size_t last = holds_.size() - 1;
     stiff_.add(index, turning_stiffness<Real>(arm_body, force_body), arm.norm() * force.norm(),
                last);

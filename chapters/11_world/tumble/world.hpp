@@ -20,7 +20,7 @@ namespace tumble {
 template <class Real, class Keeping = OneByOne<Real>>
 class World : public Scenery<Real, Keeping> {
   using Base = Scenery<Real, Keeping>;
-  using Base::planner_, Base::bodies_, Base::news_, Base::time_step_;
+  using Base::planner_, Base::bodies_, Base::news_, Base::time_step_, Base::marks_;
 
  public:
   using Base::work;
@@ -58,8 +58,20 @@ class World : public Scenery<Real, Keeping> {
           std::to_string(then.orientations.size()) + " of them with a top; the world has " +
           std::to_string(bodies_.size()) + " and " + std::to_string(bodies_.top_count()));
     planner_.end_inputs(bodies_);
+    marks_.forget_all();
     bodies_.restore(then);
     planner_.know_again(then.has_moved, then.has_turned, bodies_);
+    ticks_ = then.ticks;
+  }
+
+  /// The same as save(), for each frame of a game that may have to go back: after the first mark,
+  /// and until a body comes or goes, it costs what can move and what was changed, and not what
+  /// rests. A mark is for this world, or a copy of it, alone.
+  Mark<Real> mark() { return marks_.mark(ticks_, bodies_, planner_); }
+  /// See restore() of a Snapshot; it costs what can move now, or could then, and what was changed.
+  /// @throws std::invalid_argument if there are more bodies than then, or fewer.
+  void restore(const Mark<Real>& then) {
+    marks_.restore(then, bodies_, planner_);
     ticks_ = then.ticks;
   }
 
@@ -138,6 +150,7 @@ class World : public Scenery<Real, Keeping> {
     step(bodies, [this](BodyHandle body) { return bodies_.index_of(body); });
     if (const std::optional<BodyIndex> lost = first_lost(bodies, work())) stop(*lost);
     bodies_.kept().set_bodies(std::move(bodies));
+    marks_.forget_all();
     ++ticks_;
     planner_.end_inputs(bodies_);
   }

@@ -5,6 +5,7 @@
 #include <tumble/in_packs.hpp>
 #include <tumble/solids.hpp>
 #include <tumble/spheres.hpp>
+#include <tumble/springs.hpp>
 #include <tumble/thruster.hpp>
 
 using namespace tumble;
@@ -42,13 +43,13 @@ template <class AnyWorld>
 AnyWorld boxes(int resting, int active) {
   AnyWorld world;
   const auto shape = mass_properties(Box<float>{{1, 2, 3}}, 2);
+  const RigidBody<float> box = make_rigid_body<float>("box", shape).body,
+                         spinning =
+                             make_rigid_body<float>("box", shape, {}, {0, 0, 0}, {1, 2, 3}).body;
   std::vector<BodyHandle> falling;
   for (int n = 0; n < resting + active; ++n) {
-    const bool rests = n < resting;
-    const Vec3f spin = rests ? Vec3f(0, 0, 0) : Vec3f(1, 2, 3);
-    const BodyHandle box = world.add(
-        "box " + std::to_string(n), make_rigid_body<float>("box", shape, {}, {0, 0, 0}, spin).body);
-    if (!rests) falling.push_back(box);
+    const BodyHandle added = world.add("box " + std::to_string(n), n < resting ? box : spinning);
+    if (n >= resting) falling.push_back(added);
   }
   world.add(LinearDamping<float>{.rate = 0.01f});
   world.add(AngularDamping<float>{.rate = 0.01f});
@@ -87,6 +88,51 @@ int count_changes_among(int count) {
   return 0;
 }
 
+/// A single step that is counted, and a place at which valgrind writes down the count.
+template <class AnyWorld>
+[[gnu::noinline]] void one_of_those_that_are_counted(AnyWorld& world) {
+  world.step();
+}
+volatile int steps_over = 0;
+[[gnu::noinline]] void count_is_written_down() {
+  steps_over = steps_over + 1;
+}
+
+/// Steps of a scene in which some rest, some fall and tumble, some hang on springs, and one burns
+/// for a second. With the first one, which tells what is new.
+template <class AnyWorld>
+int count_each_step(int count) {
+  auto world = boxes<AnyWorld>(1024, 1024);
+  world.on_warning([](const std::string&) {});
+  const BodyHandle first = world.find("box 1024");
+  world.add(QuadraticDrag<float>{.coefficient = 0.01f}, {first});
+  world.add(Thruster<float>{.force_body = {1, 0, 0}, .point = {0, 1, 0}, .from = 1, .until = 2},
+            {first});
+  for (int n = 1025; n < 1088; ++n)
+    world.add(SpringBetween<float>{.spring = {.stiffness = 1, .rest_length = 1}},
+              {world.find("box " + std::to_string(n)), world.find("box " + std::to_string(n + 1))});
+  for (int step = 0; step < count; ++step) {
+    one_of_those_that_are_counted(world);
+    count_is_written_down();
+  }
+  return 0;
+}
+
+/// A scene of so many boxes that fall, under five effects, to the end of its first step.
+template <class AnyWorld>
+[[gnu::noinline]] void loads_that_are_counted(int count) {
+  auto world = boxes<AnyWorld>(0, count);
+  world.on_warning([](const std::string&) {});
+  world.add(QuadraticDrag<float>{.coefficient = 0.1f});
+  world.add(Magnus<float>{.strength = 0.1f});
+  world.step();
+}
+template <class AnyWorld>
+int count_loading(int count) {
+  loads_that_are_counted<AnyWorld>(count);
+  return 0;
+}
+
 template <class AnyWorld>
 int count_steps_of(AnyWorld world) {
   world.step();  // tells what is new
@@ -99,7 +145,8 @@ int count_steps_of(AnyWorld world) {
 /// idle_effects never|idle|needed: steps a world that never heard of most effects; or has them and
 /// needs none; or has one that it needs. With one|many|few|few_of_many it steps one box at rest,
 /// 200 blocks of 1024 of them, 12 active boxes behind one such block, and behind all; with
-/// packs_one and so on the same in packs.
+/// packs_one and so on the same in packs. each and packs_each step a mixed scene 200 times;
+/// load_few, load_many and so on load 10,000 boxes or 100,000.
 int main(int argument_count, char** arguments) {
   const std::string_view kind = argument_count == 2 ? arguments[1] : "";
   const int block = 1024, many = 200 * block;
@@ -113,6 +160,12 @@ int main(int argument_count, char** arguments) {
   if (kind == "packs_many") return count_steps_of(boxes<ManyBodies<float>>(many, 0));
   if (kind == "packs_few") return count_steps_of(boxes<ManyBodies<float>>(block, 12));
   if (kind == "packs_few_of_many") return count_steps_of(boxes<ManyBodies<float>>(many, 12));
+  if (kind == "each") return count_each_step<World<float>>(200);
+  if (kind == "packs_each") return count_each_step<ManyBodies<float>>(200);
+  if (kind == "load_few") return count_loading<World<float>>(10'000);
+  if (kind == "load_many") return count_loading<World<float>>(100'000);
+  if (kind == "packs_load_few") return count_loading<ManyBodies<float>>(10'000);
+  if (kind == "packs_load_many") return count_loading<ManyBodies<float>>(100'000);
   World<float> world = coasting();
   if (kind == "idle")
     add_idle_effects(world);
@@ -121,7 +174,8 @@ int main(int argument_count, char** arguments) {
   else if (kind != "never") {
     std::fputs(
         "usage: idle_effects "
-        "never|idle|needed|[packs_](one|many|few|few_of_many)|changes_of_(few|many)\n",
+        "never|idle|needed|[packs_](one|many|few|few_of_many|each|load_few|load_many)|"
+        "changes_of_(few|many)\n",
         stderr);
     return 2;
   }
