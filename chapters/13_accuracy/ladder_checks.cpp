@@ -82,7 +82,7 @@ TEST_CASE("Every row of fourth order and above steps backwards, in its kicks and
   check(BlanesMoanNystrom::row);
 }
 
-TEST_CASE("A tableau's weights sum to 1, and the looks of each row to its node") {
+TEST_CASE("A tableau's weights sum to 1, and the coefficients of each row to its node") {
   const auto check = [](const auto& rule) {
     long double sum = 0;
     for (const long double weight : rule.weights) sum += weight;

@@ -38,7 +38,7 @@ int main(int argument_count, char** arguments) {
   } catch (const std::bad_alloc&) {
     std::fprintf(stderr, "advise: the memory does not suffice for this question\n");
     return refused;
-  } catch (const std::exception& error) {  // Boost's integrals give up beyond the range of numbers
+  } catch (const std::exception& error) {  // what leads beyond the range of numbers
     std::fprintf(stderr, "advise: this can't be computed: %s\n", error.what());
     return refused;
   }

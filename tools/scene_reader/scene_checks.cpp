@@ -1,3 +1,5 @@
+#include <fstream>
+#include <numbers>
 #include <support/bad_scenes.hpp>
 #include <support/checks.hpp>
 #include <support/exhaustive.hpp>
@@ -102,6 +104,92 @@ TEST_CASE_TEMPLATE("All 100,000 drops of the rain move by plan as by the referen
   CHECK(rain.world.top_count() == 0);
   CHECK(planned_equals_reference(std::move(rain.world), 1));
 }
+
+//! [descriptions]
+TEST_CASE("The shipped scenes do what their descriptions say") {
+  const auto after = [](Scene<double> scene, double seconds) {
+    for (int n = 0; n * scene.world.time_step() < seconds; ++n) scene.world.step();
+    return scene;
+  };
+  const auto body_of = [](const Scene<double>& scene, const std::string& name) {
+    return scene.world.body(scene.world.find(name));
+  };
+  /// The axes of the first model in the world.
+  const auto axes_of = [&](const Scene<double>& scene) {
+    return matrix_of(drawn_pose(body_of(scene, scene.models[0].name), scene.models[0].model_in_body)
+                         .orientation);
+  };
+
+  // Balls afloat: what is above the water is lighter by as much. The last one hangs on its chain.
+  const Scene<double> buoys = after(read_scene_file<double>(shipped("buoys")), 60);
+  const auto height = [&](const std::string& name) {
+    return body_of(buoys, name).centre.position.z();
+  };
+  const double cap = height("ice") + 0.1;
+  const double above = cap * cap * (0.3 - cap) / (4 * 0.001);
+  CHECK(std::round(1 / above) == 12);
+  CHECK(height("cork") > height("ice"));
+  CHECK(height("oak") < -0.1);
+
+  Scene<double> orbit = read_scene_file<double>(shipped("orbit"));
+  double time = 0;
+  for (double before = 0, y = 0; !(before < 0 && y >= 0); time += orbit.world.time_step()) {
+    before = y;
+    orbit.world.step();
+    y = body_of(orbit, "station").centre.position.y();
+  }
+  CHECK(std::round(time / 60) == 92);
+
+  const Scene<double> satellite = read_scene_file<double>(shipped("satellite"));
+  const Mat3d turned = axes_of(after(satellite, satellite.duration));
+  const double turns = std::acos((turned.trace() - 1) / 2) / (2 * std::numbers::pi);
+  CHECK(std::abs(turns - 1 / 3.) < 0.02);
+
+  // Of the wobbling disc the axis goes round |L| at |L|/I1, the disc at its spin about the axis.
+  const Scene<double> disc = read_scene_file<double>(shipped("disc_and_coin"));
+  const Top<double> flat = body_of(disc, "disc").top;
+  const double wobble = flat.angular_momentum_body.norm() * flat.inverse_moments.maxCoeff(),
+               spin = angular_velocity_world(flat).z();
+  CHECK(std::abs(wobble / spin - 2) < 0.01);
+
+  // One turn head over handle takes 2 pi/9 s.
+  const Scene<double> racket = read_scene_file<double>(shipped("tennis_racket"));
+  CHECK((axes_of(after(racket, 2 * std::numbers::pi / 9)) - Mat3d::Identity()).norm() < 0.2);
+  CHECK(axes_of(after(racket, racket.duration))(1, 1) < -0.5);
+
+  // From tail to tip, beside the velocity: 1 behind one another, 0 crosswise to level flight.
+  const auto shaft = [&](const Scene<double>& scene) {
+    return Vec3d(body_of(scene, "tip").centre.position - body_of(scene, "tail").centre.position)
+        .normalized()
+        .eval();
+  };
+  const Scene<double> dart = after(read_scene_file<double>(shipped("dart")), 1.5);
+  CHECK(shaft(dart).dot(body_of(dart, "tip").centre.velocity.normalized()) > 0.95);
+  std::ifstream file(shipped("dart"));
+  std::string text(std::istreambuf_iterator<char>(file), {});
+  const std::string drag = "\"coefficient\": 0.000576";
+  REQUIRE(text.find(drag) != std::string::npos);
+  text.replace(text.find(drag), drag.size(), "\"coefficient\": 0");
+  const Scene<double> airless = read_scene<double>(text, "airless.json");
+  const Vec3d crosswise = shaft(airless);
+  CHECK(distance(shaft(after(airless, 1.5)), crosswise) < 1e-9);
+
+  // The rope holds the corner; it is slack where that is less than its metre away.
+  Scene<double> crate = read_scene_file<double>(shipped("tethered_box"));
+  const auto from_anchor = [&] {
+    const Vec3d corner = axes_of(crate) * Vec3d(0.2, 0.15, 0.1);
+    return Vec3d(body_of(crate, "crate").centre.position + corner - Vec3d(0, 0, 3));
+  };
+  bool went_slack = false;
+  for (int n = 0; n < 240 * 300; ++n) {
+    crate.world.step();
+    went_slack |= from_anchor().norm() < 1;
+  }
+  CHECK(went_slack);
+  CHECK(body_of(crate, "crate").centre.velocity.norm() < 1e-3);
+  CHECK(from_anchor().head<2>().norm() < 1e-3);
+}
+//! [descriptions]
 
 TEST_CASE_TEMPLATE("The handle of the scene file is that of chapter 8", Real, EVERY_PRECISION) {
   const RigidBody<double> expected = thrown_t_handle().body;

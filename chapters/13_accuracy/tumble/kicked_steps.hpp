@@ -4,7 +4,7 @@
 ///
 /// Every step here takes `gather(body, time)`, which must leave in the body the sum of what acts on
 /// it at that time (s): particle.force, top.torque. The sum of now is there when a step begins, and
-/// that of then when it ends, so gather once before the first. That saves each step one look.
+/// that of then when it ends, so gather once before the first. That saves each step an evaluation.
 #pragma once
 
 #include <tumble/alternation.hpp>

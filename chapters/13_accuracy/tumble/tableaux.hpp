@@ -1,5 +1,5 @@
 /// @file
-/// Where Runge–Kutta rules look, and how they weigh what they see.
+/// Where Runge–Kutta rules evaluate the rate, and how they weigh the results.
 #pragma once
 
 #include <array>
@@ -7,9 +7,9 @@
 
 namespace tumble {
 
-/// A rule with s looks at the rate. Look i is made nodes[i] h after the start, at the place that
-/// the looks j before it lead to when weighed with looks[i][j]; the step weighs all of them with
-/// weights[i].
+/// A rule with s stages. Stage i evaluates the rate nodes[i] h after the start, at the place to
+/// which the stages j before it lead when weighed with looks[i][j]; the step weighs all of them
+/// with weights[i].
 //! [tableau]
 template <std::size_t s>
 struct Tableau {
