@@ -156,6 +156,8 @@ verify "simulate gives its options to the simulator, in the caller's folder" \
   says "/ 'a scene.json' '--csv' 'a file.csv' '--all'"
 verify "and ends as it does" ends_with 130
 verify "simulate compiles the simulator alone" called "--target simulate"
+course simulate t_handle --live page.html --no-install
+verify "and for a page that computes, its engine" called "--target simulate live_figure_scene"
 stand_in python3 <<<'echo "python3 $PWD ${*@Q}"; exit 7'
 course sweep "a sweep.json" --shard 3/16 --no-install
 verify "sweep gives its options to its tool, in the caller's folder" says "python3 / "
