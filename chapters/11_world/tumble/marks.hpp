@@ -49,6 +49,7 @@ class Marks {
     Mark<Real> now{ticks, all_, {}, {}};
     if (all_) {
       now.moved = may_have_moved(roster, planner);
+      now.motions.reserve(now.moved.size());
       for (const BodyIndex body : now.moved)
         now.motions.push_back(motion_of(body, roster, planner));
       return now;
@@ -70,16 +71,18 @@ class Marks {
       throw std::invalid_argument("the mark has " + std::to_string(count) +
                                   " bodies; the world has " + std::to_string(roster.size()));
     planner.end_inputs(roster);
-    const std::unordered_set<BodyIndex> moved(then.moved.begin(), then.moved.end());
-    const auto move_as_all = [&](BodyIndex body) {
-      if (!moved.contains(body)) move_as(body, (*then.all)[body], roster, planner);
-    };
+    std::vector<BodyIndex> others;
     if (then.all == all_) {
-      for (const BodyIndex body : may_have_moved(roster, planner)) move_as_all(body);
+      others = may_have_moved(roster, planner);
     } else {
-      for (BodyIndex body = 0; body < roster.size(); ++body) move_as_all(body);
+      for (BodyIndex body = 0; body < roster.size(); ++body) others.push_back(body);
       planner.touched_by_nobody();
       all_ = then.all;
+    }
+    if (others != then.moved) {  // else nobody has moved who had not then
+      const std::unordered_set<BodyIndex> moved(then.moved.begin(), then.moved.end());
+      for (const BodyIndex body : others)
+        if (!moved.contains(body)) move_as(body, (*then.all)[body], roster, planner);
     }
     for (std::size_t i = 0; i < then.moved.size(); ++i) {
       move_as(then.moved[i], then.motions[i], roster, planner);
@@ -93,6 +96,7 @@ class Marks {
   static std::vector<BodyIndex> may_have_moved(const Roster& roster, const AnyPlanner& planner) {
     const Work<Real>& work = planner.work();
     std::vector<BodyIndex> bodies;
+    bodies.reserve(work.movers.size());
     work.movers.for_each([&](BodyIndex body) { bodies.push_back(body); });
     for (const Group* group : {&work.steady, &work.tumbling})
       group->for_each([&](BodyIndex top) {

@@ -1,0 +1,106 @@
+#include <benchmark/benchmark.h>
+
+#include <tumble/air_and_water.hpp>
+#include <tumble/gravity.hpp>
+#include <tumble/in_packs.hpp>
+#include <tumble/solids.hpp>
+
+using namespace tumble;
+
+namespace {
+
+constexpr int count = 20'480;
+
+/// Boxes under five effects, of which one in `fixed` can't move; none if that is 0.
+ManyBodies<float> boxes(int fixed) {
+  ManyBodies<float> world;
+  world.on_warning([](const std::string&) {});
+  const auto shape = mass_properties(Box<float>{{1, 2, 3}}, 2);
+  const RigidBody<float> box = make_rigid_body<float>("box", shape, {}, {1, 0, 0}, {1, 2, 3}).body;
+  const RigidBody<float> wall;
+  for (int n = 0; n < count; ++n)
+    world.add("box " + std::to_string(n), fixed && n % fixed == 0 ? wall : box);
+  world.add(LinearDamping<float>{.rate = 0.01f});
+  world.add(AngularDamping<float>{.rate = 0.01f});
+  world.add(GravityAsAcceleration<float>{});
+  world.add(Magnus<float>{.strength = 0.1f});
+  world.add(Gravity<float>{});
+  world.step();
+  return world;
+}
+
+void step(benchmark::State& state, int fixed) {
+  auto world = boxes(fixed);
+  for (auto _ : state) world.step();
+}
+
+/// What a change costs the next step in packs.
+void schedule(benchmark::State& state, int fixed) {
+  const auto world = boxes(fixed);
+  for (auto _ : state) {
+    Schedule<float, natural_width<float>> made(world.work());
+    benchmark::DoNotOptimize(made);
+  }
+}
+
+void steps(benchmark::State& state) {
+  step(state, 0);
+}
+void steps_of_some(benchmark::State& state) {
+  step(state, 3);
+}
+void schedules(benchmark::State& state) {
+  schedule(state, 0);
+}
+void schedules_of_some(benchmark::State& state) {
+  schedule(state, 3);
+}
+
+/// A body goes and another comes.
+void changes(benchmark::State& state) {
+  auto world = boxes(0);
+  for (auto _ : state) {
+    const BodyHandle middle = world.handle_at(count / 2 + 1);
+    const std::string name = world.name_of(middle);
+    const RigidBody<float> body = world.body(middle);
+    world.remove(middle);
+    world.add(name, body);
+  }
+}
+
+/// The next step does this too if an effect that can limit the step was meant for the body.
+void limits(benchmark::State& state) {
+  auto world = boxes(0);
+  world.add(QuadraticDrag<float>{.coefficient = 0.1f});
+  for (auto _ : state) benchmark::DoNotOptimize(world.step_limit());
+}
+
+void snapshots(benchmark::State& state) {
+  const auto world = boxes(0);
+  for (auto _ : state) benchmark::DoNotOptimize(world.save());
+}
+
+void marks(benchmark::State& state) {
+  auto world = boxes(0);
+  world.mark();
+  for (auto _ : state) benchmark::DoNotOptimize(world.mark());
+}
+
+void ways_back(benchmark::State& state) {
+  auto world = boxes(0);
+  world.mark();
+  const Mark<float> mark = world.mark();
+  for (auto _ : state) world.restore(mark);
+}
+
+}  // namespace
+
+BENCHMARK(steps)->Name("a step");
+BENCHMARK(steps_of_some)->Name("a step, a third of the boxes fixed");
+BENCHMARK(changes)->Name("a box goes, and another comes");
+BENCHMARK(schedules)->Name("the schedule made anew");
+BENCHMARK(schedules_of_some)->Name("the schedule made anew, a third fixed");
+BENCHMARK(limits)->Name("the limit of the step, with drag as a sixth effect");
+BENCHMARK(snapshots)->Name("a snapshot");
+BENCHMARK(marks)->Name("a mark");
+BENCHMARK(ways_back)->Name("back to a mark");
