@@ -7,14 +7,21 @@
 Each line of the file holds what was run, the precision, and a digest of all states. A scene's three ways, by plan, by
 reference and in packs, must have one digest. everywhere.py does the same with other compilers.
 
-The exact solutions ask the C library for sines, logarithms and roots of any order, and each library rounds those in its own way. So
-where another one is at work, theirs are told and not judged."""
+The exact solutions ask the C library for sines, logarithms and roots of any order. Each library rounds those in its own way, and glibc
+in several, by what the processor can do. So where another one is at work, theirs are told and not judged."""
 import platform
 import subprocess
 import sys
 from pathlib import Path
 
-exact_by = ("glibc", "2.36")  # the library in which the digests of exact solutions were made
+exact_by = "glibc 2.36 on x86-64 with FMA"  # the library in which the digests of exact solutions were made
+
+
+def library_here():
+    """The C library at work, in the words of exact_by."""
+    processor = Path("/proc/cpuinfo")
+    fuses = processor.exists() and " fma " in processor.read_text()
+    return f"{' '.join(platform.libc_ver())} on {platform.machine().replace('_', '-')}{' with FMA' if fuses else ''}"
 
 
 def digests(rung_bits, exact_bits, scene_bits, scenes):
@@ -46,10 +53,10 @@ def main():
         return 0
     known = {tuple(line.split("\t")[:2]): line.split("\t")[2] for line in Path(expected).read_text().splitlines()}
     others = [key for key in known.keys() | found.keys() if known.get(key) != found.get(key)]
-    of_the_library = [key for key in others if key[0].startswith("exact ") and platform.libc_ver() != exact_by]
+    of_the_library = [key for key in others if key[0].startswith("exact ") and library_here() != exact_by]
     for what, precision in sorted(others):
         if (what, precision) in of_the_library:
-            print(f"{what} in {precision} has other bits here than with {' '.join(exact_by)}")
+            print(f"{what} in {precision} has other bits here, {library_here()}, than {exact_by}")
             continue
         print(f"error: {what} in {precision}: {found.get((what, precision), 'not run')}, "
               f"and everywhere else {known.get((what, precision), 'not known')}")
