@@ -13,8 +13,8 @@
 
 namespace tumble {
 
-/// The shortest text that reads back as exactly `value`. What is no number is "nan": the sign that a
-/// processor gives it means nothing, and libraries write it each in a way of their own.
+/// The shortest text that reads back as exactly `value`. What is no number is "nan": the sign that
+/// a processor gives it means nothing, and libraries write it each in a way of their own.
 template <class Real>
 std::string text_of(Real value) {
   if constexpr (std::floating_point<Real>)
