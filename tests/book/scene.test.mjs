@@ -44,6 +44,7 @@ test('Whatever is wrong with a scene, the module has the reader\'s own sentence,
   assert.ok(refused.length > 100, `${refused.length} texts`);
   assert.ok(refused.some(({refusal}) => refusal.includes('is refused: ')), 'one that the library refuses and the reader explains');
   for (const {text, refusal} of refused) assert.equal((await run_of(text, 'bad.json')).refusal, refusal, text.slice(0, 300));
+  assert.equal(module.call('scene_parts'), 0, 'of a refused scene there is nothing to measure');
 });
 
 for (const file of files) {

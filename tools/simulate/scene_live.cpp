@@ -84,13 +84,13 @@ void tumble::support::run_live(Live& live) {
 
 #ifdef __wasm__
 extern "C" {
-/// How many parts a step of the scene has that was run last.
+/// How many parts a step of the scene has that was run last; none after a refusal.
 [[clang::export_name("scene_parts")]] int scene_parts() {
-  return kept->part_count();
+  return kept ? kept->part_count() : 0;
 }
 /// See LiveRun::run_part(); the page holds the clock.
 [[clang::export_name("scene_run_part")]] void scene_run_part(int part, int rounds, int steps) {
-  kept->run_part(part, rounds, steps);
+  if (kept && part < kept->part_count()) kept->run_part(part, rounds, steps);
 }
 }  // extern "C"
 #endif

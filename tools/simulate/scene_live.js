@@ -45,6 +45,7 @@
   /**
    * What each line of the plan costs in a step, ns, and the `whole` step. The module repeats a part, on copies of the bodies, for
    * three milliseconds at a time; the time that the copies alone take is taken off, and the middle one of five such times stands.
+   * Nothing, where the scene is changed meanwhile.
    */
   async function costs_of(figure) {
     const {module, run} = figure;
@@ -60,14 +61,19 @@
       const times = [];
       for (let n = 0; n < 5; ++n) {
         await pause();
+        if (figure.running || figure.run !== run) return undefined;
         times.push(time_of(part, rounds, steps) - time_of(part, rounds, 0));
       }
       return Math.max(0, times.sort((a, b) => a - b)[2]) * 1e6 / (rounds * steps);
     };
     const costs = new Map();
     const visited = lines_of(run.said).filter(line => line.visited > 0);
-    for (const [part, {key}] of visited.entries()) costs.set(key, await cost(part));
-    return costs.set('whole', await cost(-1));
+    for (const [part, key] of [...visited.map(line => line.key).entries(), [-1, 'whole']]) {
+      const ns = await cost(part);
+      if (ns === undefined) return undefined;
+      costs.set(key, ns);
+    }
+    return costs;
   }
 
   /** What stands below the pictures. */
@@ -126,6 +132,7 @@
       if (this.needs_form || !types_here) this.#show_form();
       this.needs_form = false;
       this.costs = undefined;
+      this.measure.disabled = false;
       this.#show_plan();
       this.books.replaceChildren(books_table(figure.run.said));
     }
@@ -144,6 +151,8 @@
 
     refused() {
       this.#show_text();
+      this.measure.disabled = true; // the module has dropped what it had run
+      this.figure.said.textContent = '';
       this.area.setAttribute('aria-invalid', 'true');
       this.note.textContent = this.figure.refusal;
       let is_json = true;
@@ -152,12 +161,10 @@
     }
 
     async #measure() {
-      const {run} = this.figure;
       this.measure.disabled = true;
-      const costs = await costs_of(this.figure);
+      this.costs = await costs_of(this.figure);
+      if (!this.costs) return; // what comes of the change shows the button anew
       this.measure.disabled = false;
-      if (run !== this.figure.run) return; // the scene was changed meanwhile
-      this.costs = costs;
       this.#show_plan();
       this.figure.said.textContent = 'The plan now has a column with the costs';
     }

@@ -35,8 +35,8 @@ for (const name of reading_pages) {
     const controls = await page.evaluate(number_the_controls);
     const reached = new Set();
     const unmarked = new Set();
-    // Round once, with some steps to spare for what only a script made reachable.
-    for (let step = 0; step < controls.length + 20; ++step) {
+    // Round once, with some steps to spare for what only a script made reachable, such as the form of a scene.
+    for (let step = 0; step < controls.length + 60; ++step) {
       await page.keyboard.press('Tab');
       const focused = await page.evaluate(focused_control);
       if (!focused) break;

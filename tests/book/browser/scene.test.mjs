@@ -104,12 +104,15 @@ test('A mistake in the text gets the sentence of the terminal; what was sound st
   assert.equal(await figure.locator('.live-finding').textContent(), sentence);
   assert.equal(await area().getAttribute('aria-invalid'), 'true');
   assert.equal((await books()).steps, 3600);
+  const measure = page.getByRole('button', {name: 'Measure what each line costs'});
+  assert.ok(await measure.isDisabled(), 'nothing is there to measure');
   await and_run(() => area().fill(good.slice(0, 40)));
   assert.match(await figure.locator('.live-finding').textContent(), /^tethered_box\.json: line \d+, column \d+: not valid JSON/);
   assert.ok(await page.getByRole('spinbutton').first().isDisabled(), 'no form of what is no JSON');
   await and_run(() => area().fill(good.replace('"duration": 15', '"duration": 1')));
   assert.equal((await books()).steps, 240);
   assert.equal(await area().getAttribute('aria-invalid'), null);
+  assert.ok(await measure.isEnabled());
   await and_run(() => page.getByRole('button', {name: 'Reset'}).click());
   assert.equal(await area().inputValue(), good);
 });
