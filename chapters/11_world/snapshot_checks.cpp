@@ -19,6 +19,14 @@ std::string complaint_of_reading(const std::string& text) {
   return "nothing thrown";
 }
 
+/// Puts a body to a place, and leaves its velocity alone.
+template <class Real>
+struct Elsewhere {
+  static constexpr std::string_view name = "elsewhere";
+  static constexpr Phase phase = Phase::drift;
+  Vec3<Real> position(const Particle<Real>&, const Moment<Real>&) const { return {0, 0, 8}; }
+};
+
 }  // namespace
 
 //! [rewind]
@@ -120,6 +128,21 @@ TEST_CASE_TEMPLATE("A mark holds the bodies that may have moved since the first 
   } catch (const std::invalid_argument& error) {
     CHECK(std::string(error.what()) == "the mark has 9 bodies; the world has 10");
   }
+}
+
+TEST_CASE_TEMPLATE("Whom an effect has put somewhere and then left is marked there", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  const BodyHandle body = world.add("body", make_particle<Real>(1));
+  world.mark();
+  const EffectHandle effect = world.add(Elsewhere<Real>{}, {body});
+  world.step();
+  world.remove(effect);  // the body has no velocity: nothing can move it now
+  CHECK(world.work().movers.empty());
+  const Mark<Real> mark = world.mark();
+  world.set_position(body, {1, 2, 3});
+  world.restore(mark);
+  CHECK(same_bits(world.body(body).centre.position, Vec3<Real>(0, 0, 8)));
 }
 
 TEST_CASE_TEMPLATE("A snapshot of more bodies or of fewer is refused with both counts", Real,

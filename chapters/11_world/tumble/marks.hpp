@@ -43,6 +43,7 @@ class Marks {
   /// A body comes or goes, or all are changed: the next mark begins a new list of all.
   void forget_all() { all_.reset(); }
 
+  /// How all bodies of the world move now, after so many steps.
   //! [make_mark]
   template <class Roster, class AnyPlanner>
   Mark<Real> mark(std::int64_t ticks, const Roster& roster, AnyPlanner& planner) {
@@ -63,6 +64,7 @@ class Marks {
   }
   //! [make_mark]
 
+  /// Lets all bodies move as they did then.
   /// @throws std::invalid_argument if there are more bodies than then, or fewer.
   template <class Roster, class AnyPlanner>
   void restore(const Mark<Real>& then, Roster& roster, AnyPlanner& planner) {

@@ -61,7 +61,7 @@ if(marks_of_few EQUAL 0 OR marks_of_many GREATER most)
   message(FATAL_ERROR "error: marks cost ${marks_of_many} instructions behind 204,800 bodies at rest, and ${marks_of_few} behind 1024")
 endif()
 
-# Each step by itself: callgrind writes a file after each, with its count.
+# Each step by itself: valgrind writes a file after each, with its count.
 foreach(kind IN ITEMS each packs_each)
   file(GLOB old ${SCRATCH}/${kind}.callgrind*)
   if(old)
