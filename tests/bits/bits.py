@@ -9,6 +9,7 @@ reference and in packs, must have one digest. everywhere.py does the same with o
 
 The exact solutions ask the C library for sines, logarithms and roots of any order. Each library rounds those in its own way, and glibc
 in several, by what the processor can do. So where another one is at work, theirs are told and not judged."""
+import os
 import platform
 import subprocess
 import sys
@@ -20,7 +21,7 @@ exact_by = "glibc 2.36 on x86-64 with FMA"  # the library in which the digests o
 def library_here():
     """The C library at work, in the words of exact_by."""
     processor = Path("/proc/cpuinfo")
-    fuses = processor.exists() and " fma " in processor.read_text()
+    fuses = processor.exists() and " fma " in processor.read_text() and "-FMA" not in os.environ.get("GLIBC_TUNABLES", "")
     return f"{' '.join(platform.libc_ver())} on {platform.machine().replace('_', '-')}{' with FMA' if fuses else ''}"
 
 
