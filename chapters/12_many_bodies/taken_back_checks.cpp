@@ -53,6 +53,31 @@ TEST_CASE_TEMPLATE("A step in packs that fails is taken back to the bit, with th
 }
 //! [taken_back]
 
+TEST_CASE_TEMPLATE("In packs too a world goes back to its marks, to the bit", Real,
+                   EVERY_PRECISION) {
+  Dice dice(6);
+  World<Real, InPacks<Real>> world(steps_per_second(64));
+  for (int n = 0; n < 40; ++n) add_random_body(world, dice, "body " + std::to_string(n));
+  world.add(Gravity<Real>{}, {world.handle_at(3), world.handle_at(17)});
+  world.mark();
+  for (int n = 0; n < 20; ++n) {
+    CAPTURE(n);
+    const BodyHandle one = world.handle_at(static_cast<BodyIndex>(dice.below(40)));
+    world.set_position(one, dice.vector<Real>());
+    world.step();
+    const Mark<Real> mark = world.mark();
+    const Bodies<Real> there = world.bodies();
+    for (int k = 0; k < 3; ++k) world.step();
+    const Bodies<Real> later = world.bodies();
+    world.set_velocity(world.handle_at(static_cast<BodyIndex>(dice.below(40))), {1, 0, 0});
+    world.step();
+    world.restore(mark);
+    REQUIRE(same_motion(there, world.bodies()));
+    for (int k = 0; k < 3; ++k) world.step();
+    REQUIRE(same_motion(later, world.bodies()));
+  }
+}
+
 TEST_CASE_TEMPLATE("A step in packs that fails turns back tops that tumble in packs of their own",
                    Real, EVERY_PRECISION) {
   World<Real, InPacks<Real>> world(steps_per_second(64));
