@@ -76,23 +76,26 @@ Real largest_turning_strength(const RigidBody<Real>& body, const Mat3<Same<Real>
 }
 //! [largest_turning_strength]
 
+/// What resists the turns of one body: all its holds together.
+template <class Real>
+struct HeldTurn {
+  Mat3<Real> strength = Mat3<Real>::Zero();  ///< body axes
+  Real most = 0;                             ///< the largest part that a hold has in it
+  std::size_t hold = 0;                      ///< which has it
+};
+
 /// What resists the turns of each body, and which of the holds has the most part in it.
 template <class Real>
 struct HeldTurns {
-  struct Sum {
-    Mat3<Real> strength = Mat3<Real>::Zero();  ///< body axes
-    Real most = 0;                             ///< the largest part that a hold has in it
-    std::size_t hold = 0;                      ///< which has it
-  };
-  std::vector<Sum> sums;  ///< by body; no more than up to the last that is held
-  Real largest = 0;       ///< see largest_turning_strength(), of all bodies
-  std::size_t hold = 0;   ///< which has the most part in that
+  std::vector<HeldTurn<Real>> sums;  ///< by body; no more than up to the last that is held
+  Real largest = 0;                  ///< see largest_turning_strength(), of all bodies
+  std::size_t hold = 0;              ///< which has the most part in that
 
   /// A hold gives this to a body. `part` is how large that is.
   void add(BodyIndex body, const Mat3<Real>& strength, Real part, std::size_t of_hold) {
     if (part == 0) return;
     if (sums.size() <= body) sums.resize(body + 1);
-    Sum& sum = sums[body];
+    HeldTurn<Real>& sum = sums[body];
     sum.strength += strength;
     if (!(part <= sum.most)) sum.most = part, sum.hold = of_hold;
   }
