@@ -132,7 +132,7 @@ def grade(arguments, stack):
     toolchain = read_toolchain(arguments.toolchain, arguments.root / "exercises" / "common", arguments.toolchain.parent)
     with tempfile.TemporaryDirectory(prefix="grade-") as scratch:
         kept = part_of(arguments)
-        job = job_of(arguments, submissions, exercises)
+        job = job_of(arguments, submissions, exercises, toolchain)
         with Part(kept or Path(scratch) / "part", job, arguments.shard, arguments.resume) as part:
             if arguments.similarity:
                 export(arguments.similarity, submissions, exercises)

@@ -4,6 +4,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
 from made import held, make
+from outputs import write_whole
 
 
 PRECISIONS = ("double", "float")
@@ -20,10 +21,7 @@ def prepare(toolchain, exercise):
     """Makes what doesn't depend on a student's code: precompiled header, worker's loop, judge. Returns the judge."""
     header, command, target, dependencies = toolchain.precompile()
     header.parent.mkdir(parents=True, exist_ok=True)
-    text = "#include <exercise/precompiled.hpp>\n"
-    with held(header):
-        if not header.exists() or header.read_text(encoding="utf-8") != text:
-            header.write_text(text, encoding="utf-8")
+    _write(header, "#include <exercise/precompiled.hpp>\n")
     make(target, command, dependencies=dependencies)
     compile_shared(toolchain, "serve")
     compile_shared(toolchain, "judge")
@@ -45,12 +43,11 @@ def build_worker(toolchain, exercise, header_folder, folder):
 
 def _build_answers(toolchain, exercise, real, header_folder, folder):
     source = folder / f"answers_{real}.cpp"
-    text = answers_source(exercise, real)
-    if not source.exists() or source.read_text(encoding="utf-8") != text:
-        source.write_text(text, encoding="utf-8")
+    _write(source, answers_source(exercise, real))
     compiled, worker = folder / f"answers_{real}.o", folder / f"worker_{real}"
     command, dependencies = toolchain.compile(source, compiled, exercise.chapter, first_folders=[header_folder])
-    made = make(compiled, command, inputs=[toolchain.precompiled_header], dependencies=dependencies)
+    read = [toolchain.precompiled_header, header_folder / exercise.header]
+    made = make(compiled, command, inputs=read, dependencies=dependencies)
     parts = [compiled, shared(toolchain, "serve.o")]
     make(worker, toolchain.link(parts, worker), inputs=parts)
     return made
@@ -116,4 +113,11 @@ def shared(toolchain, name):
 
 def _compile(toolchain, source, target, floor):
     command, dependencies = toolchain.compile(source, target, floor)
-    make(target, command, inputs=[toolchain.precompiled_header], dependencies=dependencies)
+    make(target, command, inputs=[toolchain.precompiled_header, source], dependencies=dependencies)
+
+
+def _write(file, text):
+    """Unless it says so already. Others may be about to compile it, so it is never there in part."""
+    with held(file):
+        if not file.exists() or file.read_text(encoding="utf-8") != text:
+            write_whole(file, text.encode())
