@@ -1,20 +1,23 @@
 """Files made by a command, made again only when the command or something that it read has changed."""
 
+import contextlib
 import fcntl
 import hashlib
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import time
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+from confined import end_group
 from plain_text import say
 
 PATIENCE = 10  # seconds for which others are waited for without a word
+KINDNESS = 2   # seconds that a compiler has to tidy up
 
 
 class CommandFailed(Exception):
@@ -59,11 +62,10 @@ def _make(target, command, inputs, dependencies, limit):
     beside = f"{target}.new"
     words = [beside if word == str(target) else word for word in command]
     try:
-        result = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=limit)
+        code, output = _ran(words, limit)
     except subprocess.TimeoutExpired:
         raise CommandFailed(command, f"it took more than {limit} seconds") from None
-    output = result.stdout.decode("utf-8", "replace")
-    if result.returncode != 0:
+    if code != 0:
         raise CommandFailed(command, output)
     if beside in words:
         os.replace(beside, target)
@@ -78,7 +80,39 @@ def _make(target, command, inputs, dependencies, limit):
     return Made(output, time.monotonic() - began)
 
 
-@contextmanager
+def _ran(words, limit):
+    """Exit code and output. If the wait is cut short, a compiler ends with all that it has started."""
+    with subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          start_new_session=True) as process:
+        _running.add(process.pid)
+        try:
+            output, _ = process.communicate(timeout=limit)
+        except BaseException:
+            _end_kindly(process)
+            raise
+        finally:
+            _running.discard(process.pid)
+    return process.returncode, output.decode("utf-8", "replace")
+
+
+_running = set()  # leaders of groups
+
+
+def end_running():
+    """Ends what other threads are having made: they hear of no signal."""
+    for leader in list(_running):
+        end_group(leader, signal.SIGTERM)
+
+
+def _end_kindly(process):
+    """A compiler removes its temporary files when it is asked to end."""
+    end_group(process.pid, signal.SIGTERM)
+    with contextlib.suppress(subprocess.TimeoutExpired):
+        process.wait(KINDNESS)
+    end_group(process.pid)
+
+
+@contextlib.contextmanager
 def held(target):
     """Keeps others, threads and processes, from making the same; the lock goes with its holder, however that ends. Nobody else can open
     it, for whoever can open a lock can hold it."""

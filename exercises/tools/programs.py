@@ -3,7 +3,7 @@
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
-from made import held, make
+from made import end_running, held, make
 from outputs import write_whole
 
 
@@ -36,8 +36,7 @@ def prepare(toolchain, exercise):
 def build_worker(toolchain, exercise, header_folder, folder):
     """Compiles a student's header, found in `header_folder`, into a worker in `folder`."""
     folder.mkdir(parents=True, exist_ok=True)
-    with ThreadPoolExecutor(len(PRECISIONS)) as pool:
-        made = list(pool.map(lambda real: _build_answers(toolchain, exercise, real, header_folder, folder), PRECISIONS))
+    made = _side_by_side(lambda real: _build_answers(toolchain, exercise, real, header_folder, folder), PRECISIONS, len(PRECISIONS))
     return Worker({real: folder / f"worker_{real}" for real in PRECISIONS}, made[0].output)
 
 
@@ -68,10 +67,19 @@ def build_show(toolchain, exercise, header_folder, folder):
 def prepare_all(toolchain, exercises, jobs):
     """The judges of many exercises; the precompiled header comes first, then the others side by side."""
     judges = {exercises[0].path: prepare(toolchain, exercises[0])} if exercises else {}
-    with ThreadPoolExecutor(jobs) as pool:
-        made = pool.map(lambda exercise: (exercise.path, prepare(toolchain, exercise)), exercises[1:])
-        judges.update(made)
+    judges.update(_side_by_side(lambda exercise: (exercise.path, prepare(toolchain, exercise)), exercises[1:], jobs))
     return judges
+
+
+def _side_by_side(work, items, most):
+    """What comes of each. Who is told to end doesn't wait for compilers."""
+    with ThreadPoolExecutor(most) as pool:
+        try:
+            return list(pool.map(work, items))
+        except BaseException as error:
+            if not isinstance(error, Exception):
+                end_running()
+            raise
 
 
 def answers_source(exercise, real):

@@ -134,6 +134,16 @@ class Made(unittest.TestCase):
             make(target, [compiler])
             self.assertEqual(target.read_text(encoding="utf-8"), f"{version}\n")
 
+    def test_what_takes_too_long_ends_with_all_that_it_has_started(self):
+        noted, target = self.folder / "noted", self.folder / "target"
+        with self.assertRaises(CommandFailed):
+            make(target, ["sh", "-c", f"sleep 300 & echo $! > '{noted}'; wait"], limit=1)
+        status = Path(f"/proc/{noted.read_text(encoding='ascii').strip()}/stat")
+        deadline = time.monotonic() + 20
+        while status.exists() and status.read_text(encoding="ascii").rpartition(")")[2].split()[0] != "Z":
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
+
     def test_after_a_failure_the_next_one_may_try(self):
         target = self.folder / "target"
         for _ in range(2):
