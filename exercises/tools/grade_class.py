@@ -103,7 +103,8 @@ class _Graders:
             "key": f"{self.arguments.seed}-{student}" if self.arguments.seed else "",
             "private": str(self.arguments.private) if self.arguments.private else None, "caller": os.getpid()})
         if (_digests_of(self.exercises, self.arguments.root), _digests_of_tools()) != self.digests:
-            raise Complaint("the checks, the headers or the grader have changed since the grading began; what was graded before is kept, and no more")
+            raise Complaint("the checks, headers or grader have changed since the grading began; what was graded before is kept, and no "
+                            "more")
         checks = _checks_of(graded)
         return {"student": student, "submission": name, "points": sum(check["points"] for check in checks),
                 "of": sum(check["of"] for check in checks), "exercises": graded["exercises"], "seconds": graded["seconds"],

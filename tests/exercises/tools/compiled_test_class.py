@@ -431,7 +431,7 @@ class NothingLost(AClassOfStandIns):
         checks = self.exercise_folder / "checks.cpp"
         checks.write_text(checks.read_text(encoding="utf-8") + "\n// another\n", encoding="utf-8")
         wait.unlink()
-        self.assertIn(b"the checks or headers have changed since the grading began", process.communicate(timeout=60)[1])
+        self.assertIn(b"the checks, headers or grader have changed since the grading began", process.communicate(timeout=60)[1])
         self.assertEqual(process.returncode, 2)
         self.assertIn("belongs to another job", self.run_to_the_end("--resume", code=2)[1])
 
