@@ -202,6 +202,6 @@ def _digest_of(name):
 
 
 def _clock_of_files(file):
-    """What the system notes now as the time of a change. It is coarser than our own clock, and another machine's for files that lie there."""
+    """What the system notes now as the time of a change: coarser than our own clock, and another machine's for files that lie there."""
     os.utime(file)
     return os.stat(file).st_ctime_ns
