@@ -69,10 +69,10 @@ def _has_ended(process, patience):
     return False
 
 
-def end_group(leader):
+def end_group(leader, by=signal.SIGKILL):
     """Ends the processes of a group, whose leader is not yet waited for."""
     try:
-        os.killpg(leader, signal.SIGKILL)
+        os.killpg(leader, by)
     except (ProcessLookupError, PermissionError):
         pass
 

@@ -132,25 +132,31 @@ def grade(arguments, stack):
     toolchain = read_toolchain(arguments.toolchain, arguments.root / "exercises" / "common", arguments.toolchain.parent)
     with tempfile.TemporaryDirectory(prefix="grade-") as scratch:
         kept = part_of(arguments)
-        job = job_of(arguments, submissions, exercises)
-        with Part(kept or Path(scratch) / "part", job, arguments.shard, arguments.resume) as part:
-            if arguments.similarity:
-                export(arguments.similarity, submissions, exercises)
-            prepare_all(toolchain, exercises, arguments.jobs)
-            require_seals(toolchain, max(exercises, key=lambda exercise: exercise.chapter), arguments.unsealed)
-            if not arguments.unsealed:
-                require_out_of_reach([("the course", arguments.root), ("the build", arguments.toolchain.parent), ("what TMPDIR names",
-                                      tempfile.gettempdir()), *([("what --private names", arguments.private)] if arguments.private else []),
-                                      *((f"the submission {one_line(name)}", place) for name, place in submissions.items())])
-            before, computed = len(part.done), seconds_computed()
-            try:
-                results, failed = grade_class(arguments, submissions, exercises, part, show_how_far)
-                tell_throughput(len(part.done) - before, len(exercises), seconds_computed() - computed)
-            except Stopped:
-                if kept:
-                    say(f"{len(part.done)} of {len(part.tasks)} results are kept in {kept}; the same command with --resume goes on.",
-                        to=sys.stderr)
-                raise
+        job = job_of(arguments, submissions, exercises, toolchain)
+        # Open until all is written: nobody is to take up what this run removes in the end.
+        part = stack.enter_context(Part(kept or Path(scratch) / "part", job, arguments.shard, arguments.resume))
+        try:
+            return grade_into(part, kept, arguments, toolchain, submissions, exercises, outputs)
+        except Stopped:
+            if kept and kept.exists():
+                say(f"{len(part.done)} of {len(part.tasks)} results are kept in {kept}; the same command with --resume goes on.",
+                    to=sys.stderr)
+            raise
+
+
+def grade_into(part, kept, arguments, toolchain, submissions, exercises, outputs):
+    """Returns the exit status."""
+    if arguments.similarity:
+        export(arguments.similarity, submissions, exercises)
+    prepare_all(toolchain, exercises, arguments.jobs)
+    require_seals(toolchain, max(exercises, key=lambda exercise: exercise.chapter), arguments.unsealed)
+    if not arguments.unsealed:
+        require_out_of_reach([("the course", arguments.root), ("the build", arguments.toolchain.parent), ("what TMPDIR names",
+                              tempfile.gettempdir()), *([("what --private names", arguments.private)] if arguments.private else []),
+                              *((f"the submission {one_line(name)}", place) for name, place in submissions.items())])
+    before, computed = len(part.done), seconds_computed()
+    results, failed = grade_class(arguments, submissions, exercises, part, show_how_far)
+    tell_throughput(len(part.done) - before, len(exercises), seconds_computed() - computed)
     if arguments.shard != WHOLE:
         for name, why in failed.items():
             complain(f"{one_line(name)} has no result: {why}")
@@ -158,7 +164,7 @@ def grade(arguments, stack):
         return NO_RESULT if failed else 0
     status = write_outputs(arguments, outputs, results, failed)
     if status == 0 and kept and not arguments.part:
-        os.remove(kept)  # nothing of it is left to do
+        kept.unlink(missing_ok=True)  # nothing of it is left to do
     return status
 
 

@@ -17,14 +17,15 @@ from shards import Job, run
 from submission import read_header, student_of
 from untrusted import COMPILING
 
-GRADE_ONE = [sys.executable, "-E", "-B", str(Path(__file__).with_name("grade_one.py"))]
+TOOLS = Path(__file__).resolve().parent
+GRADE_ONE = [sys.executable, "-E", "-B", str(TOOLS / "grade_one.py")]
 PATIENCE = 20  # seconds that the grader of one submission has to tidy up
 
 
-def job_of(arguments, submissions, exercises):
-    """What must be equal in all its shards."""
-    return Job({"exercises": _digests_of(exercises, arguments.root), "seed": arguments.seed,
-                "seconds": arguments.seconds}, list(submissions))
+def job_of(arguments, submissions, exercises, toolchain):
+    """What must be equal in all its shards, and in a run that is taken up: all that decides on points but the submissions."""
+    return Job({"exercises": _digests_of(exercises, arguments.root), "tools": _digests_of_tools(), "compiler": toolchain.in_words(),
+                "seed": arguments.seed, "seconds": arguments.seconds, "unsealed": arguments.unsealed}, list(submissions))
 
 
 CHECK = {"sentence": str, "points": int, "of": int, "status": str, "message": str}
@@ -76,7 +77,7 @@ def grade_class(arguments, folders, exercises, part, tell):
     require_results(part.done, part.job.what)
     for name in [name for name, result in part.done.items() if not _is_of(result, folders[name], exercises)]:
         part.void(name)
-    graders = _Graders(arguments, exercises, part.job.what["exercises"], min(arguments.jobs, len(folders)))
+    graders = _Graders(arguments, exercises, (part.job.what["exercises"], part.job.what["tools"]), min(arguments.jobs, len(folders)))
     failed = run(part, lambda name: graders.grade(name, folders[name]), graders.most, graders.end, tell)
     return {name: part.done[name] for name in part.tasks if name in part.done}, failed
 
@@ -101,8 +102,9 @@ class _Graders:
             "exercises": [exercise.path for exercise in self.exercises], "seconds": self.arguments.seconds,
             "key": f"{self.arguments.seed}-{student}" if self.arguments.seed else "",
             "private": str(self.arguments.private) if self.arguments.private else None, "caller": os.getpid()})
-        if _digests_of(self.exercises, self.arguments.root) != self.digests:
-            raise Complaint("the checks or headers have changed since the grading began; what was graded before is kept, and no more")
+        if (_digests_of(self.exercises, self.arguments.root), _digests_of_tools()) != self.digests:
+            raise Complaint("the checks, headers or grader have changed since the grading began; what was graded before is kept, and no "
+                            "more")
         checks = _checks_of(graded)
         return {"student": student, "submission": name, "points": sum(check["points"] for check in checks),
                 "of": sum(check["of"] for check in checks), "exercises": graded["exercises"], "seconds": graded["seconds"],
@@ -168,6 +170,11 @@ def _digests_of(exercises, root):
     return {exercise.path: _digest(*(part for file in _files_of_checks(exercise) for part in (os.fsencode(file.name), file.read_bytes())),
                                    *(digest.encode() for name, digest in headers if name in ("common", "exact") or name <= exercise.chapter))
             for exercise in exercises}
+
+
+def _digests_of_tools():
+    """By file, of what grades."""
+    return {file.name: _digest(file.read_bytes()) for file in sorted(TOOLS.glob("*.py"))}
 
 
 def _files_of_checks(exercise):

@@ -1,18 +1,23 @@
 """Files made by a command, made again only when the command or something that it read has changed."""
 
+import contextlib
 import fcntl
+import hashlib
 import json
 import os
+import shutil
+import signal
 import subprocess
 import sys
 import time
-from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
+from confined import end_group
 from plain_text import say
 
 PATIENCE = 10  # seconds for which others are waited for without a word
+KINDNESS = 2   # seconds that a compiler has to tidy up
 
 
 class CommandFailed(Exception):
@@ -31,7 +36,7 @@ class Made:
 
 
 def make(target, command, inputs=(), dependencies=None, limit=120):
-    """Makes `target` by `command` unless it is as new as all that it was made of.
+    """Makes `target` by `command` unless all that it was made of is as it was then.
 
     `dependencies` is a file in make's form that the command writes, and names what else it read.
 
@@ -46,35 +51,68 @@ def make(target, command, inputs=(), dependencies=None, limit=120):
 def _make(target, command, inputs, dependencies, limit):
     record = Path(f"{target}.made")
     known = _read(record)
-    inputs = list(map(str, inputs))
-    if (known and known["command"] == command and known["stamps"].keys() >= set(inputs) and target.exists()
-            and _stamps(known["stamps"]) == known["stamps"]):
+    inputs = [shutil.which(command[0]) or command[0], *map(str, inputs)]
+    if (known and known["command"] == command and known["size"] == _size(target) and known["read"].keys() >= set(inputs)
+            and all(_is_as_it_was(name, *was) for name, was in known["read"].items())):
         return Made(known["output"], 0.0)
     record.unlink(missing_ok=True)
-    began, clock = time.monotonic(), time.time_ns()
-    before = _states([*inputs, *(known["stamps"] if known else [])])
+    began, clock = time.monotonic(), _clock_of_files(f"{target}.lock")
+    before = _states([*inputs, *(known["read"] if known else [])])
     # Made beside it and given its name when it is whole: who has the old one open, such as a compiler a precompiled header, goes on.
     beside = f"{target}.new"
     words = [beside if word == str(target) else word for word in command]
     try:
-        result = subprocess.run(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=limit)
+        code, output = _ran(words, limit)
     except subprocess.TimeoutExpired:
         raise CommandFailed(command, f"it took more than {limit} seconds") from None
-    output = result.stdout.decode("utf-8", "replace")
-    if result.returncode != 0:
+    if code != 0:
         raise CommandFailed(command, output)
     if beside in words:
         os.replace(beside, target)
     read = inputs + (dependencies_in(dependencies) if dependencies else [])
-    stamps = _stamps(dict.fromkeys(read))
-    # What was saved while the command ran may have been read before or after that, so it's made again the next time. Where the file's
-    # state before is known, the clock isn't asked: it may have been set, and a copy may bring an old time along, or one yet to come.
-    if not any(before[name] != after if name in before else _is_since(clock, after) for name, after in _states(read).items()):
-        record.write_text(json.dumps({"command": command, "output": output, "stamps": stamps}), encoding="utf-8")
+    digests = {name: _digest_of(name) for name in read}
+    after = _states(read)  # which come last: what is saved while a digest is taken differs in them
+    # What was saved while the command ran may have been read before or after that, so it's made once more the next time, when the state
+    # of each file is known before. Where it isn't, the clock is asked that says when files were changed.
+    sure = all(before[name] == state if name in before else state is None or state[-1] < clock for name, state in after.items())
+    record.write_text(json.dumps({"command": command if sure else [], "output": output, "size": _size(target),
+                                  "read": {name: [after[name], digests[name]] for name in read}}), encoding="utf-8")
     return Made(output, time.monotonic() - began)
 
 
-@contextmanager
+def _ran(words, limit):
+    """Exit code and output. If the wait is cut short, a compiler ends with all that it has started."""
+    with subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          start_new_session=True) as process:
+        _running.add(process.pid)
+        try:
+            output, _ = process.communicate(timeout=limit)
+        except BaseException:
+            _end_kindly(process)
+            raise
+        finally:
+            _running.discard(process.pid)
+    return process.returncode, output.decode("utf-8", "replace")
+
+
+_running = set()  # leaders of groups
+
+
+def end_running():
+    """Ends what other threads are having made: they hear of no signal."""
+    for leader in list(_running):
+        end_group(leader, signal.SIGTERM)
+
+
+def _end_kindly(process):
+    """A compiler removes its temporary files when it is asked to end."""
+    end_group(process.pid, signal.SIGTERM)
+    with contextlib.suppress(subprocess.TimeoutExpired):
+        process.wait(KINDNESS)
+    end_group(process.pid)
+
+
+@contextlib.contextmanager
 def held(target):
     """Keeps others, threads and processes, from making the same; the lock goes with its holder, however that ends. Nobody else can open
     it, for whoever can open a lock can hold it."""
@@ -116,33 +154,54 @@ def _read(record):
         known = json.loads(record.read_text(encoding="utf-8"))
     except (FileNotFoundError, ValueError, RecursionError):
         return None
-    shape = {"command": list, "output": str, "stamps": dict}
-    sound = isinstance(known, dict) and all(isinstance(known.get(key), kind) for key, kind in shape.items())
-    return known if sound else None
+    shape = {"command": list, "output": str, "size": int, "read": dict}
+    sound = (isinstance(known, dict) and all(isinstance(known.get(key), kind) for key, kind in shape.items())
+             and all(isinstance(was, list) and len(was) == 2 for was in known["read"].values()))
+    if not sound:
+        return None
+    for name, (state, digest) in known["read"].items():
+        _digests.setdefault((name, str(state)), digest)
+    return known
 
 
-def _stamps(files):
-    stamps = {}
-    for name in files:
-        try:
-            status = os.stat(name)
-            stamps[name] = [status.st_mtime_ns, status.st_size]
-        except OSError:
-            stamps[name] = None
-    return stamps
+def _is_as_it_was(name, state, digest):
+    """By its state, or by its content where that has changed: a copy of the whole folder, such as a container's, is not made again."""
+    now = _state(name)
+    return now == state or (now is not None and state is not None and _digest_of(name) == digest)
+
+
+def _size(file):
+    """What a full disk or a machine that stopped has left behind is shorter."""
+    return os.stat(file).st_size if os.path.exists(file) else -1
 
 
 def _states(files):
-    """Tells apart what has been written in between, whatever times it was given: nobody but the system sets that of a file's last change."""
-    states = {}
-    for name in files:
+    return {name: _state(name) for name in files}
+
+
+def _state(name):
+    """Differs as soon as anything is written, whatever time the file is given: nobody but the system sets the last of these times."""
+    try:
+        status = os.stat(name)
+        return [status.st_ino, status.st_size, status.st_mtime_ns, status.st_ctime_ns]
+    except OSError:
+        return None
+
+
+_digests = {}  # by name and state: a precompiled header is large, and much is made of it
+
+
+def _digest_of(name):
+    key = name, str(_state(name))
+    if key not in _digests:
         try:
-            status = os.stat(name)
-            states[name] = (status.st_ino, status.st_size, status.st_mtime_ns, status.st_ctime_ns)
+            _digests[key] = hashlib.sha256(Path(name).read_bytes()).hexdigest()
         except OSError:
-            states[name] = None
-    return states
+            _digests[key] = None
+    return _digests[key]
 
 
-def _is_since(clock, state):
-    return state is not None and clock <= max(state[2:])
+def _clock_of_files(file):
+    """What the system notes now as the time of a change: coarser than our own clock, and another machine's for files that lie there."""
+    os.utime(file)
+    return os.stat(file).st_ctime_ns

@@ -3,7 +3,8 @@
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 
-from made import held, make
+from made import end_running, held, make
+from outputs import write_whole
 
 
 PRECISIONS = ("double", "float")
@@ -20,10 +21,7 @@ def prepare(toolchain, exercise):
     """Makes what doesn't depend on a student's code: precompiled header, worker's loop, judge. Returns the judge."""
     header, command, target, dependencies = toolchain.precompile()
     header.parent.mkdir(parents=True, exist_ok=True)
-    text = "#include <exercise/precompiled.hpp>\n"
-    with held(header):
-        if not header.exists() or header.read_text(encoding="utf-8") != text:
-            header.write_text(text, encoding="utf-8")
+    _write(header, "#include <exercise/precompiled.hpp>\n")
     make(target, command, dependencies=dependencies)
     compile_shared(toolchain, "serve")
     compile_shared(toolchain, "judge")
@@ -38,19 +36,17 @@ def prepare(toolchain, exercise):
 def build_worker(toolchain, exercise, header_folder, folder):
     """Compiles a student's header, found in `header_folder`, into a worker in `folder`."""
     folder.mkdir(parents=True, exist_ok=True)
-    with ThreadPoolExecutor(len(PRECISIONS)) as pool:
-        made = list(pool.map(lambda real: _build_answers(toolchain, exercise, real, header_folder, folder), PRECISIONS))
+    made = _side_by_side(lambda real: _build_answers(toolchain, exercise, real, header_folder, folder), PRECISIONS, len(PRECISIONS))
     return Worker({real: folder / f"worker_{real}" for real in PRECISIONS}, made[0].output)
 
 
 def _build_answers(toolchain, exercise, real, header_folder, folder):
     source = folder / f"answers_{real}.cpp"
-    text = answers_source(exercise, real)
-    if not source.exists() or source.read_text(encoding="utf-8") != text:
-        source.write_text(text, encoding="utf-8")
+    _write(source, answers_source(exercise, real))
     compiled, worker = folder / f"answers_{real}.o", folder / f"worker_{real}"
     command, dependencies = toolchain.compile(source, compiled, exercise.chapter, first_folders=[header_folder])
-    made = make(compiled, command, inputs=[toolchain.precompiled_header], dependencies=dependencies)
+    read = [toolchain.precompiled_header, header_folder / exercise.header]
+    made = make(compiled, command, inputs=read, dependencies=dependencies)
     parts = [compiled, shared(toolchain, "serve.o")]
     make(worker, toolchain.link(parts, worker), inputs=parts)
     return made
@@ -71,10 +67,19 @@ def build_show(toolchain, exercise, header_folder, folder):
 def prepare_all(toolchain, exercises, jobs):
     """The judges of many exercises; the precompiled header comes first, then the others side by side."""
     judges = {exercises[0].path: prepare(toolchain, exercises[0])} if exercises else {}
-    with ThreadPoolExecutor(jobs) as pool:
-        made = pool.map(lambda exercise: (exercise.path, prepare(toolchain, exercise)), exercises[1:])
-        judges.update(made)
+    judges.update(_side_by_side(lambda exercise: (exercise.path, prepare(toolchain, exercise)), exercises[1:], jobs))
     return judges
+
+
+def _side_by_side(work, items, most):
+    """What comes of each. Who is told to end doesn't wait for compilers."""
+    with ThreadPoolExecutor(most) as pool:
+        try:
+            return list(pool.map(work, items))
+        except BaseException as error:
+            if not isinstance(error, Exception):
+                end_running()
+            raise
 
 
 def answers_source(exercise, real):
@@ -116,4 +121,11 @@ def shared(toolchain, name):
 
 def _compile(toolchain, source, target, floor):
     command, dependencies = toolchain.compile(source, target, floor)
-    make(target, command, inputs=[toolchain.precompiled_header], dependencies=dependencies)
+    make(target, command, inputs=[toolchain.precompiled_header, source], dependencies=dependencies)
+
+
+def _write(file, text):
+    """Unless it says so already. Others may be about to compile it, so it is never there in part."""
+    with held(file):
+        if not file.exists() or file.read_text(encoding="utf-8") != text:
+            write_whole(file, text.encode())

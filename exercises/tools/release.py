@@ -47,9 +47,12 @@ def released_files(root):
     """What git tracks and students get, and what is left out although somebody might miss it: by its name, why."""
     left_out = {name: "git doesn't track it" for name in _listed_by_git(root, "--others", "--exclude-standard", "--directory")}
     released, inside = [], Path(os.path.realpath(root))
-    for name in _listed_by_git(root, "--cached"):
+    tracked = [name for name in _listed_by_git(root, "--cached") if not LEFT_OUT.match(name)]
+    private = _private_folders(tracked)
+    for name in tracked:
         file = root / name
-        if LEFT_OUT.match(name):
+        if name.startswith(private):
+            left_out[name] = "it belongs to a private folder, such as grade --private takes"
             continue
         if not os.path.lexists(file):
             left_out[name] = "git tracks it, but it isn't there"
@@ -67,6 +70,12 @@ def released_files(root):
     if both_sides:
         raise Complaint(f"{one_line(both_sides[0])} holds both sides of a merge; git add of it says that one was chosen")
     return released, left_out
+
+
+def _private_folders(tracked):
+    """Where exercises lie that are neither the course's own nor those of its tests; at the root, the folder of each alone."""
+    found = [re.fullmatch(r"((?:.*/)?)([0-9]{2}_[a-z0-9_]+/[a-z][a-z0-9_]*/)exercise\.json", name, re.DOTALL) for name in tracked]
+    return tuple({each[1] or each[2] for each in found if each and each[1] != "exercises/" and not each[1].startswith("tests/")})
 
 
 def _is_utf8(name):

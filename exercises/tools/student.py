@@ -3,6 +3,7 @@
 import argparse
 import difflib
 import os
+import signal
 import sys
 import time
 from pathlib import Path
@@ -11,12 +12,13 @@ from catalogue import find, read_catalogue
 from compiler_says import first_message, why_not
 from complaint import Complaint
 from hints import read_hints
-from made import CommandFailed
+from made import CommandFailed, held
 from outputs import occupy_standard_descriptors
 from plain_text import complain, say, why_unheard
 from programs import build_worker, folder_of, judge_of, prepare
 from progress import Progress, bar
 from replay import has_replay, make_replay
+from shards import Stopped, stoppable
 from starter import solution_without_marks
 from submission import why_not_taken
 from toolchain import read_toolchain
@@ -83,7 +85,9 @@ class Student:
             while watch.wait():
                 say(f"\n--- saved at {time.strftime('%H:%M:%S')}")
                 self._check(exercise)
-        except KeyboardInterrupt:
+        except Stopped as stopped:
+            if stopped.signal != signal.SIGINT:
+                raise
             say()
         finally:
             watch.close()
@@ -163,6 +167,11 @@ class Student:
             say(f"\nIt can't be graded: {why}.")
             self._times(began, None)
             return False
+        folder.mkdir(parents=True, exist_ok=True)
+        with held(folder / "check"):  # or another check of the same exercise would change the programs that are judged
+            return self._check_alone(exercise, toolchain, header, folder, began, show)
+
+    def _check_alone(self, exercise, toolchain, header, folder, began, show):
         try:
             judge_program = prepare(toolchain, exercise)
             worker = build_worker(toolchain, exercise, header.parent, folder)
@@ -235,12 +244,13 @@ def main(words):
     try:
         student = Student(arguments.root, arguments.toolchain)
         method = {"progress": "show_progress"}.get(arguments.command, arguments.command)
-        return getattr(student, method)(arguments)
+        with stoppable():
+            return getattr(student, method)(arguments)
     except Complaint as complaint:
         complain(complaint)
         return 2
-    except KeyboardInterrupt:
-        return 130
+    except Stopped as stopped:
+        return 128 + stopped.signal
     except OSError as error:
         return why_unheard(error)
     except CommandFailed as failure:  # what is compiled without any of the student's code

@@ -1,6 +1,7 @@
 """The compiler's commands for an exercise, called without CMake: the headers precompiled, -O1, no debugging symbols."""
 
 import json
+import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -56,6 +57,14 @@ class Toolchain:
         command, dependencies = self.compile(header, target, "common", precompiled=False)
         command[command.index("-c"):command.index("-c") + 1] = ["-x", "c++-header"]
         return header, command, target, dependencies
+
+    def in_words(self):
+        """Compiler, version and options. Where its folders lie decides on nothing."""
+        try:
+            said = subprocess.run([self.compiler, "--version"], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL)
+        except OSError as error:
+            raise Complaint(f"the compiler {self.compiler} can't be started: {error.strerror}") from None
+        return " ".join([said.stdout.decode("utf-8", "replace").partition("\n")[0], *OPTIONS, *self.options])
 
     def link(self, objects, target):
         return [self.compiler, *objects, "-o", target]

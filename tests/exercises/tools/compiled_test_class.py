@@ -5,6 +5,7 @@ What takes time, the grading of one submission, is a stand-in here that looks at
 
 import collections
 import csv
+import io
 import json
 import os
 import shutil
@@ -17,6 +18,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
+import grade
 import grade_class
 from complaint import Complaint
 from fixture import ROOT, TOOLCHAIN
@@ -225,6 +227,41 @@ class NothingLost(AClassOfStandIns):
         _, said = self.run_to_the_end("merge", "kept", code=3)
         self.assertIn("bob has no result", said)
 
+    def test_nobody_takes_up_what_is_about_to_be_removed(self):
+        self.hand_in_all(ada=2, bob=1)
+        write = grade.write_outputs
+
+        def tries(*words):
+            with self.assertRaisesRegex(Complaint, "being written by another run"):
+                Part(Path("grade.part"), Job({}, []), resume=True)
+            return write(*words)
+        self.assertEqual(self.graded_here(tries), (0, ""))
+        self.assertEqual(os.listdir("."), ["marks.txt"])
+
+    def test_who_is_stopped_while_the_outputs_are_written_hears_what_is_kept(self):
+        self.hand_in_all(ada=2, bob=1)
+
+        def stops(*_):
+            os.kill(os.getpid(), signal.SIGTERM)
+            time.sleep(60)
+        self.assertEqual(self.graded_here(stops),
+                         (128 + signal.SIGTERM, "2 of 2 results are kept in grade.part; the same command with --resume goes on.\n"))
+        self.assertEqual(os.listdir("."), ["grade.part"])
+        self.assertEqual(self.graded_here(grade.write_outputs, "--resume"), (0, ""))
+        self.assertEqual(os.listdir("."), ["marks.txt"])
+        self.assertEqual(self.graded_so_far(), {"ada": 1, "bob": 1})
+
+    def graded_here(self, write_outputs, *options):
+        """Exit status, and what was said of results, of a grader in this process that writes its outputs so."""
+        stand_in = [sys.executable, "-I", "-S", "-B", "-c", f"LOG = {str(self.log)!r}{STAND_IN}"]
+        self.addCleanup(os.chdir, os.getcwd())
+        os.chdir(self.place)
+        said = io.StringIO()
+        with mock.patch("grade.write_outputs", write_outputs), mock.patch("grade_class.GRADE_ONE", stand_in), mock.patch("sys.stderr", said):
+            status = grade.main(["--root", str(self.root), "--toolchain", str(self.toolchain_file), "--output", "marks.txt", *options,
+                                 *(str(self.submissions / name) for name in self.names())])
+        return status, "".join(line for line in said.getvalue().splitlines(True) if " results " in line)
+
     def test_no_name_is_too_long_to_look_for_copied_code(self):
         names = ["n" * 251, "n" * 252, "n" * 253 + "1", "n" * 253 + "2", "\u00e9" * 127]
         self.hand_in_all(**{name: 1 for name in names})
@@ -394,7 +431,7 @@ class NothingLost(AClassOfStandIns):
         checks = self.exercise_folder / "checks.cpp"
         checks.write_text(checks.read_text(encoding="utf-8") + "\n// another\n", encoding="utf-8")
         wait.unlink()
-        self.assertIn(b"the checks or headers have changed since the grading began", process.communicate(timeout=60)[1])
+        self.assertIn(b"the checks, headers or grader have changed since the grading began", process.communicate(timeout=60)[1])
         self.assertEqual(process.returncode, 2)
         self.assertIn("belongs to another job", self.run_to_the_end("--resume", code=2)[1])
 

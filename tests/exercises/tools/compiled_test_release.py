@@ -133,6 +133,27 @@ class OfTheFixture(FixtureCourse):
         (exam / "exercise.json").write_text("{", encoding="utf-8")  # nor does a mistake in one that is being written matter
         release(self.root, self.target.with_name("once more"))
 
+    def test_the_exercises_of_tests_are_released(self):
+        shutil.copytree(self.exercise_folder, self.root / "tests" / "book" / "tiny" / "exercises" / "01_tiny" / "stick")
+        self.track()
+        _, left_out = release(self.root, self.target)
+        self.assertEqual(left_out, {})
+        self.assertTrue((self.target / "tests" / "book" / "tiny" / "exercises" / "01_tiny" / "stick" / "checks.cpp").exists())
+
+    def test_a_private_folder_is_left_out_though_git_tracks_it(self):
+        for private in ("hidden", "class/exam", ""):
+            with self.subTest(private):
+                there = self.root / private / "02_torque" / "exam"
+                shutil.copytree(self.exercise_folder, there)
+                (there.parents[1] / "key.txt").write_text("of the exam", encoding="utf-8")
+                self.git("add", "--all")
+                target = self.target.with_name(f"without {private.replace('/', ' ')}")
+                _, left_out = release(self.root, target)
+                self.assertFalse((target / private / "02_torque").exists())
+                self.assertEqual((target / private / "key.txt").exists(), private == "")
+                self.assertEqual(left_out[str((there / "checks.cpp").relative_to(self.root))],
+                                 "it belongs to a private folder, such as grade --private takes")
+
     def test_what_git_does_not_track_is_not_packed_to_be_graded(self):
         exam, solution = self.exercise_folder.with_name("exam"), self.solution.parent.with_name("exam")
         shutil.copytree(self.exercise_folder, exam)

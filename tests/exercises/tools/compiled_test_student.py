@@ -9,7 +9,9 @@ import sys
 import time
 import unittest
 
-from fixture import ROOT, FixtureCourse
+from compiled_test_endings import COMPILES, descendants, name_of
+from fixture import PLACE, ROOT, FixtureCourse
+from made import held
 
 SOLVED = """#pragma once
 template <class Real> Real doubled(Real number) { return number + number; }
@@ -275,6 +277,42 @@ class Way(FixtureCourse):
                     process.kill()
                     process.wait()
                     process.stdout.close()
+
+    def begin(self, *words):
+        process = subprocess.Popen([sys.executable, "-B", str(ROOT / "exercises" / "tools" / "student.py"), "--root", str(self.root),
+                                    "--toolchain", str(self.toolchain_file), *words], stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        return process
+
+    def test_whatever_signal_ends_a_check_no_compiler_runs_on(self):
+        self.says("start", "doubled")
+        self.write(COMPILES)
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            with self.subTest(number.name):
+                process = self.begin("check", "doubled")
+                deadline, compilers = time.monotonic() + 120, set()
+                while not any("cc1plus" in name_of(each) and "answers_double" in name_of(each) for each in compilers):
+                    self.assertLess(time.monotonic(), deadline)
+                    time.sleep(0.05)
+                    compilers = descendants(process.pid)
+                process.send_signal(number)
+                self.assertEqual(process.wait(timeout=60), 128 + number)
+                while any(name_of(each) for each in compilers):
+                    self.assertLess(time.monotonic(), deadline)
+                    time.sleep(0.05)
+
+    def test_a_second_check_waits_for_the_first(self):
+        self.says("start", "doubled")
+        self.write(SOLVED)
+        mine = self.build / PLACE / "mine"
+        mine.mkdir(parents=True, exist_ok=True)
+        with held(mine / "check"):
+            process = self.begin("check", "doubled")
+            self.wait_for(process, b"Waiting for another run")
+            self.assertFalse((mine / "worker_double").exists())
+        self.wait_for(process, b"3 of 3 points")
 
     def wait_for(self, process, word):
         seen, deadline = b"", time.monotonic() + 120

@@ -1,10 +1,12 @@
 """What decides on points is told apart by its digest, so that no run goes on with results of other checks."""
 
 import tempfile
+import types
 import unittest
 from pathlib import Path
+from unittest import mock
 
-from grade_class import _digests_of
+from grade_class import _digests_of, job_of
 from test_texts import exercise
 
 
@@ -37,3 +39,23 @@ class Digests(unittest.TestCase):
     def test_the_task_and_the_starter_decide_on_nothing(self):
         for name in ("task.md", self.exercise.header):
             self.assertFalse(self.is_told(self.there / name))
+
+    def job(self, version="compiler 12", **changes):
+        asked = types.SimpleNamespace(**{"root": self.root, "seed": "", "seconds": 5.0, "unsealed": False, **changes})
+        return job_of(asked, {"ada": self.root}, [self.exercise], mock.MagicMock(**{"in_words.return_value": version})).what
+
+    def test_whoever_grades_and_how_is_told(self):
+        for name, value in (("seed", "autumn"), ("seconds", 6.0), ("unsealed", True)):
+            with self.subTest(name=name):
+                self.assertNotEqual(self.job(**{name: value}), self.job())
+        self.assertNotEqual(self.job(version="compiler 13")["compiler"], self.job()["compiler"])
+
+    def test_a_changed_grader_is_told_by_its_file(self):
+        tools = self.root / "tools"
+        self.write(tools / "run_check.py", "one")
+        with mock.patch("grade_class.TOOLS", tools):
+            before = self.job()["tools"]
+            self.write(tools / "run_check.py", "two")
+            after = self.job()["tools"]
+        self.assertEqual(list(before), ["run_check.py"])
+        self.assertNotEqual(before, after)

@@ -1,5 +1,6 @@
 import io
 import multiprocessing
+import os
 import tempfile
 import threading
 import time
@@ -84,6 +85,64 @@ class Made(unittest.TestCase):
         make_slowly(self.folder)
         self.assertEqual(self.runs(), 2)
         self.assertEqual((self.folder / "target").read_text(encoding="utf-8"), "22")
+
+    def test_what_was_changed_and_given_its_size_and_time_again_is_told(self):
+        source = self.folder / "source"
+        make_slowly(self.folder)
+        time_of = source.stat().st_mtime_ns
+        source.write_text("2", encoding="utf-8")
+        os.utime(source, ns=(time_of, time_of))
+        make_slowly(self.folder)
+        self.assertEqual((self.folder / "target").read_text(encoding="utf-8"), "2")
+
+    def test_what_was_saved_again_and_says_the_same_is_not_made_again(self):
+        make_slowly(self.folder)
+        (self.folder / "source").unlink()
+        (self.folder / "source").write_text("1", encoding="utf-8")
+        make_slowly(self.folder)
+        self.assertEqual(self.runs(), 1)
+
+    def made_with(self, found):
+        """The seconds of making a target that a compiler would make of what it finds by itself."""
+        target, rule = self.folder / "target", self.folder / "rule"
+        return make(target, ["sh", "-c", f"cp '{found}' '{target}'; echo 'target: {found}' > '{rule}'"], dependencies=rule).seconds
+
+    def test_a_time_yet_to_come_makes_nothing_again(self):
+        found = self.folder / "source"
+        os.utime(found, (1e10, 1e10))
+        time.sleep(0.02)  # of a clock that files have
+        self.assertGreater(self.made_with(found), 0)
+        self.assertEqual(self.made_with(found), 0)
+
+    def test_what_may_have_been_saved_meanwhile_is_made_once_more_whatever_the_clock_says(self):
+        with mock.patch("made._clock_of_files", return_value=0):
+            self.assertGreater(self.made_with(self.folder / "source"), 0)
+            self.assertGreater(self.made_with(self.folder / "source"), 0)
+            self.assertEqual(self.made_with(self.folder / "source"), 0)
+
+    def test_what_was_cut_off_is_made_again(self):
+        make_slowly(self.folder)
+        (self.folder / "target").write_bytes(b"")
+        make_slowly(self.folder)
+        self.assertEqual((self.folder / "target").read_text(encoding="utf-8"), "1")
+
+    def test_a_new_compiler_makes_it_again(self):
+        compiler, target = self.folder / "compiler", self.folder / "target"
+        for version in ("1", "2"):
+            compiler.write_text(f"#!/bin/sh\necho {version} > '{target}'\n", encoding="utf-8")
+            compiler.chmod(0o755)
+            make(target, [compiler])
+            self.assertEqual(target.read_text(encoding="utf-8"), f"{version}\n")
+
+    def test_what_takes_too_long_ends_with_all_that_it_has_started(self):
+        noted, target = self.folder / "noted", self.folder / "target"
+        with self.assertRaises(CommandFailed):
+            make(target, ["sh", "-c", f"sleep 300 & echo $! > '{noted}'; wait"], limit=1)
+        status = Path(f"/proc/{noted.read_text(encoding='ascii').strip()}/stat")
+        deadline = time.monotonic() + 20
+        while status.exists() and status.read_text(encoding="ascii").rpartition(")")[2].split()[0] != "Z":
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.01)
 
     def test_after_a_failure_the_next_one_may_try(self):
         target = self.folder / "target"

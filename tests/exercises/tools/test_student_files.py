@@ -1,5 +1,6 @@
 """What is kept between two commands: a student's copies, their progress, and what was made."""
 
+import json
 import os
 import sys
 import tempfile
@@ -141,8 +142,10 @@ class MadeFiles(InAFolder):
     def test_a_damaged_record_makes_the_target_again(self):
         target = self.folder / "target"
         command = [sys.executable, "-c", f"open({str(target)!r}, 'w').close()"]
-        for damaged in ("", "5", "[]", "{}", '{"command": 1, "output": "", "stamps": {}}', '{"command": [], "output": "", "stamps": 7}',
-                        '{"command": [], "output": 3, "stamps": {}}', "[" * 100000):
+        whole = {"command": [sys.executable, *command[1:]], "output": "", "size": 0, "read": {}}
+        damages = ({"command": 1}, {"output": 3}, {"size": "0"}, {"read": 7}, {"read": {"a": 5}}, {"read": {"a": [1]}},
+                   {"read": {sys.executable: [5, {}]}}, {"read": {sys.executable: [[1, 2], None]}}, {"read": {}})
+        for damaged in ("", "5", "[]", "{}", "[" * 100000, *(json.dumps({**whole, **damage}) for damage in damages)):
             with self.subTest(record=damaged[:50]):
                 Path(f"{target}.made").write_text(damaged, encoding="utf-8")
                 self.assertGreater(make(target, command).seconds, 0)
