@@ -126,8 +126,22 @@ TEST_CASE_TEMPLATE("A mark holds the bodies that may have moved since the first 
     world.restore(mark);
     FAIL("it was taken");
   } catch (const std::invalid_argument& error) {
-    CHECK(std::string(error.what()) == "the mark has 9 bodies; the world has 10");
+    CHECK(std::string(error.what()) ==
+          "the mark has 9 bodies, 0 of them with a top; the world has 10 and 0");
   }
+}
+
+TEST_CASE_TEMPLATE("A mark of a point is refused where a body with a top has taken its place", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  const BodyHandle point = world.add("point", make_particle<Real>(1));
+  const Mark<Real> mark = world.mark();
+  world.remove(point);
+  world.restore(Mark<Real>{});  // of nobody, as nobody is there
+  CHECK(world.body_count() == 0);
+  const auto shape = mass_properties(Sphere<Real>{1}, 2);
+  world.add("ball", make_rigid_body<Real>("ball", shape).body);
+  CHECK_THROWS_AS(world.restore(mark), std::invalid_argument);
 }
 
 TEST_CASE_TEMPLATE("Whom an effect has put somewhere and then left is marked there", Real,

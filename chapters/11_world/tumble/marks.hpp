@@ -12,6 +12,17 @@
 
 namespace tumble {
 
+/// Throws unless there are as many bodies and tops as `what` has.
+template <class Roster>
+void require_as_many(const std::string& what, std::size_t bodies, std::size_t tops,
+                     const Roster& roster) {
+  if (bodies == roster.size() && tops == roster.top_count()) return;
+  throw std::invalid_argument("the " + what + " has " + std::to_string(bodies) + " bodies, " +
+                              std::to_string(tops) + " of them with a top; the world has " +
+                              std::to_string(roster.size()) + " and " +
+                              std::to_string(roster.top_count()));
+}
+
 /// How one body moves, and what the plan knew of it. Of a point the orientation and the angular
 /// momentum say nothing.
 template <class Real>
@@ -28,6 +39,7 @@ struct BodyMotion {
 template <class Real>
 struct Mark {
   std::int64_t ticks = 0;
+  std::size_t top_count = 0;
   std::shared_ptr<const std::vector<BodyMotion<Real>>> all;  ///< in the order of the world
   std::vector<BodyIndex> moved;                              ///< in no order
   std::vector<BodyMotion<Real>> motions;                     ///< of these
@@ -47,7 +59,7 @@ class Marks {
   //! [make_mark]
   template <class Roster, class AnyPlanner>
   Mark<Real> mark(std::int64_t ticks, const Roster& roster, AnyPlanner& planner) {
-    Mark<Real> now{ticks, all_, {}, {}};
+    Mark<Real> now{ticks, roster.top_count(), all_, {}, {}};
     if (all_) {
       now.moved = may_have_moved(roster, planner);
       now.motions.reserve(now.moved.size());
@@ -65,16 +77,13 @@ class Marks {
   //! [make_mark]
 
   /// Lets all bodies move as they did then.
-  /// @throws std::invalid_argument if there are more bodies than then, or fewer.
+  /// @throws std::invalid_argument if there are more bodies or tops than then, or fewer.
   template <class Roster, class AnyPlanner>
   void restore(const Mark<Real>& then, Roster& roster, AnyPlanner& planner) {
-    const std::size_t count = then.all ? then.all->size() : 0;
-    if (count != roster.size())
-      throw std::invalid_argument("the mark has " + std::to_string(count) +
-                                  " bodies; the world has " + std::to_string(roster.size()));
+    require_as_many("mark", then.all ? then.all->size() : 0, then.top_count, roster);
     planner.end_inputs(roster);
     std::vector<BodyIndex> others;
-    if (then.all == all_) {
+    if (all_ && then.all == all_) {
       others = may_have_moved(roster, planner);
     } else {
       for (BodyIndex body = 0; body < roster.size(); ++body) others.push_back(body);

@@ -52,11 +52,7 @@ class World : public Scenery<Real, Keeping> {
   /// such pushes are dropped. The bodies are taken in the order of the world.
   /// @throws std::invalid_argument if there are more bodies or tops than then, or fewer.
   void restore(const Snapshot<Real>& then) {
-    if (then.positions.size() != bodies_.size() || then.orientations.size() != bodies_.top_count())
-      throw std::invalid_argument(
-          "the snapshot has " + std::to_string(then.positions.size()) + " bodies, " +
-          std::to_string(then.orientations.size()) + " of them with a top; the world has " +
-          std::to_string(bodies_.size()) + " and " + std::to_string(bodies_.top_count()));
+    require_as_many("snapshot", then.positions.size(), then.orientations.size(), bodies_);
     planner_.end_inputs(bodies_);
     marks_.forget_all();
     bodies_.restore(then);
@@ -69,7 +65,7 @@ class World : public Scenery<Real, Keeping> {
   /// rests. A mark is for this world, or a copy of it, alone.
   Mark<Real> mark() { return marks_.mark(ticks_, bodies_, planner_); }
   /// See restore() of a Snapshot; it costs what can move now, or could then, and what was changed.
-  /// @throws std::invalid_argument if there are more bodies than then, or fewer.
+  /// @throws std::invalid_argument if there are more bodies or tops than then, or fewer.
   void restore(const Mark<Real>& then) {
     marks_.restore(then, bodies_, planner_);
     ticks_ = then.ticks;
