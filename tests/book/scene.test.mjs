@@ -67,8 +67,9 @@ for (const file of files) {
     const plan = JSON.parse(run.said.plan);
     for (const {effect, visited, of, reason} of plan.rows)
       assert.ok(stdout.split('\n').some(line => line.startsWith(effect) && line.includes(` ${visited} of ${of} `) && line.endsWith(reason)), `${effect}: ${reason}`);
-    for (const sentence of [plan.accuracy, ...plan.warnings]) assert.ok(stdout.includes(sentence), sentence);
+    for (const sentence of [plan.accuracy, ...plan.warnings, ...plan.unknown.map(what => `limit of the step unknown: ${what}\n`)]) assert.ok(stdout.includes(sentence), sentence);
     // What measures the cost goes through the lines that visit somebody.
+    assert.equal(plan.unknown.length, stdout.split('limit of the step unknown: ').length - 1);
     assert.equal(module.call('scene_parts'), plan.rows.filter(({visited}) => visited > 0).length);
     for (let part = -1; part < module.call('scene_parts'); ++part) module.call('scene_run_part', part, 1, 2);
   });

@@ -40,7 +40,10 @@ std::string json_of(const Plan& plan) {
                     {"visited", row.visited},
                     {"of", row.of},
                     {"reason", row.reason}});
-  return json{{"rows", rows}, {"accuracy", text_of(plan.accuracy)}, {"warnings", plan.warnings}}
+  return json{{"rows", rows},
+              {"accuracy", text_of(plan.accuracy)},
+              {"warnings", plan.warnings},
+              {"unknown", plan.unknown}}
       .dump();
 }
 

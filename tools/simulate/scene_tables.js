@@ -86,6 +86,7 @@
     const sentences = [`A step makes ${passes.length} ${passes.length === 1 ? 'pass' : 'passes'} over ${books.bodies} ${books.bodies === 1 ? 'body' : 'bodies'}`];
     if (idle.length) sentences.push(`No pass: ${list(idle.map(({effect}) => effect))}`);
     if (changes.length) sentences.push(`Changed in the plan: ${changes.join('; ')}`);
+    sentences.push(...plan.unknown.map(what => `Limit of the step unknown: ${what}`));
     sentences.push(...plan.warnings.map(warning => `Warning: ${warning.replace(/[.]$/, '')}`));
     return `${sentences.join('. ')}.`;
   }
