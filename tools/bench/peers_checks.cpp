@@ -13,9 +13,7 @@ using namespace tumble::support::bench;
 
 namespace {
 
-Vec3d vector(const Triple& v) {
-  return {v[0], v[1], v[2]};
-}
+constexpr auto vector = vector_of<double>;
 
 constexpr int seconds = 2;
 

@@ -12,14 +12,13 @@ namespace tumble::support::bench {
 /// The box number n, as it begins.
 template <class Real>
 RigidBody<Real> box_number(std::size_t n) {
-  const auto vector = [](const Triple& v) { return Vec3d(v[0], v[1], v[2]).cast<Real>().eval(); };
-  const Box<Real> box{vector(edges)};
+  const Box<Real> box{vector_of<Real>(edges)};
   RigidBody<Real> body =
       make_rigid_body<Real>("box", mass_properties(box, static_cast<Real>(mass))).body;
   const Start start = start_of(n);
-  body.centre.position = vector(start.position);
-  body.centre.velocity = vector(start.velocity);
-  set_angular_velocity_world(body.top, vector(start.angular_velocity));
+  body.centre.position = vector_of<Real>(start.position);
+  body.centre.velocity = vector_of<Real>(start.velocity);
+  set_angular_velocity_world(body.top, vector_of<Real>(start.angular_velocity));
   return body;
 }
 
@@ -29,7 +28,7 @@ class BareBody {
  public:
   explicit BareBody(const Setting& setting)
       : body_(box_number<Real>(0)), time_step_(static_cast<Real>(setting.time_step())) {
-    body_.top.torque = Vec3d(torque[0], torque[1], torque[2]).cast<Real>();
+    body_.top.torque = vector_of<Real>(torque);
   }
   void run(int steps) {
     for (int step = 0; step < steps; ++step) {

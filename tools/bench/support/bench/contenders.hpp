@@ -71,6 +71,13 @@ constexpr std::size_t bytes_of_bodies(std::size_t count) {
 template <class Real>
 const std::string precision_of = std::is_same_v<Real, float> ? "float" : "double";
 
+/// That which ODE was compiled for.
+#ifdef TUMBLE_HAS_ODE
+inline const std::string ode_precision = precision_of<dReal>;
+#else
+inline const std::string ode_precision = precision_of<double>;
+#endif
+
 /// Puts down what to measure.
 class Contest {
  public:
@@ -155,7 +162,7 @@ class Contest {
     peer<BulletWorld>(bullet_world, "float", count);
 #endif
 #ifdef TUMBLE_HAS_ODE
-    peer<OdeWorld>(ode_world, std::string(ode_precision), count);
+    peer<OdeWorld>(ode_world, ode_precision, count);
 #endif
   }
 

@@ -10,8 +10,6 @@
 
 namespace tumble::support::bench {
 
-static_assert(sizeof(dReal) == (ode_precision == "float" ? sizeof(float) : sizeof(double)));
-
 /// ODE's bodies in one of the scenes that have tops, stepped by its QuickStep.
 class OdeWorld {
  public:

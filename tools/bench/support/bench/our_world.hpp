@@ -25,7 +25,6 @@ class OurWorld {
   explicit OurWorld(const Setting& setting, const Rule& rule = {})
       : world_(steps_per_second(setting.rate), rule) {
     if (!setting.gyroscopic) world_.turn_by(Steady{});
-    const auto vector = [](const Triple& v) { return Vec3d(v[0], v[1], v[2]).cast<Real>().eval(); };
     for (std::size_t n = 0; n < setting.count; ++n) {
       const RigidBody<Real> body = box_number<Real>(n);
       if (has_tops(setting.scene))
@@ -33,7 +32,7 @@ class OurWorld {
       else
         world_.add(std::to_string(n), body.centre);
     }
-    add_effects(setting.scene, vector(torque));
+    add_effects(setting.scene, vector_of<Real>(torque));
     if constexpr (requires { world_.keeping().use_threads(1); })
       world_.keeping().use_threads(setting.threads);
   }

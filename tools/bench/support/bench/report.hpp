@@ -60,10 +60,10 @@ class Report {
               ratios_.time(colliding_loop, n),
               ratios_.time(bullet_functions, n),
               ratios_.time(bullet_world, n),
-              ratios_.time(ode_world, n, 1, std::string(ode_precision))};
+              ratios_.time(ode_world, n, 1, ode_precision)};
     };
     show(notebook_, "times",
-         "ns per body and step with everything on; ODE in " + std::string(ode_precision) +
+         "ns per body and step with everything on; ODE in " + ode_precision +
              ", the others in float",
          {{"bodies", "bodies"},
           {"world", "our world"},
@@ -105,8 +105,8 @@ class Report {
               against_us(bullet_functions),
               against_us(without_gyroscopic(bullet_functions)),
               against_us(bullet_world),
-              against_us(ode_world, std::string(ode_precision)),
-              against_us(without_gyroscopic(ode_world), std::string(ode_precision)),
+              against_us(ode_world, ode_precision),
+              against_us(without_gyroscopic(ode_world), ode_precision),
               ratio(ratios_.time(ours, n), ratios_.time(ours, n, 2)),
               ratio(ratios_.time(loop, n), ratios_.time(loop, n, 2))};
     };
@@ -198,7 +198,7 @@ class Report {
       notebook_.value(name, said(value));
     };
     const auto at = [&](const std::string& who, std::size_t n) { return ratios_.time(who, n); };
-    notebook_.value("ode_precision", std::string(ode_precision));
+    notebook_.value("ode_precision", ode_precision);
 #ifdef TUMBLE_OWN_PEERS
     notebook_.value("peers_compiled", "are compiled from their own sources with the same flags");
 #else
@@ -218,8 +218,7 @@ class Report {
       note(name + "over_loop_out_of_cache", ratio(at(ours, out), at(loop, out)));
       note(name + "bullet_functions", ratio(at(bullet_functions, in), at(ours, in)));
       note(name + "bullet_world", ratio(at(bullet_world, in), at(ours, in)));
-      note(name + "ode",
-           ratio(ratios_.time(ode_world, in, 1, std::string(ode_precision)), at(ours, in)));
+      note(name + "ode", ratio(ratios_.time(ode_world, in, 1, ode_precision), at(ours, in)));
       note(name + "two_threads", ratio(at(ours, in), ratios_.time(ours, in, 2)));
       const Maybe share = ratios_.share_of_bandwidth(
           OurWorld<float>::bytes_of_step(Scene::everything), at(ours, out), out);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <tumble/real.hpp>
 
 namespace tumble::support::bench {
 
@@ -43,6 +44,12 @@ constexpr bool has_damping(Scene scene) {
 /// Three numbers that every library can read; world axes unless said otherwise.
 using Triple = std::array<double, 3>;
 
+/// The same as a vector of ours.
+template <class Real>
+Vec3<Real> vector_of(const Triple& v) {
+  return Vec3d(v[0], v[1], v[2]).cast<Real>();
+}
+
 template <class Vector>
 Triple triple_of(const Vector& v) {
   return {double(v[0]), double(v[1]), double(v[2])};
@@ -77,13 +84,6 @@ struct Motion {
   Triple position, velocity;  ///< m, m/s
   Triple angular_velocity;    ///< rad/s
 };
-
-/// In which precision ODE computes: that which it was compiled for.
-#ifdef dIDESINGLE
-inline constexpr std::string_view ode_precision = "float";
-#else
-inline constexpr std::string_view ode_precision = "double";
-#endif
 
 /// What is asked of those who step a scene.
 struct Setting {
