@@ -4,6 +4,7 @@
 #include <tumble/gravity.hpp>
 #include <tumble/in_packs.hpp>
 #include <tumble/solids.hpp>
+#include <tumble/springs.hpp>
 
 using namespace tumble;
 
@@ -34,6 +35,19 @@ void step(benchmark::State& state, int fixed) {
   for (auto _ : state) world.step();
 }
 
+/// Each box hangs on a spring from one further on; a step with forces that join two, on so many
+/// threads.
+void step_of_net(benchmark::State& state, int threads) {
+  auto world = boxes(0);
+  std::vector<BodyHandle> ends;
+  for (BodyIndex n = 0; n < count; ++n)
+    ends.insert(ends.end(), {world.handle_at(n), world.handle_at((n + 1000) % count)});
+  world.add(SpringBetween<float>{{.stiffness = 1}}, ends);
+  world.keeping().use_threads(threads);
+  for (auto _ : state) world.step();
+  state.SetItemsProcessed(state.iterations());  // the time by the clock, not that of one thread
+}
+
 /// What a change costs the next step in packs.
 void schedule(benchmark::State& state, int fixed) {
   const auto world = boxes(fixed);
@@ -48,6 +62,18 @@ void steps(benchmark::State& state) {
 }
 void steps_of_some(benchmark::State& state) {
   step(state, 3);
+}
+void steps_of_two_threads(benchmark::State& state) {
+  auto world = boxes(0);
+  world.keeping().use_threads(2);
+  for (auto _ : state) world.step();
+  state.SetItemsProcessed(state.iterations());
+}
+void steps_of_net(benchmark::State& state) {
+  step_of_net(state, 1);
+}
+void steps_of_net_on_two_threads(benchmark::State& state) {
+  step_of_net(state, 2);
 }
 void schedules(benchmark::State& state) {
   schedule(state, 0);
@@ -96,6 +122,11 @@ void ways_back(benchmark::State& state) {
 }  // namespace
 
 BENCHMARK(steps)->Name("a step");
+BENCHMARK(steps_of_two_threads)->Name("a step on two threads")->UseRealTime();
+BENCHMARK(steps_of_net)->Name("a step with as many springs")->UseRealTime();
+BENCHMARK(steps_of_net_on_two_threads)
+    ->Name("a step with as many springs on two threads")
+    ->UseRealTime();
 BENCHMARK(steps_of_some)->Name("a step, a third of the boxes fixed");
 BENCHMARK(changes)->Name("a box goes, and another comes");
 BENCHMARK(schedules)->Name("the schedule made anew");

@@ -84,6 +84,19 @@ struct OwnPushBetween {
   }
 };
 
+template <class Real>
+struct OwnBlowBetween {
+  static constexpr std::string_view name = "own blow between";
+  Fuse<Real> fuse;
+  PairBlow<Real> blow(const BodyState<Real>& first, const BodyState<Real>& second,
+                      const Moment<Real>& moment) const {
+    const Vec3<Real> way = second.centre.velocity - first.centre.velocity;
+    return {.impulse_on_first = fuse(moment.time) * way / 8,
+            .turn_on_first = way / 16,
+            .turn_on_second = -way / 32};
+  }
+};
+
 /// Two in three of seventy bodies of all kinds, or all that have a top, with the effect and
 /// gravity, until the fuse burns out after 80 steps. @return whether a step failed
 template <class Real, class Effect>
@@ -95,22 +108,26 @@ bool is_same_until_burnt_out(Effect effect) {
     for (int n = 0; n < 70; ++n) {
       const BodyHandle body = add_random_body(world, dice, "body " + std::to_string(n));
       const bool fits =
-          PushBetween<Effect, Real> || EffectOf<Real, Effect>(effect).traits().needs_top
+          EffectOnTwo<Effect, Real> || EffectOf<Real, Effect>(effect).traits().needs_top
               ? world.body(body).top.inverse_moments.x() != 0
               : n % 3 != 0;
       if (fits) chosen.push_back(body);
     }
-    if (PushBetween<Effect, Real> && chosen.size() % 2 == 1) chosen.pop_back();
+    if (EffectOnTwo<Effect, Real> && chosen.size() % 2 == 1) chosen.pop_back();
     world.add(effect, chosen);
     world.add(Gravity<Real>{});
     return world;
   };
   bool fails = true;
-  for (const Scheme scheme : {Scheme::semi_implicit_euler, Scheme::verlet, Scheme::suzuki}) {
+  constexpr auto euler = Scheme::semi_implicit_euler;
+  for (const auto& [scheme, threads] :
+       {std::pair(euler, 1), std::pair(euler, 2), std::pair(Scheme::verlet, 2),
+        std::pair(Scheme::suzuki, 1)}) {
     World<Real> plain = made(World<Real>(steps_per_second(60)));
     auto packed = made(ManyBodies<Real>(steps_per_second(60)));
     plain.step_by(scheme);
     packed.step_by(scheme);
+    packed.keeping().use_threads(threads);
     std::string complaint;
     for (int n = 0; n < 81 && complaint.empty(); ++n) {
       complaint = complaint_of_step([&] { plain.step(); });
@@ -144,5 +161,6 @@ TEST_CASE_TEMPLATE(
   CHECK(is_same_until_burnt_out<Real>(OwnForce<Real>{}));
   CHECK(is_same_until_burnt_out<Real>(OwnPush<Real>{}));
   CHECK(is_same_until_burnt_out<Real>(OwnPushBetween<Real>{}));
+  CHECK(is_same_until_burnt_out<Real>(OwnBlowBetween<Real>{}));
 }
 //! [own_effects]

@@ -87,6 +87,8 @@ int main(int argument_count, char** arguments) {
   support::expect(same, "the three worlds agree to the bit");
 
   notebook.value("smallest_share", std::to_string(InPacks<float>::smallest_share));
+  notebook.value("smallest_share_of_pairs",
+                 std::to_string(OnBoth<float, width>::smallest_share_of_pairs));
   notebook.value("passes", std::to_string(world.plan().passes()));
   notebook.value("width", std::to_string(width));
   notebook.value("width_double", std::to_string(natural_width<double>));

@@ -3,8 +3,8 @@
 /// the cache.
 #pragma once
 
-#include <tumble/packed_acts.hpp>
-#include <tumble/thread_team.hpp>
+#include <tumble/on_both.hpp>
+#include <tumble/packed_parts.hpp>
 #include <tumble/world.hpp>
 
 namespace tumble {
@@ -26,7 +26,10 @@ class InPacks {
 
   /// So many threads take part in each step from now on; without a call, one.
   /// @throws std::invalid_argument if it is not from 1 to 1024; as many as before then do.
-  void use_threads(int count) { team_ = ThreadTeam(count); }
+  void use_threads(int count) {
+    team_ = ThreadTeam(count);
+    schedule_ = {};  // for several threads it knows more than for one
+  }
 
   /// See OneByOne::step(). The stages one after another; each thread takes the blocks of its own
   /// share one by one through a whole stage.
@@ -36,8 +39,8 @@ class InPacks {
     std::atomic<bool> lost = false;
     try {
       for (const Stage<Real, width>& stage : schedule_.stages) {
-        for (const Pass& pass : stage.on_both) acts_.act_on_both(work, pass, moment);
-        const auto run_share = [&](int member, int members) {
+        for (const Pass& pass : stage.on_both) on_both_.run(acts_, work, pass, moment, team_);
+        team_.share_out(!is_small(stage), [&](int member, int members) {
           std::exception_ptr thrown;
           const bool centres = run_row(work, stage.on_centres, acts_.bodies.centres, moment, member,
                                        members, thrown);
@@ -45,11 +48,7 @@ class InPacks {
               run_row(work, stage.on_tops, acts_.bodies.tops, moment, member, members, thrown);
           if (thrown) std::rethrow_exception(thrown);
           if (centres || tops) lost = true;
-        };
-        if (is_small(stage))
-          run_share(0, 1);
-        else
-          team_.run([&](int member) { run_share(member, team_.size()); });
+        });
       }
     } catch (...) {  // an effect has thrown
       (void)acts_.taken_back(work);
@@ -59,16 +58,11 @@ class InPacks {
   }
   //! [step]
 
-  /// What a step consists of, and how many bodies each part visits; and one part alone, to measure
-  /// what it costs.
-  struct Part {
-    std::string name;
-    std::size_t bodies;
-  };
-  std::vector<Part> parts(const Work<Real>& work) {
-    std::vector<Part> parts;
+  /// What a step consists of; and one part alone, to measure what it costs.
+  std::vector<PackedPart> parts(const Work<Real>& work) {
+    std::vector<PackedPart> parts;
     for_each_pass(work, [&](const Pass& pass, bool of_tops, const Stage<Real, width>&) {
-      parts.push_back(part_of(work, pass, of_tops));
+      parts.push_back(packed_part_of(work, pass, of_tops));
     });
     return parts;
   }
@@ -115,6 +109,7 @@ class InPacks {
   void prepare(const Work<Real>& work) {
     if (schedule_.version == work.version) return;
     schedule_ = Schedule<Real, width>(work);
+    if (team_.size() > 1) schedule_.keep_threads_apart(acts_.bodies);
     acts_.past.resize(acts_.bodies.centres.packs().size(), acts_.bodies.tops.packs().size());
   }
 
@@ -134,11 +129,9 @@ class InPacks {
   template <class Array>
   bool run_row(const Work<Real>& work, const Row<Real, width>& row, Array& array,
                const Moment<Real>& moment, int member, int members, std::exception_ptr& thrown) {
-    const auto share = [&](int m) {
-      return row.blocks.size() * static_cast<std::size_t>(m) / static_cast<std::size_t>(members);
-    };
+    const std::size_t end = share_of(row.blocks.size(), member + 1, members);
     bool lost = false;
-    for (std::size_t n = share(member); n < share(member + 1); ++n)
+    for (std::size_t n = share_of(row.blocks.size(), member, members); n < end; ++n)
       for (const Pass& pass : row.passes) {
         if (thrown && pass.act != Act::remember) continue;
         const std::uint32_t begin = row.blocks[n];
@@ -162,29 +155,8 @@ class InPacks {
     }
   }
 
-  static Part part_of(const Work<Real>& work, const Pass& pass, bool of_tops) {
-    const std::size_t bodies = count_of(pass.group);
-    switch (pass.act) {
-      case Act::effect:
-        return {work.effects[pass.entry].effect->name(), work.effects[pass.entry].visits.size()};
-      case Act::inputs:
-        return {"input", work.inputs.size()};
-      case Act::kick:
-        return {std::string(of_tops ? kick_of_spin.name : kick_motion.name), bodies};
-      case Act::drift:
-        return {std::string(drift_motion.name), bodies};
-      case Act::turn_steadily:
-        return {std::string(steady_turning.name), bodies};
-      case Act::tumble:
-        return {"tumbling: " + work.rule->name(), bodies};
-      default:
-        return {std::string(pass.act == Act::guard ? "guard of " : "memory of ")
-                    .append(of_tops ? "tops" : "centres"),
-                bodies};
-    }
-  }
-
   PackedActs<Real, width> acts_;
+  OnBoth<Real, width> on_both_;
   Schedule<Real, width> schedule_;
   ThreadTeam team_;
 };

@@ -2,6 +2,7 @@
 /// An effect that acts on packs of bodies, and a turning rule for packs.
 #pragma once
 
+#include <span>
 #include <tumble/any_effect.hpp>
 #include <tumble/packed_visits.hpp>
 #include <tumble/rule.hpp>
@@ -19,6 +20,14 @@ class PackedEffect {
   virtual void run_on_packs(PackedBodies<Real, width>& bodies, const Visits& visits,
                             const PackGroup<Real, width>& packs, std::uint32_t begin,
                             std::uint32_t end, const Moment<Real>& moment) const = 0;
+  /// The pairs that it joins, of an effect on two: those that it visits or, put into `found`, those
+  /// that it finds.
+  virtual std::span<const BodyPair> pairs(const PackedBodies<Real, width>& bodies,
+                                          const Visits& visits,
+                                          std::vector<BodyPair>& found) const = 0;
+  /// What an effect of the force phase gives to each of these pairs, without giving it to them.
+  virtual void find_pushes(const PackedBodies<Real, width>& bodies, std::span<const BodyPair> pairs,
+                           std::span<PairPush<Real>> pushes, Real time) const = 0;
 };
 
 /// The effect with each of its numbers `width` times over. An effect of the user's that has no
@@ -49,12 +58,9 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
   void run_on_packs(PackedBodies<Real, width>& bodies, const Visits& visits,
                     const PackGroup<Real, width>& packs, std::uint32_t begin, std::uint32_t end,
                     const Moment<Real>& moment) const override {
-    if constexpr (FindsPairs<Effect, Real>) {
+    if constexpr (sees == Sees::pair) {
       std::vector<BodyPair> found;
-      this->effect().find_pairs(unpacked(bodies), found);
-      run_on_pairs(bodies, found, moment);
-    } else if constexpr (sees == Sees::pair) {
-      run_on_pairs(bodies, visits.pairs, moment);
+      for (const BodyPair& pair : pairs(bodies, visits, found)) run_on_pair(bodies, pair, moment);
     } else if constexpr (sees == Sees::body) {
       const bool changes_tops =
           this->traits().writes.has_any(quantity::torque | quantity::spin | quantity::orientation);
@@ -84,6 +90,30 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
     }
   }
 
+  std::span<const BodyPair> pairs([[maybe_unused]] const PackedBodies<Real, width>& bodies,
+                                  const Visits& visits,
+                                  [[maybe_unused]] std::vector<BodyPair>& found) const override {
+    if constexpr (FindsPairs<Effect, Real>) {
+      found.clear();
+      this->effect().find_pairs(unpacked(bodies), found);
+      return found;
+    }
+    return visits.pairs;
+  }
+
+  void find_pushes([[maybe_unused]] const PackedBodies<Real, width>& bodies,
+                   [[maybe_unused]] std::span<const BodyPair> pairs,
+                   [[maybe_unused]] std::span<PairPush<Real>> pushes,
+                   [[maybe_unused]] Real time) const override {
+    if constexpr (PushBetween<Effect, Real>)
+      for (std::size_t n = 0; n < pairs.size(); ++n) {
+        const RigidBody<Real> first = body_at(bodies, pairs[n].first);
+        const RigidBody<Real> second = body_at(bodies, pairs[n].second);
+        pushes[n] =
+            this->effect().push({first.centre, first.top}, {second.centre, second.top}, time);
+      }
+  }
+
  private:
   void visit_lanes(Particle<Packed>& centre, Top<Packed>& top, const PackMask<Real, width>& members,
                    const Moment<Real>& moment) const {
@@ -97,15 +127,13 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
     }
   }
 
-  void run_on_pairs(PackedBodies<Real, width>& bodies, const std::vector<BodyPair>& pairs,
-                    const Moment<Real>& moment) const {
-    for (const BodyPair& pair : pairs) {
-      RigidBody<Real> first = body_at(bodies, pair.first), second = body_at(bodies, pair.second);
-      visit<Effect, Real>(this->effect(), {first.centre, first.top}, {second.centre, second.top},
-                          moment);
-      set_body_at(bodies, pair.first, first);
-      set_body_at(bodies, pair.second, second);
-    }
+  void run_on_pair(PackedBodies<Real, width>& bodies, const BodyPair& pair,
+                   const Moment<Real>& moment) const {
+    RigidBody<Real> first = body_at(bodies, pair.first), second = body_at(bodies, pair.second);
+    visit<Effect, Real>(this->effect(), {first.centre, first.top}, {second.centre, second.top},
+                        moment);
+    set_body_at(bodies, pair.first, first);
+    set_body_at(bodies, pair.second, second);
   }
 
   Kernel kernel_;

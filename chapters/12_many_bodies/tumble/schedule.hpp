@@ -4,6 +4,7 @@
 
 #include <tumble/guard.hpp>
 #include <tumble/packed_effect.hpp>
+#include <tumble/packs_apart.hpp>
 
 namespace tumble {
 
@@ -19,6 +20,7 @@ struct PackedPass {
   std::size_t entry = 0;  ///< the number of the scene's effect, if it is one
   const PackedEffect<Real, width>* effect = nullptr;  ///< that one
   const PackedRule<Real, width>* rule = nullptr;      ///< for those that tumble
+  PacksApart apart = {};  ///< for more threads than one, of an effect that sees centre and top
 };
 
 /// Passes that each block of one array can go through from first to last, and the blocks in which
@@ -87,6 +89,13 @@ class Schedule {
       for (Row<Real, width>* row : {&stage.on_centres, &stage.on_tops}) find_blocks(*row);
   }
   //! [schedule]
+
+  /// Makes it fit for more threads than one.
+  void keep_threads_apart(const PackedBodies<Real, width>& bodies) {
+    for (Stage<Real, width>& stage : stages)
+      for (PackedPass<Real, width>& pass : stage.on_both)
+        if (pass.act == Act::effect) pass.apart = packs_apart(pass.group, bodies);
+  }
 
  private:
   void on_centres(Act act, const Group& group) { add(stages.back().on_centres, act, group); }

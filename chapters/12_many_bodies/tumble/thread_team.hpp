@@ -14,6 +14,12 @@
 
 namespace tumble {
 
+/// Where the share of a member of a team begins, among `count` of anything; it ends where the next
+/// member's begins.
+inline std::size_t share_of(std::size_t count, int member, int members) {
+  return count * static_cast<std::size_t>(member) / static_cast<std::size_t>(members);
+}
+
 /// Some threads, the caller's among them, that do the same piece of work on different bodies. To
 /// start a thread costs more than a small world's step, so they are started once. A copy is another
 /// team of the same size.
@@ -49,6 +55,16 @@ class ThreadTeam {
     others_->wait_until_done();
   }
   //! [team]
+
+  /// Calls `work` with the number of each member and how many there are; with 0 and 1 alone if it
+  /// is not `worth_it` to wake the others.
+  template <class WorkOfMember>
+  void share_out(bool worth_it, const WorkOfMember& work) {
+    if (worth_it)
+      run([&](int member) { work(member, size_); });
+    else
+      work(0, 1);
+  }
 
  private:
   /// All but the caller's thread.
