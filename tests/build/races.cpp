@@ -21,7 +21,8 @@ ManyBodies<Real> net() {
   const auto shape = mass_properties(Box<Real>{{1, 2, 3}}, 2);
   std::vector<BodyHandle> bodies, joined;
   for (std::size_t n = 0; n < count; ++n) {
-    const Vec3<Real> place(static_cast<Real>(n % 100), static_cast<Real>(n / 100), 0);
+    const std::size_t row = n / 100;
+    const Vec3<Real> place(static_cast<Real>(n % 100), static_cast<Real>(row), 0);
     const std::string name = std::to_string(n);
     if (n % 3 == 0)
       bodies.push_back(world.add(name, make_particle<Real>(1, place)));
