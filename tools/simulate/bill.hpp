@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdio>
 #include <numeric>
+#include <tumble/packed_parts.hpp>
 #include <tumble/world.hpp>
 
 namespace tumble::simulate {
@@ -96,7 +97,7 @@ class Bill {
   }
 
   World<Real, Keeping> world_;
-  std::vector<typename Keeping::Part> parts_;
+  std::vector<PackedPart> parts_;
   std::size_t passes_;
   std::vector<std::vector<double>> samples_;  // ns for each step, of the passes and of the whole
   std::int64_t steps_in_round_ = 1;
