@@ -5,7 +5,8 @@
 set -u
 source=$1
 scratch=$2
-failures=0
+# shellcheck source=tests/verify.sh
+. "$(dirname -- "${BASH_SOURCE[0]}")/../verify.sh"
 
 rm -rf "$scratch"
 mkdir -p "$scratch/tree/chapters/01_force" "$scratch/tree/chapters/02_torque" "$scratch/bin"
@@ -48,27 +49,14 @@ fresh() { # SYSTEM VERSION: a machine with apt and no package
     chmod +x $bench'
 }
 
-course() { # ARGUMENT...: its output and exit code go to `output` and `code`
+course() { # ARGUMENT...: what it printed as `output`, what it called as `called`, and `code`
   output=$(cd / && CALLED=$scratch/called CHMOD=$(command -v chmod) CHECKS=${checks:-0} PATH=$scratch/bin \
     "$scratch/tree/course" "$@" 2>&1 </dev/null)
   code=$?
   called=$(cat "$scratch/called" 2>/dev/null)
+  errors="it called $called"
 }
 
-verify() { # SENTENCE CONDITION...
-  local sentence=$1
-  shift
-  if "$@"; then
-    echo "passed: $sentence"
-  else
-    failures=$((failures + 1))
-    printf 'error: %s\n  exit code %s, it called: %s\n  it said: %s\n' "$sentence" "$code" "$called" "$output"
-  fi
-}
-
-says_not() { [[ $output != *"$1"* ]]; }
-says() { [[ $output == *"$1"* ]]; }
-ends_with() { [ "$code" -eq "$1" ]; }
 called() { [[ $called == *"$1"* ]]; }
 called_nothing() { [ -z "$called" ]; }
 

@@ -6,7 +6,8 @@ set -u
 source=$1
 scratch=$2
 tree="$scratch/a tree"
-failures=0
+# shellcheck source=tests/verify.sh
+. "$(dirname -- "${BASH_SOURCE[0]}")/../verify.sh"
 
 rm -rf "$scratch"
 mkdir -p "$tree/chapters/01_force"
@@ -26,17 +27,6 @@ build="$tree/build/default"
 course() { # its output and exit code go to `output` and `code`
   output=$("$tree/course" check 1 --no-install 2>&1 </dev/null)
   code=$?
-}
-
-verify() { # SENTENCE CONDITION...
-  local sentence=$1
-  shift
-  if "$@"; then
-    echo "passed: $sentence"
-  else
-    failures=$((failures + 1))
-    printf 'error: %s\n  exit code %s\n  it said: %s\n' "$sentence" "$code" "$output"
-  fi
 }
 
 told() { [ "$code" -eq 2 ] && [[ $output == *"$1"* && $output == *"Delete build"* ]]; }
