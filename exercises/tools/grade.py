@@ -149,7 +149,8 @@ def grade_into(part, kept, arguments, toolchain, submissions, exercises, outputs
     if arguments.similarity:
         export(arguments.similarity, submissions, exercises)
     prepare_all(toolchain, exercises, arguments.jobs)
-    require_seals(toolchain, max(exercises, key=lambda exercise: exercise.chapter), arguments.unsealed)
+    require_seals(toolchain, max(exercises, key=lambda exercise: exercise.chapter), arguments.seconds,
+                  arguments.unsealed)
     if not arguments.unsealed:
         require_out_of_reach([("the course", arguments.root), ("the build", arguments.toolchain.parent), ("what TMPDIR names",
                               tempfile.gettempdir()), *([("what --private names", arguments.private)] if arguments.private else []),
