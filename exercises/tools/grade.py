@@ -11,6 +11,7 @@ Exit status: 0; 2 for a mistake in what was asked; 3 if submissions have no resu
 for a run that was stopped.
 """
 
+import ctrl_c  # noqa: F401
 import argparse
 import contextlib
 import hashlib

@@ -5,6 +5,7 @@
 What the command prints and its exit code are the command's own.
 """
 
+import ctrl_c  # noqa: F401
 import os
 import signal
 import subprocess
