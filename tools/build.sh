@@ -15,6 +15,11 @@ how_many_jobs() {
   echo $((cores > 1 ? cores : 1))
 }
 
+# kept COMMAND...: runs it so that it ends, with all that it has started, when this shell ends, in whatever way; where Python is there.
+kept() {
+  if command -v python3 >/dev/null 2>&1; then python3 -E -B "$root/exercises/tools/kept.py" "$BASHPID" "$@"; else "$@"; fi
+}
+
 # writable FOLDER: makes it; where that can't be, or nothing can be written there, says so and ends.
 writable() {
   local problem
@@ -67,10 +72,10 @@ configure_or_heal() {
   local generator=()
   ! command -v ninja >/dev/null 2>&1 || generator=(-G Ninja)
   if [ -f "build/$1/CMakeCache.txt" ]; then
-    cmake --preset "$1" && return
+    kept cmake --preset "$1" && return
     echo "Once more, without what was found before."
   fi
-  cmake --fresh --preset "$1" ${generator[@]+"${generator[@]}"}
+  kept cmake --fresh --preset "$1" ${generator[@]+"${generator[@]}"}
 }
 
 # build PRESET SENTENCE TARGET...: the files of the build are mended where they turn out to be broken.
@@ -88,16 +93,16 @@ build_or_heal() {
   shift
   [ -z "${keep_going-}" ] || { options=(-- -k) && [ ! -f "build/$preset/build.ninja" ] || options=(-- -k 0); }
   begin=$(wc -l <"$log")
-  cmake --build "build/$preset" --parallel "$jobs" --target "$@" ${options[@]+"${options[@]}"} && return
+  kept cmake --build "build/$preset" --parallel "$jobs" --target "$@" ${options[@]+"${options[@]}"} && return
   is_broken "$begin" || return 1
   echo "The files of the build are damaged: making them anew."
   begin=$(wc -l <"$log")
   configure_or_heal "$preset" &&
-    cmake --build "build/$preset" --parallel "$jobs" --target "$@" ${options[@]+"${options[@]}"} && return
+    kept cmake --build "build/$preset" --parallel "$jobs" --target "$@" ${options[@]+"${options[@]}"} && return
   is_broken "$begin" && ! tail -n "+$begin" "$log" | grep -qE 'unknown target|No rule to make target' || return 1
   echo "That did not help: starting with an empty folder."
   rm -rf "build/$preset" && configure_or_heal "$preset" &&
-    cmake --build "build/$preset" --parallel "$jobs" --target "$@" ${options[@]+"${options[@]}"}
+    kept cmake --build "build/$preset" --parallel "$jobs" --target "$@" ${options[@]+"${options[@]}"}
 }
 
 # Whether the log says, after a line, that the build itself is broken, and not what it compiles.
@@ -110,7 +115,7 @@ run_tests() { # PRESET SENTENCE CTEST-OPTION...
   # Started in the background, we may have been told to ignore signals; tests end what they start by them.
   if env --default-signal=INT true 2>/dev/null; then usual=(env "--default-signal=INT,HUP,PIPE"); fi
   before=$(wc -l <"$log")
-  stage "$2" ${usual[@]+"${usual[@]}"} ctest --test-dir "build/$1" --parallel "$jobs" --output-on-failure --no-label-summary --no-tests=error \
+  stage "$2" kept ${usual[@]+"${usual[@]}"} ctest --test-dir "build/$1" --parallel "$jobs" --output-on-failure --no-label-summary --no-tests=error \
     "${@:3}" || status=$?
   tail -n "+$((before + 1))" "$log" | sed -n '/% tests passed/,$p'
   return "$status"

@@ -10,21 +10,24 @@ Results are kept as they come, in measured.3-of-16.part where you are or in the 
 stopped. Ends with 0, 1 if items have failed twice, 2 if something is wrong with what was given, 128 and the signal's number after one.
 """
 
-import argparse
-import hashlib
-import json
-import os
-import platform
-import re
-import shutil
-import subprocess
 import sys
-import tempfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "exercises" / "tools"))
+import ctrl_c  # noqa: E402, F401
+
+import argparse  # noqa: E402
+import hashlib  # noqa: E402
+import json  # noqa: E402
+import os  # noqa: E402
+import platform  # noqa: E402
+import re  # noqa: E402
+import shutil  # noqa: E402
+import subprocess  # noqa: E402
+import tempfile  # noqa: E402
+
 from complaint import Complaint  # noqa: E402
 from outputs import occupy_standard_descriptors  # noqa: E402
 from plain_text import complain, say  # noqa: E402

@@ -1,7 +1,10 @@
-"""Programs that a job runs, several at a time, and that end with it."""
+"""Programs that a job runs, several at a time, and that end with it, however it ends."""
 
+import os
 import subprocess
 import threading
+
+from limits import end_with
 
 
 class Running:
@@ -12,10 +15,12 @@ class Running:
 
     def run(self, words, **options):
         """What came of it: its exit code, and as text what it printed, where that is asked for, and what it complained of."""
+        parent = os.getpid()
         with self.lock:
             if self.is_stopped:
                 raise RuntimeError(f"the {self.what} was stopped")
-            process = subprocess.Popen(list(map(str, words)), stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, **options)
+            process = subprocess.Popen(list(map(str, words)), stdin=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+                                       preexec_fn=lambda: end_with(parent), **options)
             self.running.add(process)
         try:
             said, errors = process.communicate()

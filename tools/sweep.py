@@ -17,19 +17,22 @@ to the byte. A step that can't be taken is a result; the last column says so. En
 some have failed, 2 if something is wrong with what was given, 128 and the number of the signal after one.
 """
 
-import argparse
-import json
-import math
-import os
-import subprocess
 import sys
-import tempfile
-from concurrent.futures import ThreadPoolExecutor, wait
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(ROOT / "exercises" / "tools"))
+import ctrl_c  # noqa: E402, F401
+
+import argparse  # noqa: E402
+import json  # noqa: E402
+import math  # noqa: E402
+import os  # noqa: E402
+import subprocess  # noqa: E402
+import tempfile  # noqa: E402
+from concurrent.futures import ThreadPoolExecutor, wait  # noqa: E402
+
 from complaint import Complaint  # noqa: E402
 from outputs import Outputs, occupy_standard_descriptors, require_a_place_of_its_own  # noqa: E402
 from plain_text import complain, plain, say  # noqa: E402

@@ -15,7 +15,8 @@ from limits import confine, end_with
 
 ADOPT_STRAYS = 36  # an order to prctl
 ORDERS_TO_END = (signal.SIGTERM, signal.SIGHUP, signal.SIGINT)
-PATIENCE = 5       # seconds that a grader has to tidy up when it is told to end
+PATIENCE = 5       # seconds that a worker has to tidy up when its keeper is told to end
+KINDNESS = 2       # seconds that a compiler has
 
 
 @dataclass(frozen=True)
@@ -77,19 +78,21 @@ def end_group(leader, by=signal.SIGKILL):
         pass
 
 
-def in_keeping(work, caller):
+def in_keeping(work, caller, apart=True):
     """Does `work` in a process of its own and returns its exit code. What it has started ends with it, however it ends.
 
-    `caller` is the process that started this one. It is told and not asked for, since by now it may have ended.
+    `caller` is the process that started this one. It is told and not asked for, since by now it may have ended. `apart`: what a terminal
+    tells the group of the caller isn't heard.
 
     Two processes watch each other. When the one that called this ends, or is told to, the keeper tells the worker to end and then
     ends whatever is left; when the keeper is killed, the worker ends by itself. Both get a signal from the kernel, so that also
     SIGKILL leaves nothing behind.
     """
-    if os.getpgrp() != os.getpid():
+    if apart and os.getpgrp() != os.getpid():
         os.setsid()  # a signal to the group of the caller must not end keeper and worker at once
     for number in ORDERS_TO_END:
-        signal.signal(number, _end)
+        if number == signal.SIGTERM or signal.getsignal(number) != signal.SIG_IGN:  # as nohup has it ignored
+            signal.signal(number, _end)
     end_with(caller, signal.SIGTERM)
     adopt_strays()
     keeper = os.getpid()
@@ -133,10 +136,23 @@ def adopt_strays():
         ctypes.CDLL(None).prctl(ADOPT_STRAYS, 1, 0, 0, 0)
 
 
+def end_strays_kindly():
+    """The same, with time to tidy up: a compiler removes its temporary files, and who builds what it has half made."""
+    deadline = time.monotonic() + KINDNESS
+    for process in _descendants(os.getpid()):
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.kill(process, signal.SIGTERM)
+    with contextlib.suppress(ChildProcessError):
+        while time.monotonic() < deadline:
+            if os.waitpid(-1, os.WNOHANG)[0] == 0:
+                time.sleep(0.02)
+    end_strays()
+
+
 def end_strays():
     """Ends every child that is left. To be called when none of our own is running."""
     for _ in range(1000):
-        children = _children()
+        children = _children_of(os.getpid())
         if not children:
             return
         for child in children:
@@ -147,9 +163,16 @@ def end_strays():
                 pass
 
 
-def _children():
+def _descendants(process):
+    """Those that were started last come last."""
+    children = _children_of(process)
+    return children + [each for child in children for each in _descendants(child)]
+
+
+def _children_of(process):
+    """Of its main thread."""
     try:
-        text = Path(f"/proc/self/task/{os.getpid()}/children").read_text(encoding="ascii")
+        text = Path(f"/proc/{process}/task/{process}/children").read_text(encoding="ascii")
     except OSError:
         return []
     return [int(word) for word in text.split()]

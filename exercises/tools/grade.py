@@ -11,6 +11,7 @@ Exit status: 0; 2 for a mistake in what was asked; 3 if submissions have no resu
 for a run that was stopped.
 """
 
+import ctrl_c  # noqa: F401
 import argparse
 import contextlib
 import hashlib
@@ -149,7 +150,8 @@ def grade_into(part, kept, arguments, toolchain, submissions, exercises, outputs
     if arguments.similarity:
         export(arguments.similarity, submissions, exercises)
     prepare_all(toolchain, exercises, arguments.jobs)
-    require_seals(toolchain, max(exercises, key=lambda exercise: exercise.chapter), arguments.unsealed)
+    require_seals(toolchain, max(exercises, key=lambda exercise: exercise.chapter), arguments.seconds,
+                  arguments.unsealed)
     if not arguments.unsealed:
         require_out_of_reach([("the course", arguments.root), ("the build", arguments.toolchain.parent), ("what TMPDIR names",
                               tempfile.gettempdir()), *([("what --private names", arguments.private)] if arguments.private else []),

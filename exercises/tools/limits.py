@@ -35,10 +35,10 @@ class Limits:
 def confine(limits, parent):
     """Called in the new process before its program begins; `parent` is the process with which it ends."""
     seconds = math.ceil(limits.seconds)
-    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
-    resource.setrlimit(resource.RLIMIT_AS, (limits.memory, limits.memory))
-    resource.setrlimit(resource.RLIMIT_FSIZE, (limits.file, limits.file))
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+    _limit(resource.RLIMIT_CPU, seconds, seconds + 1)
+    _limit(resource.RLIMIT_AS, limits.memory, limits.memory)
+    _limit(resource.RLIMIT_FSIZE, limits.file, limits.file)
+    _limit(resource.RLIMIT_CORE, 0, 0)
     if limits.user:
         os.setgroups([])
         os.setgid(limits.user)
@@ -48,6 +48,12 @@ def confine(limits, parent):
         restrict(limits.reach)
     if limits.sealed:
         seal()
+
+
+def _limit(kind, warned, ended):
+    """No higher than the caller's own limit, above which the system lets nobody go but root."""
+    most = resource.getrlimit(kind)[1]
+    resource.setrlimit(kind, tuple(each if most == resource.RLIM_INFINITY else min(each, most) for each in (warned, ended)))
 
 
 def end_with(parent, by=signal.SIGKILL):

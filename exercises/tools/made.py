@@ -13,11 +13,12 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
+import confined
 from confined import end_group
+from kept import kept
 from plain_text import say
 
 PATIENCE = 10  # seconds for which others are waited for without a word
-KINDNESS = 2   # seconds that a compiler has to tidy up
 
 
 class CommandFailed(Exception):
@@ -81,8 +82,8 @@ def _make(target, command, inputs, dependencies, limit):
 
 
 def _ran(words, limit):
-    """Exit code and output. If the wait is cut short, a compiler ends with all that it has started."""
-    with subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+    """Exit code and output. If the wait is cut short, or this process ends, a compiler ends with all that it has started."""
+    with subprocess.Popen(kept(words), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
                           start_new_session=True) as process:
         _running.add(process.pid)
         try:
@@ -108,7 +109,7 @@ def _end_kindly(process):
     """A compiler removes its temporary files when it is asked to end."""
     end_group(process.pid, signal.SIGTERM)
     with contextlib.suppress(subprocess.TimeoutExpired):
-        process.wait(KINDNESS)
+        process.wait(confined.PATIENCE)
     end_group(process.pid)
 
 

@@ -4,6 +4,7 @@ It holds setup.sh, which Gradescope runs once to make its image, run_autograder,
 students get it: to grade, no solution is needed. The image must be Debian 12 or Ubuntu 24.04 or later.
 """
 
+import ctrl_c  # noqa: F401
 import argparse
 import io
 import os

@@ -73,7 +73,7 @@ def why_unheard(error):
     if isinstance(error, BrokenPipeError):
         status = 141
     else:
-        complain(f"{error.filename or 'what was to be written'}: {error.strerror}")
+        complain(f"{error.filename2 or error.filename or 'what was to be written'}: {error.strerror}")  # of a copy, where it was to go
         status = 2
     _stop_writing_to(1)
     return status

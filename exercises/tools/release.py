@@ -4,6 +4,7 @@ It builds and tests on its own. MANIFEST.json lists its exercises and the SHA-25
 doctest with their licences, for machines on which nothing can be installed. Nothing is written if anything of a solution is left in it.
 """
 
+import ctrl_c  # noqa: F401
 import argparse
 import hashlib
 import json

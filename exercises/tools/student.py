@@ -1,5 +1,6 @@
 """./course start, check, watch, hint, next, progress, reset, compare: a student's way through the exercises."""
 
+import ctrl_c  # noqa: F401
 import argparse
 import difflib
 import os

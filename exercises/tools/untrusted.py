@@ -3,6 +3,7 @@
 import errno
 import functools
 import glob
+import math
 import os
 import re
 import resource
@@ -88,25 +89,31 @@ def _has(kind, number):
     return any(int(first) <= number < int(first) + int(count) for first, count in zip(ranges[0::3], ranges[2::3]))
 
 
-def require_seals(toolchain, exercise, unsealed):
+def require_seals(toolchain, exercise, seconds, unsealed):
     """Complains unless a submission can be confined here and the compiler works there; `unsealed`: unless the compiler works."""
     held = seals()
     if not unsealed and not (held["files"] and held["calls"]):
         lacking = " and ".join(what for what, name in (("Landlock", "files"), ("seccomp", "calls")) if not held[name])
         raise Complaint(f"here a submission can't be confined, for the system offers no {lacking}. The handbook says what it could do "
                         "then; --unsealed grades nevertheless")
-    for name, option, kind, wanted in (("memory", "v", resource.RLIMIT_AS, MEMORY_OF_COMPILERS),
-                                       ("a file's size", "f", resource.RLIMIT_FSIZE, FILES_OF_COMPILERS)):
-        most = resource.getrlimit(kind)[1]
-        if most != resource.RLIM_INFINITY and most < wanted:
-            raise Complaint(f"the limit of {name} is {most // 1024} KB here (ulimit -{option}), and a compiler gets "
-                            f"{wanted // MEBIBYTE} MB")
+    _require_high_limits(math.ceil(COMPILING * seconds) + 1)
     try:
         with a_workshop(toolchain, exercise, own_user(), COMPILING * 5) as workshop:
             workshop.require_readable()
             workshop.try_out()
     except GraderFailed as failure:
         raise Complaint(failure) from None
+
+
+def _require_high_limits(seconds):
+    """Complains where the caller has less than a compiler gets: submissions would be graded by that."""
+    for name, option, kind, wanted, unit, size in (("memory", "v", resource.RLIMIT_AS, MEMORY_OF_COMPILERS, "MB", MEBIBYTE),
+                                                   ("a file's size", "f", resource.RLIMIT_FSIZE, FILES_OF_COMPILERS, "MB", MEBIBYTE),
+                                                   ("computing time", "t", resource.RLIMIT_CPU, seconds, "s", 1)):
+        most = resource.getrlimit(kind)[1]
+        if most != resource.RLIM_INFINITY and most < wanted:
+            raise Complaint(f"the limit of {name} is {most / size:g} {unit} here (ulimit -{option}), and a compiler gets "
+                            f"{wanted // size} {unit}")
 
 
 def require_out_of_reach(places):

@@ -3,7 +3,6 @@
 import hashlib
 import os
 import re
-import shutil
 from datetime import datetime
 from pathlib import Path
 
@@ -50,7 +49,7 @@ class Workplace:
         while backup.exists():
             count += 1
             backup = header.with_name(f"{exercise.name}.{stamp}_{count}.hpp")
-        shutil.copy2(header, backup)  # so that whatever fails, what was written is there
+        write_whole(backup, header.read_bytes())  # so that whatever fails, what was written is there
         write_whole(header, (exercise.folder / exercise.header).read_bytes())
         return backup
 

@@ -2,39 +2,19 @@
 # advise_test.sh ADVISE PROMISE_KEPT SCRATCH SCHEMA PYTHON: what the program advise answers to good questions and bad ones, and
 # whether its promises hold when they are tried against exact solutions. Nothing here depends on how fast the machine is.
 set -u
-advise=$1
+program=$1
 promise_kept=$2
 scratch=$3
 schema=$4
 python=$5
-failures=0
+# shellcheck source=tests/verify.sh
+. "$(dirname -- "${BASH_SOURCE[0]}")/../verify.sh"
 
 rm -rf "$scratch"
 mkdir -p "$scratch"
 cd "$scratch" || exit 1
 
-run() { # ARGUMENT...: its output, its errors and its exit code go to `output`, `errors` and `code`
-  output=$("$advise" "$@" 2>errors.txt </dev/null)
-  code=$?
-  errors=$(cat errors.txt)
-  rm errors.txt
-}
-
-verify() { # SENTENCE CONDITION...
-  local sentence=$1
-  shift
-  if "$@"; then
-    echo "passed: $sentence"
-  else
-    failures=$((failures + 1))
-    printf 'error: %s\n  exit code %s\n  it said: %s\n  and: %s\n' "$sentence" "$code" "$output" "$errors"
-  fi
-}
-
 says() { [[ $(tr -s ' \n' ' ' <<<"$output") == *"$1"* ]]; } # wherever its lines are broken
-says_not() { ! says "$1"; }
-complains() { [[ $errors == *"$1"* ]]; }
-ends_with() { [ "$code" -eq "$1" ]; }
 is_silent() { [ -z "$output$errors" ]; }
 
 # Promises: each is tried against an exact solution by a program that shares nothing with advise.
@@ -89,7 +69,7 @@ verify "with its bodies" says "bodies"
 run --help
 verify "--help tells the options" says "--inertia A,B,C"
 verify "--help ends well" ends_with 0
-"$advise" --help >/dev/full 2>errors.txt
+"$program" --help >/dev/full 2>errors.txt
 code=$? output="" errors=$(cat errors.txt)
 rm errors.txt
 verify "help that can't be written is told" complains "the answer can't be written"
@@ -128,7 +108,7 @@ try:
         said += part
 except OSError:
     pass  # so a terminal ends
-print(answer.count("trying"), said.decode())' "$advise" --inertia 1,2,3 --spin 1,2,0.5 --for 1 --angle 1e-4 --precision float --rate 1)
+print(answer.count("trying"), said.decode())' "$program" --inertia 1,2,3 --spin 1,2,0.5 --for 1 --angle 1e-4 --precision float --rate 1)
   code=$? errors=""
   verify "on a terminal it says what it tries" says "what was asked for: trying exact solution in float, "
   verify "and takes that away again" [ "${output: -4}" = $'\r\e[K' ]

@@ -5,7 +5,8 @@
 set -u
 source=$1
 scratch=$2
-failures=0
+# shellcheck source=tests/verify.sh
+. "$(dirname -- "${BASH_SOURCE[0]}")/../verify.sh"
 
 rm -rf "$scratch"
 mkdir -p "$scratch/tree/chapters/01_force" "$scratch/tree/chapters/02_torque" "$scratch/bin"
@@ -24,6 +25,11 @@ sed -i.bak "s|^memory_file=.*|memory_file='$scratch/meminfo'|; s|^memory_limit_f
 stand_in() {
   { echo '#!/usr/bin/env bash' && cat; } >"$scratch/bin/$1"
   chmod +x "$scratch/bin/$1"
+}
+
+# stand_in_python COMMAND: that runs what is to end with the shell as the tool for it does, and does the command for any other tool.
+stand_in_python() {
+  stand_in python3 <<<"[[ \${3-} != */kept.py ]] || exec \"\${@:5}\"; $1"
 }
 
 fresh() { # SYSTEM VERSION: a machine with apt and no package
@@ -48,27 +54,14 @@ fresh() { # SYSTEM VERSION: a machine with apt and no package
     chmod +x $bench'
 }
 
-course() { # ARGUMENT...: its output and exit code go to `output` and `code`
+course() { # ARGUMENT...: what it printed as `output`, what it called as `called`, and `code`
   output=$(cd / && CALLED=$scratch/called CHMOD=$(command -v chmod) CHECKS=${checks:-0} PATH=$scratch/bin \
     "$scratch/tree/course" "$@" 2>&1 </dev/null)
   code=$?
   called=$(cat "$scratch/called" 2>/dev/null)
+  errors="it called $called"
 }
 
-verify() { # SENTENCE CONDITION...
-  local sentence=$1
-  shift
-  if "$@"; then
-    echo "passed: $sentence"
-  else
-    failures=$((failures + 1))
-    printf 'error: %s\n  exit code %s, it called: %s\n  it said: %s\n' "$sentence" "$code" "$called" "$output"
-  fi
-}
-
-says_not() { [[ $output != *"$1"* ]]; }
-says() { [[ $output == *"$1"* ]]; }
-ends_with() { [ "$code" -eq "$1" ]; }
 called() { [[ $called == *"$1"* ]]; }
 called_nothing() { [ -z "$called" ]; }
 
@@ -120,7 +113,7 @@ verify "a failed check ends with an error" ends_with 2
 
 mkdir -p "$scratch/tree/exercises/01_force/moon" "$scratch/tree/work"
 touch "$scratch/tree/exercises/01_force/moon/exercise.json"
-stand_in python3 <<<'echo "python3 ${*@Q}"; exit 7'
+stand_in_python 'echo "python3 ${*@Q}"; exit 7'
 for word in moon 01_force/moon work/01_force/moon/moon.hpp /a/b/work/01_force/moon/moon.hpp; do
   course check "$word"
   verify "check takes $word for the exercise" says "toolchain.json' 'check' '$word'"
@@ -158,7 +151,7 @@ verify "and ends as it does" ends_with 130
 verify "simulate compiles the simulator alone" called "--target simulate"
 course simulate t_handle --live page.html --no-install
 verify "and for a page that computes, its engine" called "--target simulate live_figure_scene"
-stand_in python3 <<<'echo "python3 $PWD ${*@Q}"; exit 7'
+stand_in_python 'echo "python3 $PWD ${*@Q}"; exit 7'
 course sweep "a sweep.json" --shard 3/16 --no-install
 verify "sweep gives its options to its tool, in the caller's folder" says "python3 / "
 verify "and all of them" says "programs/simulate/simulate' 'a sweep.json' '--shard' '3/16'"
@@ -171,7 +164,7 @@ verify "and makes no book" says_not "Set the book"
 course book merge "a part" b.part --no-install
 verify "parts are put together" says "default/measured' '--merge' 'a part' 'b.part'"
 verify "and where that fails there is no book" ends_with 1
-stand_in python3 <<<'exit 0'
+stand_in_python 'exit 0'
 course book merge a.part b.part --no-install
 verify "the book is set from what they make" called "-DTUMBLE_FULL=ON -DTUMBLE_MEASURED:PATH=$scratch/tree/build/default/measured"
 course book --no-install

@@ -6,11 +6,14 @@ set -u
 source=$1
 scratch=$2
 tree="$scratch/a tree"
-failures=0
+# shellcheck source=tests/verify.sh
+. "$(dirname -- "${BASH_SOURCE[0]}")/../verify.sh"
 
 rm -rf "$scratch"
 mkdir -p "$tree/chapters/01_force"
+mkdir "$tree/exercises"
 cp -R "$source/course" "$source/tools" "$tree"
+cp -R "$source/exercises/tools" "$tree/exercises"
 cat >"$tree/CMakeLists.txt" <<'END'
 cmake_minimum_required(VERSION 3.25)
 project(Healed LANGUAGES CXX)
@@ -26,17 +29,6 @@ build="$tree/build/default"
 course() { # its output and exit code go to `output` and `code`
   output=$("$tree/course" check 1 --no-install 2>&1 </dev/null)
   code=$?
-}
-
-verify() { # SENTENCE CONDITION...
-  local sentence=$1
-  shift
-  if "$@"; then
-    echo "passed: $sentence"
-  else
-    failures=$((failures + 1))
-    printf 'error: %s\n  exit code %s\n  it said: %s\n' "$sentence" "$code" "$output"
-  fi
 }
 
 told() { [ "$code" -eq 2 ] && [[ $output == *"$1"* && $output == *"Delete build"* ]]; }
@@ -104,6 +96,33 @@ mv "$tree" "$scratch/moved"
 tree=$scratch/moved build=$scratch/moved/build/default
 course
 verify "moved to another place, it heals" heals
+
+# Whatever ends the command, what it has started ends too. What is compiled here never comes to its end.
+if command -v python3 >/dev/null; then
+  endless=$scratch/endless
+  printf '#!/usr/bin/env bash\necho $$ >>"%s"\nexec sleep 1000000\n' "$endless.pids" >"$endless"
+  chmod +x "$endless"
+  cp "$tree/CMakeLists.txt" "$scratch/as_it_was"
+  echo "add_custom_command(TARGET 01_force_checks PRE_LINK COMMAND '$endless' VERBATIM)" | tr "'" '"' >>"$tree/CMakeLists.txt"
+  for signal in TERM HUP KILL; do
+    touch "$tree/main.cpp"
+    : >"$endless.pids"
+    "$tree/course" check 1 --no-install >/dev/null 2>&1 </dev/null &
+    until [ -s "$endless.pids" ] || ! kill -0 $! 2>/dev/null; do sleep 0.1; done
+    running=$(cat "$endless.pids")
+    kill "-$signal" $!
+    wait $! 2>/dev/null
+    code=$? output=""
+    verify "SIG$signal ends the command" ends_with $((128 + $(kill -l "$signal")))
+    for ((count = 0; count < 600; ++count)); do kill -0 "$running" 2>/dev/null || break; sleep 0.1; done
+    verify "and nothing of it runs on" [ "$count" -lt 600 ]
+    kill "$running" 2>/dev/null
+  done
+  mv "$scratch/as_it_was" "$tree/CMakeLists.txt"
+  touch "$tree/CMakeLists.txt"
+  course
+  verify "and the next command makes the rest" heals
+fi
 
 rm -rf "$tree/build"
 echo >"$tree/build"

@@ -3,37 +3,16 @@
 set -u
 # Whoever started this may ignore signals, as nohup does; what they end is tried here.
 [ -n "${SIGNALS_AS_USUAL-}" ] || SIGNALS_AS_USUAL=yes exec env --default-signal=INT,HUP,TERM,PIPE bash "$0" "$@"
-simulate=$1
+program=$1
 scratch=$2
-failures=0
+# shellcheck source=tests/verify.sh
+. "$(dirname -- "${BASH_SOURCE[0]}")/../verify.sh"
 count=0
 
 rm -rf "$scratch"
 mkdir -p "$scratch"
 cd "$scratch" || exit 1
 
-run() { # ARGUMENT...: its output, its errors and its exit code go to `output`, `errors` and `code`
-  output=$(PATH=${path:-$PATH} "$simulate" "$@" 2>errors.txt </dev/null)
-  code=$?
-  errors=$(cat errors.txt)
-  rm errors.txt
-}
-
-verify() { # SENTENCE CONDITION...
-  local sentence=$1
-  shift
-  if "$@"; then
-    echo "passed: $sentence"
-  else
-    failures=$((failures + 1))
-    printf 'error: %s\n  exit code %s\n  it said: %s\n  and: %s\n' "$sentence" "$code" "$output" "$errors"
-  fi
-}
-
-says() { [[ $output == *"$1"* ]]; }
-says_not() { [[ $output != *"$1"* ]]; }
-complains() { [[ $errors == *"$1"* ]]; }
-ends_with() { [ "$code" -eq "$1" ]; }
 lines() { [ "$(wc -l <"$1")" -eq "$2" ]; }
 leaves_nothing() { [ -z "$(ls -A)" ]; }
 same_numbers() { cmp -s "$1" "$2"; }
@@ -226,7 +205,7 @@ rm loop
 # No output goes where what is printed goes.
 echo before >log.txt
 for path in /dev/stdout /proc/self/fd/1 /dev/fd/1 log.txt /dev/stderr /proc/self/fd/7; do
-  "$simulate" t_handle --until 0.1 --csv "$path" >>log.txt 2>>log.txt 7>>log.txt
+  "$program" t_handle --until 0.1 --csv "$path" >>log.txt 2>>log.txt 7>>log.txt
   code=$? output=$(cat log.txt) errors=$output
   verify "$path is refused where something is printed" complains "cannot write $path: it is open already"
   verify "and ends with 3" ends_with 3
@@ -277,12 +256,12 @@ rm ./*.json
 run_within() { # KIBIBYTES ARGUMENT...: with so much memory
   local limit=$1
   shift
-  output=$( (ulimit -v "$limit" && "$simulate" "$@" 2>errors.txt </dev/null))
+  output=$( (ulimit -v "$limit" && "$program" "$@" 2>errors.txt </dev/null))
   code=$?
   errors=$(cat errors.txt)
   rm errors.txt
 }
-if ! grep -q __asan_init "$simulate"; then # the address sanitizer needs terabytes of addresses
+if ! grep -q __asan_init "$program"; then # the address sanitizer needs terabytes of addresses
   run_within 60000 rain --until 1 --csv rain.csv
   verify "too little memory is told" complains "the memory does not suffice"
   verify "and ends with 4" ends_with 4
@@ -290,13 +269,13 @@ if ! grep -q __asan_init "$simulate"; then # the address sanitizer needs terabyt
   verify "too few threads are told" complains "fewer --threads may do"
   verify "and ends with 4" ends_with 4
 fi
-output=$( (ulimit -f 10 && "$simulate" rain --until 1 --csv rain.csv 2>errors.txt </dev/null))
+output=$( (ulimit -f 10 && "$program" rain --until 1 --csv rain.csv 2>errors.txt </dev/null))
 code=$?
 errors=$(cat errors.txt)
 rm errors.txt
 verify "a file beyond the limit of its size is told" complains "cannot write"
 verify "and ends with 3" ends_with 3
-output=$( (ulimit -f 10 && "$simulate" rain --until 0.1 --csv rain.csv --jsonl rain.jsonl --books books.json 2>errors.txt </dev/null))
+output=$( (ulimit -f 10 && "$program" rain --until 0.1 --csv rain.csv --jsonl rain.jsonl --books books.json 2>errors.txt </dev/null))
 code=$?
 errors=$(cat errors.txt)
 rm errors.txt
@@ -307,7 +286,7 @@ verify "the first of them is told at the end too" complains "/rain.csv: the disk
 verify "the run ends with 3" ends_with 3
 verify "and the output that isn't full is there" grep -q '"unexplained"' books.json
 rm books.json
-"$simulate" t_handle --until 0.1 >/dev/full 2>errors.txt
+"$program" t_handle --until 0.1 >/dev/full 2>errors.txt
 code=$? errors=$(cat errors.txt) output=""
 rm errors.txt
 verify "if what is printed can't be written it says so" complains "what is printed can't be written"
@@ -354,12 +333,12 @@ verify "and that they agree until there" says "2 steps by plan, and as many with
 rm crash.json crash.csv
 
 # Without a standard output nothing is printed, least of all into a file that is opened.
-"$simulate" t_handle --until 0.1 --csv closed.csv >&- 2>&-
+"$program" t_handle --until 0.1 --csv closed.csv >&- 2>&-
 code=$? output="" errors=""
 verify "closed outputs are no failure" ends_with 0
 verify "and what is printed is not in the file" lines closed.csv 26
 rm closed.csv
-"$simulate" t_handle --until 0.1 --csv closed.csv 1</dev/null 2</dev/null
+"$program" t_handle --until 0.1 --csv closed.csv 1</dev/null 2</dev/null
 code=$?
 verify "nor are those that a shell has left open for reading" ends_with 0
 verify "and the file is whole" lines closed.csv 26
@@ -368,14 +347,14 @@ rm closed.csv
 # A signal, sent once the simulation has told that it runs.
 set -m
 while read -r signal expected; do
-  "$simulate" rain --until 1000 --csv rain.csv --every 1000000 >told.txt 2>&1 &
-  program=$!
+  "$program" rain --until 1000 --csv rain.csv --every 1000000 >told.txt 2>&1 &
+  process=$!
   for ((i = 0; i < 300; ++i)); do
     ls rain.csv.partial-* >/dev/null 2>&1 && grep -q 'steps of' told.txt && break
     sleep 0.1
   done
-  kill "-$signal" "$program"
-  wait "$program"
+  kill "-$signal" "$process"
+  wait "$process"
   code=$?
   output=$(cat told.txt) errors=""
   verify "SIG$signal ends with $expected" ends_with "$expected"
@@ -392,7 +371,7 @@ SIGNALS
 rm told.txt
 
 # The reader goes: with the next line that is printed the simulation ends.
-"$simulate" rain --until 0.5 --csv rain.csv --every 1000000 --no-ledger 2>errors.txt | head -1 >/dev/null
+"$program" rain --until 0.5 --csv rain.csv --every 1000000 --no-ledger 2>errors.txt | head -1 >/dev/null
 code=${PIPESTATUS[0]} output="" errors=$(cat errors.txt)
 rm errors.txt
 verify "a reader who goes ends it with 141" ends_with 141

@@ -250,18 +250,21 @@ class Sweep(unittest.TestCase):
             program, pids = SCRATCH / "idle", SCRATCH / "running"
             program.write_text("#!/bin/sh\ncase \"$*\" in *--plan*) " + plan + f" ;; esac\necho $$ >>'{pids}'\nexec sleep 60\n")
             program.chmod(0o755)
-            for _ in range(3):
+            for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP, signal.SIGKILL):
                 pids.write_text("")
                 running = subprocess.Popen(self.words("sweep.json", "--jobs", "16", simulate=program), cwd=SCRATCH,
                                            stderr=subprocess.PIPE, text=True)
                 while len(pids.read_text().splitlines()) < (16 if plan == "exit 0" else 1):
                     self.assertIsNone(running.poll())
                     time.sleep(0.01)
-                running.terminate()
+                running.send_signal(number)
                 errors = running.communicate(timeout=50)[1]  # the simulations themselves would take longer
-                self.assertEqual((running.returncode, errors), (143, "\ncourse: stopped; --resume takes it up\n"))
+                self.assertEqual((running.returncode, errors), (-9, "") if number == signal.SIGKILL else
+                                 (128 + number, "\ncourse: stopped; --resume takes it up\n"))
+                deadline = time.monotonic() + 50
                 for pid in pids.read_text().splitlines():
-                    self.assertFalse(is_running(int(pid)), pid)
+                    while is_running(int(pid)):
+                        self.assertLess(time.monotonic(), deadline, pid)
 
     def test_a_run_that_fails_is_tried_again_and_is_no_row(self):
         broken = SCRATCH / "broken"

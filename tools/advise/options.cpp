@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstdio>
 #include <cxxopts.hpp>
+#include <support/command_line.hpp>
 #include <support/number_in.hpp>
 #include <tumble/require.hpp>
-#include <tumble/scene/scene_error.hpp>
 
 namespace tumble::advise {
 namespace {
@@ -92,37 +92,6 @@ std::array<double, 3> moments_of(const std::string& text) {
   return I;
 }
 
-std::vector<std::string> names_of_scenes() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(TUMBLE_SCENES))
-    if (entry.path().extension() == ".json" && entry.path().stem().extension() != ".schema")
-      names.push_back(entry.path().stem().string());
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-std::filesystem::path find_scene(const std::string& word) {
-  std::error_code unknown;
-  if (std::filesystem::is_regular_file(word, unknown)) return word;
-  const std::vector<std::string> names = names_of_scenes();
-  if (std::find(names.begin(), names.end(), word) != names.end())
-    return std::filesystem::path(TUMBLE_SCENES) / (word + ".json");
-  std::string sentence = "no scene and no file is called " + word +
-                         did_you_mean(word, {names.begin(), names.end()}) + "\nThe scenes are:";
-  for (const std::string& name : names) sentence += " " + name;
-  throw UsageError(sentence);
-}
-
-[[noreturn]] void reject_word(const std::string& word) {
-  if (!word.starts_with('-')) throw UsageError("one word too many: " + word);
-  std::vector<std::string> known;
-  for (const auto* list : {&options_with_value, &switches})
-    for (const std::string& name : *list) known.push_back("--" + name);
-  const std::string option = word.substr(0, word.find('='));
-  throw UsageError("there is no option " + option +
-                   did_you_mean(option, {known.begin(), known.end()}));
-}
-
 Frames frames_of(const std::string& seconds, const std::string& rate) {
   Frames frames;
   const double states = between("rate", rate, "states a second", 1, 1e6);
@@ -175,7 +144,7 @@ Options read(const cxxopts::ParseResult& given) {
   } else {
     if (!has("scene"))
       throw UsageError("which scene, or which --inertia and --spin? --help lists the options");
-    options.scene = find_scene(text("scene"));
+    options.scene = support::find_scene(text("scene"));
   }
   if (!has("for")) throw UsageError("for how long? --for SECONDS says it");
   options.frames = frames_of(text("for"), text("rate", "60"));
@@ -210,7 +179,8 @@ std::optional<Options> read_options(int argument_count, char** arguments) {
       std::fputs(help, stdout);
       return std::nullopt;
     }
-    if (!given.unmatched().empty()) reject_word(given.unmatched()[0]);
+    if (!given.unmatched().empty())
+      support::reject_word(given.unmatched()[0], {options_with_value, switches});
     return read(given);
   } catch (const cxxopts::exceptions::exception& error) {
     throw UsageError(error.what());

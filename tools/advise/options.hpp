@@ -4,25 +4,21 @@
 
 #include <filesystem>
 #include <optional>
-#include <stdexcept>
 #include <string>
+#include <support/usage_error.hpp>
 
 #include "candidate.hpp"
 #include "free_top.hpp"
 
 namespace tumble::advise {
 
+using support::UsageError;
+
 /// How the program ends.
 enum ExitCode {
   confirmed = 0,
   refused = 1,   ///< no method could be confirmed to be that accurate
   bad_input = 2  ///< the command line or the scene is wrong; nothing was measured
-};
-
-/// The command line is wrong.
-class UsageError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
 };
 
 struct Options {

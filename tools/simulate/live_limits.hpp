@@ -2,9 +2,8 @@
 /// What a page that runs a scene by itself can bear.
 #pragma once
 
+#include <support/usage_error.hpp>
 #include <tumble/scene/scene.hpp>
-
-#include "usage_error.hpp"
 
 namespace tumble::simulate {
 
@@ -16,9 +15,9 @@ template <class Real, class Keeping>
 void require_drawable(const Scene<Real, Keeping>& scene) {
   const std::size_t bodies = scene.world.body_count();
   if (bodies > most_drawn_bodies)
-    throw UsageError("the scene has " + std::to_string(bodies) +
-                     " bodies; a page that runs it by itself draws at most " +
-                     std::to_string(most_drawn_bodies));
+    throw support::UsageError("the scene has " + std::to_string(bodies) +
+                              " bodies; a page that runs it by itself draws at most " +
+                              std::to_string(most_drawn_bodies));
 }
 
 }  // namespace tumble::simulate

@@ -4,9 +4,9 @@
 #include <cstdio>
 #include <cxxopts.hpp>
 #include <limits>
+#include <support/command_line.hpp>
 #include <support/number_in.hpp>
 #include <support/scene_rules.hpp>
-#include <support/shipped_scenes.hpp>
 #include <thread>
 #include <tumble/scene/scene_error.hpp>
 #include <tumble/step_clock.hpp>
@@ -86,13 +86,6 @@ StepLength rounded_step(const std::string& text, std::string& said) {
   return step_of_nanoseconds(nanoseconds);
 }
 
-std::vector<std::string> names_of_scenes() {
-  std::vector<std::string> names;
-  for (const std::filesystem::path& path : support::shipped_scenes())
-    names.push_back(path.stem().string());
-  return names;
-}
-
 /// Whether two paths lead to one file, through whatever links; a file that is not there yet is
 /// known by its path.
 bool is_same_file(const std::filesystem::path& one, const std::filesystem::path& other) {
@@ -121,28 +114,6 @@ void require_different_files(const Options& options) {
   }
 }
 
-std::filesystem::path find_scene(const std::string& word) {
-  std::error_code unknown;
-  if (std::filesystem::is_regular_file(word, unknown)) return word;
-  const std::vector<std::string> names = names_of_scenes();
-  if (std::find(names.begin(), names.end(), word) != names.end())
-    return std::filesystem::path(TUMBLE_SCENES) / (word + ".json");
-  std::string sentence = "no scene and no file is called " + word +
-                         did_you_mean(word, {names.begin(), names.end()}) + "\nThe scenes are:";
-  for (const std::string& name : names) sentence += " " + name;
-  throw UsageError(sentence);
-}
-
-[[noreturn]] void reject_word(const std::string& word) {
-  if (!word.starts_with('-')) throw UsageError("one word too many: " + word);
-  std::vector<std::string> known;
-  for (const auto* list : {&options_with_value, &switches})
-    for (const std::string& name : *list) known.push_back("--" + name);
-  const std::string option = word.substr(0, word.find('='));
-  throw UsageError("there is no option " + option +
-                   did_you_mean(option, {known.begin(), known.end()}));
-}
-
 /// Of a switch: --plan, --plan=true and --plan=false can be written.
 bool is_on(const cxxopts::ParseResult& given, const std::string& name) {
   return given.count(name) > 0 && given[name].as<bool>();
@@ -152,7 +123,7 @@ Options read(const cxxopts::ParseResult& given) {
   const auto text = [&](const std::string& name) { return given[name].as<std::string>(); };
   Options options;
   if (given.count("scene") == 0) throw UsageError("which scene? --help lists the options");
-  options.scene = find_scene(text("scene"));
+  options.scene = support::find_scene(text("scene"));
   options.only_plan = is_on(given, "plan");
   options.check_plan = is_on(given, "check-plan");
   options.ledger = !is_on(given, "no-ledger");
@@ -238,7 +209,8 @@ std::optional<Options> read_options(int argument_count, char** arguments) {
       std::fputs(help, stdout);
       return std::nullopt;
     }
-    if (!given.unmatched().empty()) reject_word(given.unmatched()[0]);
+    if (!given.unmatched().empty())
+      support::reject_word(given.unmatched()[0], {options_with_value, switches});
     return read(given);
   } catch (const cxxopts::exceptions::exception& error) {
     throw UsageError(error.what());

@@ -6,11 +6,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <support/usage_error.hpp>
 #include <tumble/scene/scene.hpp>
 
-#include "usage_error.hpp"
-
 namespace tumble::simulate {
+
+using support::UsageError;
 
 /// How the program ends.
 enum ExitCode {

@@ -4,9 +4,8 @@
 
 #include <cmath>
 #include <optional>
+#include <support/usage_error.hpp>
 #include <tumble/scene/scene.hpp>
-
-#include "usage_error.hpp"
 
 namespace tumble::simulate {
 
@@ -19,9 +18,9 @@ std::int64_t steps_until(const Scene<Real, Keeping>& scene, std::optional<double
   const double duration = until.value_or(scene.duration);
   const std::int64_t steps = std::llround(duration / h);
   if (steps == 0)
-    throw UsageError((until ? "--until is " : "the scene lasts ") + text_of(duration) +
-                     " s; that is less than half a step of " + text_of(h) +
-                     " s, and only whole steps are taken");
+    throw support::UsageError((until ? "--until is " : "the scene lasts ") + text_of(duration) +
+                              " s; that is less than half a step of " + text_of(h) +
+                              " s, and only whole steps are taken");
   return steps;
 }
 

@@ -138,10 +138,10 @@ template <class Real> Real halved(Real number) { return looked_up<Real>(number, 
 
     def test_limits_that_leave_a_compiler_too_little_are_told(self):
         self.hand_in("ada", RIGHT)
-        for kind, words in ((resource.RLIMIT_AS, "ulimit -v"), (resource.RLIMIT_FSIZE, "ulimit -f")):
-            with mock.patch("untrusted.resource.getrlimit", side_effect=lambda asked: (1024, 1024) if asked == kind else (-1, -1)), \
+        for kind, words in ((resource.RLIMIT_AS, "ulimit -v"), (resource.RLIMIT_FSIZE, "ulimit -f"), (resource.RLIMIT_CPU, "ulimit -t")):
+            with mock.patch("untrusted.resource.getrlimit", side_effect=lambda asked: (32, 32) if asked == kind else (-1, -1)), \
                     self.assertRaisesRegex(Complaint, words):
-                require_seals(self.toolchain, None, True)
+                require_seals(self.toolchain, None, 5, True)
 
     def test_of_resubmissions_the_best_or_the_last_counts(self):
         for name, text in (("ada@1", RIGHT), ("ada@2", ""), ("bob@1", "")):

@@ -289,7 +289,7 @@ class Way(FixtureCourse):
     def test_whatever_signal_ends_a_check_no_compiler_runs_on(self):
         self.says("start", "doubled")
         self.write(COMPILES)
-        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGKILL):
             with self.subTest(number.name):
                 process = self.begin("check", "doubled")
                 deadline, compilers = time.monotonic() + 120, set()
@@ -298,7 +298,7 @@ class Way(FixtureCourse):
                     time.sleep(0.05)
                     compilers = descendants(process.pid)
                 process.send_signal(number)
-                self.assertEqual(process.wait(timeout=60), 128 + number)
+                self.assertEqual(process.wait(timeout=60), -number if number == signal.SIGKILL else 128 + number)
                 while any(name_of(each) for each in compilers):
                     self.assertLess(time.monotonic(), deadline)
                     time.sleep(0.05)

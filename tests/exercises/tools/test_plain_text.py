@@ -167,3 +167,8 @@ class Files(InAFolder):
             result = subprocess.run([sys.executable, "-E", "-B", str(ROOT / "exercises" / "tools" / "student.py"), "--root", str(ROOT), "next"],
                                     stdout=full, stderr=subprocess.PIPE)
         self.assertEqual((result.returncode, result.stderr.decode()), (2, "course: what was to be written: No space left on device\n"))
+
+    def test_of_a_copy_that_fails_it_is_told_where_it_was_to_go(self):
+        code = "from plain_text import why_unheard; why_unheard(OSError(28, 'No space left on device', 'from', None, 'to'))"
+        said = subprocess.run([sys.executable, "-B", "-c", code], capture_output=True, text=True, cwd=ROOT / "exercises" / "tools")
+        self.assertEqual(said.stderr, "course: to: No space left on device\n")

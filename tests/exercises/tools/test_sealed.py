@@ -8,6 +8,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+import limits
 from limits import Limits, confine
 from sealed import CALLS, can_seal
 
@@ -20,6 +21,18 @@ class Sealed(unittest.TestCase):
         result = subprocess.run([sys.executable, "-B", "-S", "-E", "-c", f"import os\n{code}"], stdin=subprocess.DEVNULL,
                                 capture_output=True, text=True, timeout=60, preexec_fn=lambda: confine(Limits(sealed=True), PARENT))
         return ((result.stdout + result.stderr).strip().splitlines() or ["nothing was refused"])[-1]
+
+    def test_where_the_caller_has_less_it_gets_that(self):
+        for kind, most in (("RLIMIT_AS", 512 << 20), ("RLIMIT_FSIZE", 1 << 20), ("RLIMIT_CPU", 1)):
+            code = f"""import os, resource, subprocess, sys
+from limits import Limits, confine
+resource.setrlimit(resource.{kind}, ({most}, {most}))
+parent = os.getpid()
+subprocess.run([sys.executable, "-S", "-E", "-c", "import resource; print(resource.getrlimit(resource.{kind}))"],
+               preexec_fn=lambda: confine(Limits(), parent))"""
+            said = subprocess.run([sys.executable, "-B", "-c", code], stdin=subprocess.DEVNULL, capture_output=True, text=True,
+                                  timeout=60, cwd=Path(limits.__file__).parent)
+            self.assertEqual((said.stdout, said.stderr), (f"({most}, {most})\n", ""))
 
     def test_it_calculates_and_reads(self):
         self.assertEqual(self.run_sealed(f"print(6 * 7, len(open({__file__!r}).read()) > 0)"), "42 True")

@@ -2,6 +2,7 @@
 
 import json
 import os
+import resource
 import sys
 import tempfile
 import threading
@@ -110,6 +111,21 @@ class Copies(InAFolder):
                 self.place.reset(self.exercise)
             away()
         self.assertEqual([each.name for each in header.parent.iterdir()], ["task.md"])
+
+    def test_on_a_full_disk_reset_leaves_no_half_of_a_copy(self):
+        self.place.start(self.exercise)
+        header = self.place.header_of(self.exercise)
+        header.write_text("x" * 20000, encoding="utf-8")
+        before = sorted(header.parent.iterdir())
+        soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (10000, hard))  # what is longer can't be written
+        try:
+            with self.assertRaisesRegex(Complaint, "can't be written: File too large"):
+                self.place.reset(self.exercise)
+        finally:
+            resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+        self.assertEqual(sorted(header.parent.iterdir()), before)
+        self.assertEqual(header.stat().st_size, 20000)
 
     def test_reset_of_nothing_is_refused(self):
         with self.assertRaises(Complaint):

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace tumble::simulate {
+namespace tumble::support {
 
 /// The command line is wrong, or asks of a scene what it doesn't allow.
 class UsageError : public std::runtime_error {
@@ -12,4 +12,4 @@ class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-}  // namespace tumble::simulate
+}  // namespace tumble::support

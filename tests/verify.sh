@@ -1,0 +1,26 @@
+# shellcheck shell=bash disable=SC2154
+# What a test of a command's answers is made of: sourced, and ended with [ "$failures" -eq 0 ].
+failures=0
+
+run() { # ARGUMENT...: what `program` answers, with PATH as `path` has it if that is set, as `output`, `errors` and `code`
+  output=$(PATH=${path:-$PATH} "$program" "$@" 2>errors.txt </dev/null)
+  code=$?
+  errors=$(cat errors.txt)
+  rm errors.txt
+}
+
+verify() { # SENTENCE CONDITION...
+  local sentence=$1
+  shift
+  if "$@"; then
+    echo "passed: $sentence"
+  else
+    failures=$((failures + 1))
+    printf 'error: %s\n  exit code %s\n  it said: %s\n  and: %s\n' "$sentence" "$code" "$output" "${errors-}"
+  fi
+}
+
+says() { [[ $output == *"$1"* ]]; }
+says_not() { ! says "$1"; }
+complains() { [[ $errors == *"$1"* ]]; }
+ends_with() { [ "$code" -eq "$1" ]; }
