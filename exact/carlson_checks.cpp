@@ -88,3 +88,13 @@ TEST_CASE("Carlson's series leave out nothing below the sixth power of the diffe
   falls(first, 1.0L / 64);
   falls(third, 1.0L / 512);
 }
+
+TEST_CASE_TEMPLATE("A series is taken where its sixth power is half a roundoff, and no later", Real,
+                   EVERY_PRECISION) {
+  // The exponent 1/6 is rounded, which changes the power by -ln(least) roundings; pow() is out by a
+  // unit in the last place, which is two roundings, six times over; then come five products, a
+  // quotient and a difference.
+  const Real least = unit_roundoff<Real> / 2, limit = exact::small_enough<Real>();
+  const Real power = limit * limit * limit * limit * limit * limit;
+  CHECK(std::abs(power / least - 1) <= (19 - std::log(least)) * unit_roundoff<Real>);
+}

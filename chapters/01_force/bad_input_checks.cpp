@@ -14,6 +14,7 @@ TEST_CASE_TEMPLATE(
   CHECK(complaint(0) == "mass is 0 kg; it must be greater than 0");
   CHECK(complaint(-2) == "mass is -2 kg; it must be greater than 0");
   CHECK(complaint(nan) == "mass is nan kg; it must be greater than 0");
+  CHECK(complaint(-nan) == complaint(nan));  // its sign means nothing
   CHECK(complaint(infinity) ==
         "mass is inf kg; for a body that nothing can move, use make_static_particle");
   CHECK(complaint(-infinity) == "mass is -inf kg; it must be greater than 0");

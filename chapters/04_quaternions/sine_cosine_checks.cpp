@@ -72,6 +72,16 @@ TEST_CASE_TEMPLATE("A tiny angle, down to the smallest that can be stored, is it
   CHECK(sine_over_angle(Real(0), Real(0)) == 1);
 }
 
+TEST_CASE_TEMPLATE(
+    "Where an angle's square begins to be seen beside 1, both are right to two units", Real,
+    EVERY_PRECISION) {
+  const Real root = std::sqrt(std::numeric_limits<Real>::epsilon());
+  long double worst = 0;
+  for (Real angle = root / 16; angle < 16 * root; angle *= Real(1.0625))
+    worst = std::max({worst, units_off(angle), units_off(-angle)});
+  CHECK(worst <= 2);
+}
+
 TEST_CASE_TEMPLATE("Turned the other way the sine changes its sign and nothing else, to the bit",
                    Real, EVERY_PRECISION) {
   std::mt19937_64 generator(3);

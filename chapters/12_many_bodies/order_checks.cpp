@@ -27,9 +27,20 @@ struct SwirlOfSpin {
   }
 };
 
-/// Bodies that are near each other now take a part of what they have against each other.
+/// Finds those that are near each other now.
 template <class Real>
-struct Rubbing {
+struct Neighbours {
+  void find_pairs(const Bodies<Real>& bodies, std::vector<BodyPair>& pairs) const {
+    for (BodyIndex a = 0; a < bodies.centres.size(); ++a)
+      for (BodyIndex b = a + 1; b < bodies.centres.size(); ++b)
+        if ((bodies.centres[a].position - bodies.centres[b].position).squaredNorm() < 4)
+          pairs.push_back({a, b});
+  }
+};
+
+/// They take a part of what they have against each other.
+template <class Real>
+struct Rubbing : Neighbours<Real> {
   static constexpr std::string_view name = "rubbing";
   PairBlow<Real> blow(const BodyState<Real>& first, const BodyState<Real>& second,
                       const Moment<Real>&) const {
@@ -37,11 +48,14 @@ struct Rubbing {
             .turn_on_first = {0, Real(0.125), 0},
             .turn_on_second = {0, 0, Real(0.125)}};
   }
-  void find_pairs(const Bodies<Real>& bodies, std::vector<BodyPair>& pairs) const {
-    for (BodyIndex a = 0; a < bodies.centres.size(); ++a)
-      for (BodyIndex b = a + 1; b < bodies.centres.size(); ++b)
-        if ((bodies.centres[a].position - bodies.centres[b].position).squaredNorm() < 4)
-          pairs.push_back({a, b});
+};
+
+/// They draw each other nearer.
+template <class Real>
+struct Clinging : Neighbours<Real> {
+  static constexpr std::string_view name = "clinging";
+  PairPush<Real> push(const BodyState<Real>& first, const BodyState<Real>& second, Real) const {
+    return {.force_on_first = second.centre.position - first.centre.position};
   }
 };
 
@@ -100,6 +114,12 @@ TEST_CASE_TEMPLATE("Effects of all phases act on packs in the order in which the
 TEST_CASE_TEMPLATE("An effect that finds its pairs finds them in packs too", Real,
                    EVERY_PRECISION) {
   compare<Real>([](auto& world) { world.add(Rubbing<Real>{}); }, nothing);
+  compare<Real>(
+      [](auto& world) {
+        world.add(Clinging<Real>{});
+        if constexpr (requires { world.keeping().use_threads(2); }) world.keeping().use_threads(2);
+      },
+      nothing);
 }
 
 TEST_CASE_TEMPLATE("Pushes of one step alone move packs as one by one, and no step longer", Real,
@@ -235,5 +255,47 @@ TEST_CASE_TEMPLATE("A world in packs can be stepped by reference, and a part of 
     const RigidBody<Real> drifted = in_part.body(in_part.handle_at(i));
     CHECK(drifted.centre.position.z() == in_part.time_step());
     CHECK(same_bits(drifted.top.orientation.imaginary, start.tops[i].orientation.imaginary));
+  }
+}
+
+TEST_CASE_TEMPLATE("From a world in packs that was stepped by reference a body goes as from others",
+                   Real, EVERY_PRECISION) {
+  const auto left = []<class AnyWorld>(AnyWorld world) {
+    world = bricks(std::move(world));
+    world.step_by_reference();
+    world.remove(world.handle_at(3));
+    for (int step = 0; step < 4; ++step) world.step();
+    return world.bodies();
+  };
+  const Bodies<Real> plain = left(World<Real>(steps_per_second(60))),
+                     packed = left(ManyBodies<Real>(steps_per_second(60)));
+  CHECK(plain.centres.size() == 36);
+  CHECK(same_motion(plain, packed));
+}
+
+TEST_CASE_TEMPLATE("A row of passes takes the blocks in which it has members, and no others", Real,
+                   EVERY_PRECISION) {
+  constexpr int width = 2;
+  const std::uint32_t block = Schedule<Real, width>::packs_in_block;
+  const std::vector<std::vector<WholePacks>> cases = {
+      {{0, block}},
+      {{0, block + 1}},
+      {{block - 1, block + 1}},
+      {{3, 4}, {3 * block, 5 * block}, {7 * block + 1, 7 * block + 2}},
+      {{block * block + block - 1, block * block + 2 * block + 1}}};  // far from the first
+  for (const std::vector<WholePacks>& runs : cases) {
+    Work<Real> work;
+    std::vector<std::uint32_t> expected;
+    for (const WholePacks& run : runs)
+      for (std::uint32_t pack = run.begin; pack < run.end; ++pack) {
+        for (BodyIndex body = pack * width; body < (pack + 1) * width; ++body)
+          work.movers.insert(body);
+        const std::uint32_t first = pack - pack % block;
+        if (expected.empty() || expected.back() != first) expected.push_back(first);
+      }
+    const Schedule<Real, width> schedule(work);
+    REQUIRE(schedule.stages.size() == 1);
+    CHECK(schedule.stages[0].on_centres.blocks == expected);
+    CHECK(schedule.stages[0].on_tops.blocks.empty());
   }
 }

@@ -1,5 +1,8 @@
 // Effects that somebody wrote for one body, without a word about packs.
+#include <mutex>
+#include <set>
 #include <support/beside_one_by_one.hpp>
+#include <thread>
 
 using namespace tumble;
 using namespace tumble::support;
@@ -164,3 +167,89 @@ TEST_CASE_TEMPLATE(
   CHECK(is_same_until_burnt_out<Real>(OwnBlowBetween<Real>{}));
 }
 //! [own_effects]
+
+namespace {
+
+/// The threads on which an effect was run.
+class Threads {
+ public:
+  void note() {
+    const std::lock_guard lock(mutex_);
+    seen_.insert(std::this_thread::get_id());
+  }
+  std::size_t count() const { return seen_.size(); }
+
+ private:
+  std::mutex mutex_;
+  std::set<std::thread::id> seen_;
+};
+
+/// Effects that move nothing and note on which threads they are.
+template <class Real>
+struct WitnessOfCentre {
+  static constexpr std::string_view name = "witness";
+  std::shared_ptr<Threads> threads;
+  Vec3<Real> force(const Particle<Real>&, Real) const {
+    threads->note();
+    return Vec3<Real>::Zero();
+  }
+};
+template <class Real>
+struct WitnessOfBody {
+  static constexpr std::string_view name = "witness";
+  std::shared_ptr<Threads> threads;
+  Vec3<Real> force(const BodyState<Real>&, Real) const {
+    threads->note();
+    return Vec3<Real>::Zero();
+  }
+};
+template <class Real>
+struct WitnessOfPair {
+  static constexpr std::string_view name = "witness";
+  std::shared_ptr<Threads> threads;
+  PairPush<Real> push(const BodyState<Real>&, const BodyState<Real>&, Real) const {
+    threads->note();
+    return {};
+  }
+};
+
+/// On how many threads a step runs an effect on so many points, or on so many pairs of neighbours
+/// among one more; 0 threads: nobody asked for a number.
+template <class Witness, class Real>
+std::size_t threads_of_step(int asked_for, std::size_t count) {
+  const Witness witness{.threads = std::make_shared<Threads>()};
+  ManyBodies<Real> world;
+  std::vector<BodyHandle> points, joined;
+  for (std::size_t n = 0; n <= count; ++n) {
+    if (n == count && !EffectOnTwo<Witness, Real>) break;
+    points.push_back(world.add("point " + std::to_string(n), make_particle<Real>(1)));
+    if (n > 0) joined.insert(joined.end(), {points[n - 1], points[n]});
+  }
+  world.add(witness, EffectOnTwo<Witness, Real> ? joined : points);
+  if (asked_for > 0) world.keeping().use_threads(asked_for);
+  world.step();
+  return witness.threads->count();
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("As many threads as were asked for share a step that has enough work for each",
+                   Real, EVERY_PRECISION) {
+  const std::size_t bodies = InPacks<Real>::smallest_share,
+                    pairs = OnBoth<Real, natural_width<Real>>::smallest_share_of_pairs;
+  CHECK(threads_of_step<WitnessOfCentre<Real>, Real>(0, 2 * bodies) == 1);
+  CHECK(threads_of_step<WitnessOfBody<Real>, Real>(0, 2 * pairs) == 1);
+  CHECK(threads_of_step<WitnessOfPair<Real>, Real>(0, 2 * pairs) == 1);
+  for (const std::size_t threads : {1, 2, 3}) {
+    CAPTURE(threads);
+    const int asked_for = static_cast<int>(threads);
+    CHECK(threads_of_step<WitnessOfCentre<Real>, Real>(asked_for, threads * bodies) == threads);
+    CHECK(threads_of_step<WitnessOfCentre<Real>, Real>(asked_for, threads * bodies - 1) == 1);
+    CHECK(threads_of_step<WitnessOfBody<Real>, Real>(asked_for, threads * pairs) == threads);
+    // The lanes that are left over in the last pack count too.
+    CHECK(threads_of_step<WitnessOfBody<Real>, Real>(asked_for,
+                                                     threads * pairs - natural_width<Real>) == 1);
+    CHECK(threads_of_step<WitnessOfPair<Real>, Real>(asked_for, threads * pairs) == threads);
+    CHECK(threads_of_step<WitnessOfPair<Real>, Real>(asked_for, threads * pairs - 1) == 1);
+  }
+}

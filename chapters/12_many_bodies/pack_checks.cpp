@@ -95,6 +95,19 @@ TEST_CASE_TEMPLATE("Of three products the last two are added first, alone and in
 }
 //! [three]
 
+TEST_CASE_TEMPLATE("A number is the same in every lane of a pack, and a zero keeps its sign", Real,
+                   EVERY_PRECISION) {
+  for (const Real number : all_kinds_of_numbers<Real>())
+    for (int lane = 0; lane < width<Real>; ++lane)
+      REQUIRE(same_number(Packed<Real>(number)[lane], number));
+}
+
+TEST_CASE("A pack has a lane for each number of a register: twice as many floats as doubles") {
+  CHECK(width<float> == 2 * width<double>);
+  CHECK(sizeof(Packed<float>) == vector_bytes);
+  CHECK(sizeof(Packed<double>) == vector_bytes);
+}
+
 //! [lanes]
 TEST_CASE_TEMPLATE("A pack computes in each lane what a number alone would, to the bit", Real,
                    EVERY_PRECISION) {

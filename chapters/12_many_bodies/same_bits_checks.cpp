@@ -48,7 +48,7 @@ TEST_CASE_TEMPLATE("Thousands of springs shared among threads pull as one by one
                    EVERY_PRECISION) {
   const auto net = []<class AnyWorld>(AnyWorld world) {
     Dice dice(2001);
-    std::vector<BodyHandle> bodies, joined;
+    std::vector<BodyHandle> bodies, joined, tops;
     constexpr std::size_t count = 3001;
     for (std::size_t n = 0; n < count; ++n)
       bodies.push_back(add_random_body(world, dice, "body " + std::to_string(n)));
@@ -61,6 +61,13 @@ TEST_CASE_TEMPLATE("Thousands of springs shared among threads pull as one by one
     world.add(Magnus<Real>{.strength = Real(0.01), .wind = {1, 0, 0}});
     world.add(SpringBetween<Real>{{.stiffness = 3, .damping = Real(0.1), .rest_length = 1}},
               joined);
+    for (const BodyHandle body : bodies)
+      if (!world.is_point(body)) tops.push_back(body);
+    if (tops.size() % 2 == 1) tops.pop_back();
+    world.add(SpringBetween<Real>{.spring = {.stiffness = 1, .rest_length = 1},
+                                  .attachment_first = {Real(0.5), 0, 0},
+                                  .attachment_second = {0, Real(0.25), 0}},
+              tops);  // each of them turns its bodies too
     return world;
   };
   World<Real> plain = net(World<Real>(steps_per_second(60)));

@@ -215,3 +215,31 @@ TEST_CASE_TEMPLATE("What an effect throws comes through packs and threads, and n
     refused(RefusalOfBody<Real, Phase::drift>{});
   }
 }
+
+namespace {
+
+/// Refuses every point, each by its place.
+template <class Real>
+struct RefusalByPlace {
+  static constexpr std::string_view name = "refusal";
+  static constexpr Phase phase = Phase::kick;
+  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>&) const {
+    throw std::domain_error("refused at " + std::to_string(centre.position.x()) + " m");
+  }
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("Of all that effects throw in a step of one thread the first is told", Real,
+                   EVERY_PRECISION) {
+  const auto refused = []<class AnyWorld>(AnyWorld world) {
+    const int three_blocks =
+        3 * Schedule<Real, natural_width<Real>>::packs_in_block * natural_width<Real>;
+    for (int n = 0; n < three_blocks; ++n)
+      world.add("point " + std::to_string(n), make_particle<Real>(1, {Real(n + 1), 0, 0}));
+    world.add(RefusalByPlace<Real>{});
+    CHECK_THROWS_WITH_AS(world.step(), "refused at 1.000000 m", std::domain_error);
+  };
+  refused(World<Real>());
+  refused(ManyBodies<Real>());
+}
