@@ -5,6 +5,8 @@ from pathlib import Path
 
 PLACE = re.compile(r"^(?P<file>[^\s:][^:]*):(?P<line>\d+):(?:(?P<column>\d+):)? *(?P<rest>.*)$")
 
+LONGEST = 2000  # letters of what is handed on, as of what a worker says
+
 EXPRESSION = re.compile(r"(?:\bEigen::|')(?:Cwise\w+Op|Product|Transpose|Block|VectorBlock|Diagonal)\b")
 
 
@@ -26,8 +28,14 @@ def first_message(output, header, kind="error"):
 
 
 def why_not(output, exercise):
-    """The first error for whoever wrote the exercise's header. Where it lies in the code that calls its functions, one of them is
-    missing or declared in another way, and the compiler's own words are of no use; nor are they where a brace is missing."""
+    """The first error for whoever wrote the exercise's header, which can make it as long as it likes."""
+    said = _why_not(output, exercise)
+    return said if len(said) <= LONGEST else f"{said[:LONGEST]} ..."
+
+
+def _why_not(output, exercise):
+    """Where the error lies in the code that calls the header's functions, one of them is missing or declared in another way, and the
+    compiler's own words are of no use; nor are they where a brace is missing."""
     brace = _open_brace(output, exercise.header)
     if brace:
         return brace

@@ -234,6 +234,9 @@ def commanded(words):
     known, rest = course.parse_known_args(told_apart(words))
     grading, merging = parsers()
     if rest[:1] == ["merge"]:
+        if os.path.lexists("merge"):
+            raise Complaint("merge could be the command or the name of what lies here; write ./* for all that lies here, or merge from "
+                            "another folder")
         return merging.parse_intermixed_args(rest[1:])
     arguments = grading.parse_intermixed_args(rest)
     arguments.root, arguments.toolchain = known.root, known.toolchain

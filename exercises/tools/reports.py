@@ -89,14 +89,15 @@ def marks(results):
     for result in results:
         points = {exercise["exercise"]: sum(check["points"] for check in exercise["checks"]) for exercise in result["exercises"]}
         flags = "; ".join(f"{exercise['exercise']} {flag}" for exercise in result["exercises"] for flag in exercise["flags"])
-        names = [_no_formula(result[key]) for key in ("student", "submission")]
+        names = [_of_one_cell(result[key]) for key in ("student", "submission")]
         table.writerow([*names, result["points"], result["of"], *(points[column] for column in columns), flags])
     return out.getvalue()
 
 
-def _no_formula(name):
-    """The name with an escape for a first letter by which a spreadsheet knows what it evaluates; some take those of full width too."""
-    return re.sub(r"\A[=+@\-＝＋－＠]", lambda found: found[0].encode("unicode_escape").decode() if found[0] > "~"
+def _of_one_cell(name):
+    """The name with escapes for a first letter by which a spreadsheet knows what it evaluates, some taking those of full width too, and for
+    semicolons, at which some begin another column."""
+    return re.sub(r"\A[=+@\-＝＋－＠]|;", lambda found: found[0].encode("unicode_escape").decode() if found[0] > "~"
                   else f"\\x{ord(found[0]):02x}", name)
 
 

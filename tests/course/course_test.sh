@@ -55,7 +55,7 @@ fresh() { # SYSTEM VERSION: a machine with apt and no package
 }
 
 course() { # ARGUMENT...: what it printed as `output`, what it called as `called`, and `code`
-  output=$(cd / && CALLED=$scratch/called CHMOD=$(command -v chmod) CHECKS=${checks:-0} PATH=$scratch/bin \
+  output=$(cd "${caller:-/}" && CALLED=$scratch/called CHMOD=$(command -v chmod) CHECKS=${checks:-0} PATH=$scratch/bin \
     "$scratch/tree/course" "$@" 2>&1 </dev/null)
   code=$?
   called=$(cat "$scratch/called" 2>/dev/null)
@@ -135,6 +135,9 @@ done
 course grade "a class/ada" --format json
 verify "grade gives its words to its own tool" says "grade.py' '--root'"
 verify "and all of them" says "'a class/ada' '--format' 'json'"
+mkdir -p "$scratch/class/--no-install"
+caller=$scratch/class course grade ada --no-install
+verify "and a student's folder that is called as an option is" says "'ada' '--no-install'"
 rm "$scratch/called"
 course hint moon
 verify "what needs no compiler configures nothing" called_nothing

@@ -140,6 +140,24 @@ TEST_CASE("Numbers, vectors, lists and bodies cross the wire to the bit, and end
   CHECK(read(" 1000001") == "unreadable: a list of impossible length");
 }
 
+TEST_CASE("A reply that is no count is refused before it becomes one") {
+  const auto read = [](const std::string& word, auto number) {
+    return verdict_of([&] {
+      Words words(word);
+      get(words, number);
+      CHECK(std::to_string(number) == word);
+    });
+  };
+  for (const char* word : {"0", "2147483647", "-2147483648"}) CHECK(read(word, 0) == "passed");
+  for (const char* word : {"2147483648", "-2147483649", "0x1p+99", "inf", "nan", "0.5"})
+    CHECK(read(word, 0) == "unreadable: no count: " + std::string(word));
+  CHECK(read("1", false) == "passed");
+  CHECK(read("2", false) == "unreadable: no count: 2");
+  CHECK(read("-1", std::size_t{0}) == "unreadable: no count: -1");
+  CHECK(read("18446744073709551616", std::size_t{0}) ==
+        "unreadable: no count: 18446744073709551616");
+}
+
 TEST_CASE("A question is answered, with what was changed, or its refusal is told") {
   CHECK(ask<double>("halved", 3.0) == 1.5);
   CHECK(support::same_bits(ask<Vec3d>("crossed", Vec3d(1, 0, 0), Vec3d(0, 1, 0)), Vec3d(0, 0, 1)));

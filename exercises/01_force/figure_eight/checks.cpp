@@ -89,6 +89,22 @@ EXERCISE_CHECK("A step leaves the momentum of all three together as it was, and 
       "the momenta of all three sum to " + shown(momentum) +
           " N s instead of zero. Is a body moved before the others have felt its pull? First all "
           "forces, then all steps");
+  auto unequal = support::three_suns<Real>();
+  unequal[0].inverse_mass = Real(0.5);
+  unequal[1].inverse_mass = Real(0.25);
+  const auto total = [](const std::vector<Particle<Real>>& three) {
+    Vec3<Real> sum = Vec3<Real>::Zero();
+    for (const Particle<Real>& body : three) sum += body.velocity / body.inverse_mass;
+    return sum;
+  };
+  const Vec3<Real> before = total(unequal);
+  unequal = ask<std::vector<Particle<Real>>>("step_all", unequal, Real(0.0625));
+  require(unequal.size() == 3,
+          "three bodies went in, and " + std::to_string(unequal.size()) + " came out");
+  // No momentum is above 8 N s; those of the three are summed before and after.
+  Found("what a step adds to the momenta of three bodies of 2, 4 and 1 kg together", "N s",
+        Vec3<Real>(total(unequal) - before))
+      .must_be(Vec3<Real>::Zero(), 8 * 3 * 8 * unit_roundoff<Real>);
 }
 
 EXERCISE_CHECK(

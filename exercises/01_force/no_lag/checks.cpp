@@ -36,6 +36,10 @@ EXERCISE_CHECK("The velocity gains h F/m in a step") {
       .mistake(Vector(4, 0, 9),
                "that is the velocity in the middle of the step. The ball keeps the one at its end")
       .must_be(Vector(4, 0, 8), 0);
+  auto heavy = thrown_ball<Real>();  // 2 kg alone could stand for the 2 of a half
+  heavy.inverse_mass = Real(0.125);
+  Found("that of 8 kg under the same force", "m/s", stepped(heavy, 1, Real(0.5)).velocity)
+      .must_be(Vector(4, 0, Real(9.5)), 0);
 }
 
 EXERCISE_CHECK("Under a constant force it lands on the parabola, however long a step is") {
@@ -61,8 +65,9 @@ EXERCISE_CHECK("Under a constant force it lands on the parabola, however long a 
                  "does it belong to?")
         .must_be(parabola, 2 * steps * 32 * double(unit_roundoff<Real>));
     auto in_wind = thrown_ball<Real>();
-    in_wind.force += Vec3<Real>(-2, 4, 0);
-    Found("and where it is if a wind of (-2, 4, 0) N pushes sideways as well", "m",
+    in_wind.inverse_mass = Real(0.125);
+    in_wind.force = Vec3<Real>(-8, 16, -32);
+    Found("and where a ball of 8 kg is that (-8, 16, -32) N push", "m",
           stepped(in_wind, steps, h).position)
         .must_be(Vec3<Real>(Real(1 + 4 * time - time * time / 2), Real(2 + time * time), parabola),
                  2 * steps * 32 * double(unit_roundoff<Real>));

@@ -93,6 +93,12 @@ EXERCISE_CHECK("A couple has no force and no axis, and is refused") {
   Wrench<Real> couple{.torque = Vec3<Real>(0, 0, 5)};
   require(axis_point(some_wrench<Real>()).allFinite(),
           "a wrench that has an axis must get a point of it");
+  for (int axis = 0; axis < 3; ++axis) {
+    const Wrench<Real> along{.about = Vec3<Real>(1, -2, 3), .force = Vec3<Real>::Unit(axis)};
+    Found("the way to the axis of the force " + shown(along.force) + " N, which is without torque,",
+          "m", Vec3<Real>(axis_point(along) - along.about))
+        .must_be(Vec3<Real>::Zero(), 12 * 4 * unit_roundoff<Real>);
+  }
   ask_refusal(
       "a couple got the answer of a point. Its torque is the same about every point and parallel "
       "to no force: "

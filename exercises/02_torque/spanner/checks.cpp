@@ -79,4 +79,6 @@ EXERCISE_CHECK("A pull along the spanner is refused, and so is a spanner of no l
       "greater than 0\"; " +
           otherwise,
       "pull_needed", Real(40), nan, right_angle<Real>);
+  ask_refusal("an angle that is not a number got an answer; " + otherwise, "pull_needed", Real(40),
+              Real(0.25), nan);
 }

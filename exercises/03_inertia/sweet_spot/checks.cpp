@@ -1,3 +1,4 @@
+#include <array>
 #include <exercise/judge.hpp>
 #include <tumble/mass_properties.hpp>
 #include <tumble/torque.hpp>
@@ -72,8 +73,8 @@ EXERCISE_CHECK(
 }
 
 EXERCISE_CHECK("A blow at the sweet spot leaves the grip at rest") {
-  for (const auto& [m, held_at] : {std::pair{1.0, 0.5}, std::pair{0.85, 0.4}}) {
-    const Real mass = Real(m), length = Real(1.2), grip = Real(held_at),
+  for (const auto& [m, l, held_at] : {std::array{1.0, 1.2, 0.5}, std::array{0.85, 1.1, 0.4}}) {
+    const Real mass = Real(m), length = Real(l), grip = Real(held_at),
                moment = mass * length * length / 12;
     const Real found = ask<Real>("sweet_spot", mass, moment, grip);
     MassProperties<Real> bat{.mass = mass};

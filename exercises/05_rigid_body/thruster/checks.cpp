@@ -86,7 +86,7 @@ EXERCISE_CHECK("Where in the world the craft is changes neither push nor twist")
   const Vector position(100, -50, 25);
   const auto q = quaternion_of_rotation_vector(turn);
   const Vector force = rotate(q, push), truth = rotate(q, Vector(place.cross(push)));
-  const auto body = fired(craft<Real>(position, turn), place, push);
+  const auto before = craft<Real>(position, turn), body = fired(before, place, push);
   // The position is added and taken away again, which rounds at its own size.
   const double tolerance = roundings<Real>(128 * 32);
   Found("the torque of a craft 100 m from the origin", "N m", body.top.torque)
@@ -101,6 +101,12 @@ EXERCISE_CHECK("Where in the world the craft is changes neither push nor twist")
       .must_be(truth, tolerance);
   Found("the force on a craft 100 m from the origin", "N", body.centre.force)
       .must_be(force, roundings<Real>(32));
+  require(body.centre.position == position && body.centre.velocity.isZero(0) &&
+              body.top.orientation.real == before.top.orientation.real &&
+              body.top.orientation.imaginary == before.top.orientation.imaginary &&
+              body.top.angular_momentum_body.isZero(0),
+          "the craft has moved, turned or changed its velocity or spin. Force and torque only "
+          "gather; the step comes later");
 }
 
 EXERCISE_CHECK("Two jets add: side by side against each other they only twist") {

@@ -72,23 +72,29 @@ EXERCISE_CHECK("A spring pulls by what it is longer than closed, along itself") 
 }
 
 EXERCISE_CHECK("Hung up, each spring carries the beads below it") {
-  for (const int count : {Slinky::beads, 3}) {
-    const auto beads =
-        ask<Beads<Real>>("hung_up", count, Real(Slinky::mass), Real(Slinky::stiffness),
-                         Real(Slinky::closed), Real(Slinky::gravity));
+  // The second is another slinky, on the Moon.
+  struct Hung {
+    int count;
+    double mass, stiffness, closed, gravity;
+  };
+  for (const auto& [count, mass, stiffness, closed, gravity] :
+       {Hung{Slinky::beads, Slinky::mass, Slinky::stiffness, Slinky::closed, Slinky::gravity},
+        Hung{3, 0.03, 2, 0.005, 1.62}}) {
+    const auto beads = ask<Beads<Real>>("hung_up", count, Real(mass), Real(stiffness), Real(closed),
+                                        Real(gravity));
     require(int(beads.size()) == count,
             "asked for " + std::to_string(count) + " beads, got " + std::to_string(beads.size()));
-    const double one = Slinky::mass * Slinky::gravity / Slinky::stiffness;
+    const double one = mass * gravity / stiffness;
     for (int i = count - 2; i >= 0; --i) {
       const auto at = [&](int n) { return beads[std::size_t(n)].position.z(); };
-      const auto length = [&](double carried) { return Real(Slinky::closed + carried * one); };
+      const auto length = [&, rest = closed](double carried) { return Real(rest + carried * one); };
       Found("of " + std::to_string(count) + " beads, the length of the spring below number " +
                 std::to_string(i + 1),
             "m", at(i) - at(i + 1))
           .mistake(-length(count - 1 - i), "it hangs upward. z points up, so the beads go down")
-          .mistake(length(count - 1 - i) - Real(Slinky::closed),
+          .mistake(length(count - 1 - i) - Real(closed),
                    "that is what it is stretched by. It is also as long as a closed spring")
-          .mistake(Real(Slinky::closed), "it is closed, as if nothing hung on it")
+          .mistake(Real(closed), "it is closed, as if nothing hung on it")
           .mistake(length(count - i),
                    "it carries one bead too many: a bead hangs on the spring above it")
           .mistake(length(count), "it carries all beads. Those above it hang on other springs")

@@ -8,22 +8,24 @@ namespace {
 
 /// 4 kg on 16 N/m: w = 2 rad/s.
 template <class Real>
-Particle<Real> weight(const Vec3<Same<Real>>& position, const Vec3<Same<Real>>& velocity) {
-  return make_particle<Real>(4, position, velocity);
+Particle<Real> weight(const Vec3<Same<Real>>& position, const Vec3<Same<Real>>& velocity,
+                      Same<Real> mass = 4) {
+  return make_particle<Real>(mass, position, velocity);
 }
 
 const int stiffness = 16;
 
 template <class Real>
-Particle<Real> stepped(Particle<Real> body, Same<Real> time_step, int steps = 1) {
+Particle<Real> stepped(Particle<Real> body, Same<Real> time_step, int steps = 1,
+                       int spring = stiffness) {
   for (int n = 0; n < steps; ++n)
-    body = ask<Particle<Real>>("symmetric_step", body, Real(stiffness), time_step);
+    body = ask<Particle<Real>>("symmetric_step", body, Real(spring), time_step);
   return body;
 }
 
 template <class Real>
-Real kept(const Particle<Real>& body, Same<Real> time_step) {
-  return ask<Real>("kept", body, Real(stiffness), time_step);
+Real kept(const Particle<Real>& body, Same<Real> time_step, int spring = stiffness) {
+  return ask<Real>("kept", body, Real(spring), time_step);
 }
 
 template <class Real>
@@ -33,8 +35,8 @@ Real energy(const Particle<Real>& body) {
 
 /// The judge's own step, with an independent formula: (1 - c) x + h v and so on.
 template <class Real>
-Particle<Real> by_matrix(Particle<Real> body, Same<Real> h) {
-  const Real square = stiffness * body.inverse_mass, c = square * h * h / 2;
+Particle<Real> by_matrix(Particle<Real> body, Same<Real> h, int spring = stiffness) {
+  const Real square = Real(spring) * body.inverse_mass, c = square * h * h / 2;
   const Vec3<Real> x = body.position, v = body.velocity;
   body.position = (1 - c) * x + h * v;
   body.velocity = (1 - c) * v - square * h * (1 - c / 2) * x;
@@ -68,6 +70,13 @@ EXERCISE_CHECK(
       .must_be(truth.velocity, 32 * unit_roundoff<Real>);
   require(found.force.isZero(0), "the force " + shown(found.force) +
                                      " N is left behind. It would act again in the next step");
+  // With 4 kg on 16 N/m the mass, w² and the root of the stiffness are one number: so another.
+  const auto other = weight<Real>(Vector(1, 0, Real(-0.5)), Vector(0, 2, 1), 2);
+  const auto other_truth = by_matrix(other, h, 18), other_found = stepped(other, h, 1, 18);
+  Found("the place of 2 kg on 18 N/m after such a step", "m", other_found.position)
+      .must_be(other_truth.position, 16 * unit_roundoff<Real>);
+  Found("the velocity of 2 kg on 18 N/m after such a step", "m/s", other_found.velocity)
+      .must_be(other_truth.velocity, 32 * unit_roundoff<Real>);
 }
 
 EXERCISE_CHECK("Turn the velocity round, and the steps lead back to the start") {
@@ -129,4 +138,9 @@ EXERCISE_CHECK(
   Found("what is kept after a thousand steps, of the student's own", "J",
         kept(stepped(weight<Real>(Vec3<Real>(1, 0, Real(-0.5)), Vec3<Real>(0, 2, 1)), h, 64), h))
       .must_be(start, (16 * 64 + 16) * rounding);
+  // With 4 kg on 16 N/m the mass, w² and the root of the stiffness are one number: so another.
+  const auto other = weight<Real>(Vec3<Real>(1, 0, Real(-0.5)), Vec3<Real>(0, 2, 1), 2);
+  Found("what is kept of 2 kg on 18 N/m after a step, less what was kept before it,", "J",
+        kept(by_matrix(other, h, 18), h, 18) - kept(other, h, 18))
+      .must_be(0, (16 + 16) * 4 * double(kept(other, 0, 18)) * unit_roundoff<Real>);
 }

@@ -158,6 +158,10 @@ EXERCISE_CHECK("About the outer axes it wobbles as predicted") {
         .mistake(Real(truth / (2 * std::numbers::pi)),
                  "that is the number of wobbles in a second. The rate is in rad/s")
         .must_be(Real(truth), truth * 8 * roundings<Real>);
+    Found("that for the spin the other way round", "rad/s",
+          wobble<Real>(moments.cast<Real>(), k, Real(-spin)))
+        .mistake(Real(-truth), "a rate is positive, whichever way the body spins")
+        .must_be(Real(truth), truth * 8 * roundings<Real>);
     // After a whole wobble it is where it was, after half of one on the other side.
     const double tiny = 1e-5 * spin;
     Vec3d start = Vec3d::Zero();

@@ -96,6 +96,11 @@ EXERCISE_CHECK("Masses on the booms resist a turn across them, and none about th
       .mistake(with(0, 0.2, 0.2),
                "the masses still count as if they were out. Start from the hull each time")
       .must_be(h, 3.3 * 16 * unit_roundoff<Real>);
+  // Half a metre counts as much as its square, twice; so other numbers too.
+  const Vec3<Real> other(4, 3, 2);
+  Found("the principal moments of a hull of 4, 3 and 2 kg m² with 3 kg at a quarter of a metre",
+        "kg m²", moments_of(ask<Top<Real>>("set_booms", start, other, Real(3), Real(0.25))))
+      .must_be(other + Vec3<Real>(0, Real(0.375), Real(0.375)), 4 * 16 * unit_roundoff<Real>);
 }
 
 EXERCISE_CHECK("When the masses move, the angular momentum stays and the spin gives way") {

@@ -19,8 +19,7 @@ Motion exact(double velocity, double acceleration, double rate, double time) {
 }
 
 template <class Real>
-Particle<Real> bead(double velocity, double acceleration) {
-  const Real mass = 2;
+Particle<Real> bead(double velocity, double acceleration, Real mass = 2) {
   auto particle = make_particle<Real>(mass, Vec3<Real>::Zero(), Vec3<Real>(0, 0, Real(velocity)));
   particle.force = Vec3<Real>(0, 0, mass * Real(acceleration));
   return particle;
@@ -57,6 +56,9 @@ EXERCISE_CHECK("A bead at its terminal speed F/(m k) keeps it, however long the 
         .mistake(terminal * kept, "it only decays. Where is the force?")
         .mistake(terminal * kept + h * 2 * a * (1 - kept) / z,
                  "it falls twice as hard as it should: is the mass, 2 kg, forgotten?")
+        .must_be(terminal, few_roundings<Real> * std::abs(terminal));
+    Found("that of a bead of 5 kg, as fast and under 2½ times the force", "m/s",
+          double(stepped(bead<Real>(terminal, a, 5), k, h, 1).velocity.z()))
         .must_be(terminal, few_roundings<Real> * std::abs(terminal));
     Found("and the distance in that step", "m", double(end.position.z()))
         .must_be(terminal * h, few_roundings<Real> * std::abs(terminal * h));

@@ -121,4 +121,11 @@ EXERCISE_CHECK(
                  "that is what is seen from one picture to the next. A second has sixteen of them")
         .must_be(left * truth / 8, pictures * tolerance<Real>(rate / pictures));
   }
+  Found("the standing rate at 25 pictures a second", "rad/s",
+        double(ask<Real>("standing_rate", spokes(), Real(25))))
+      .must_be(25 * gap(), tolerance<Real>(25 * gap()));
+  const double quick = double(Real(25 * gap() * 1.25));
+  Found("at " + shown(quick) + " rad/s and 25 pictures a second the rate that is seen", "rad/s",
+        double(ask<Real>("seen_rate", Real(quick), spokes(), Real(25))))
+      .must_be(quick - 25 * gap(), 25 * tolerance<Real>(quick / 25));
 }

@@ -6,15 +6,18 @@ using namespace tumble::exercise;
 
 namespace {
 
+/// 2 kg alone could stand for the 2 of Coriolis's force, or cancel the ½ of the energy.
+constexpr int two_masses[] = {2, 5};
+
 template <class Real>
-Vec3<Real> force_on(const Vec3<Real>& position, const Vec3<Real>& velocity,
-                    const Vec3<Real>& spin) {
-  return ask<Vec3<Real>>("force_on", make_particle(Real(2), position, velocity), spin);
+Vec3<Real> force_on(const Vec3<Real>& position, const Vec3<Real>& velocity, const Vec3<Real>& spin,
+                    int mass = 2) {
+  return ask<Vec3<Real>>("force_on", make_particle(Real(mass), position, velocity), spin);
 }
 
 template <class Real>
-Real energy_at(const Vec3<Real>& position, const Vec3<Real>& spin) {
-  return ask<Real>("potential_energy_of", make_particle(Real(2), position), spin);
+Real energy_at(const Vec3<Real>& position, const Vec3<Real>& spin, int mass) {
+  return ask<Real>("potential_energy_of", make_particle(Real(mass), position), spin);
 }
 
 /// Numbers of a few dozen units and some twenty operations.
@@ -70,37 +73,45 @@ EXERCISE_CHECK(
   const Vector spin(Real(0.5), -1, 2), place(1, 2, -1);
   // Seen from on board the ground turns backwards: x' = -Ω × x, and so x'' = Ω × (Ω × x).
   const Vector velocity = -spin.cross(place), acceleration = spin.cross(spin.cross(place));
-  Found("the force on 2 kg that rest on the ground, seen from on board", "N",
-        force_on<Real>(place, velocity, spin))
-      .mistake(Vector(-2 * acceleration),
-               "right for what rests on board. Does the force see the velocity?")
-      .mistake(
-          Vector::Zero(),
-          "the two parts cancel each other. Coriolis's is twice as large as the other here, and "
-          "what is left holds it on its circle")
-      .mistake(Vector(-6 * acceleration),
-               "both parts point outward. Coriolis's points inward here: look at its sign")
-      .must_be(Vector(2 * acceleration), tolerance<Real>);
+  for (const int mass : two_masses) {
+    const Vector truth = mass * acceleration;
+    Found(
+        "the force on " + std::to_string(mass) + " kg that rest on the ground, seen from on board",
+        "N", force_on<Real>(place, velocity, spin, mass))
+        .mistake(Vector(-truth), "right for what rests on board. Does the force see the velocity?")
+        .mistake(
+            Vector::Zero(),
+            "the two parts cancel each other. Coriolis's is twice as large as the other here, and "
+            "what is left holds it on its circle")
+        .mistake(Vector(-3 * truth),
+                 "both parts point outward. Coriolis's points inward here: look at its sign")
+        .must_be(truth, 3 * tolerance<Real>);
+  }
 }
 
 EXERCISE_CHECK("The outward force is how the potential energy falls") {
   using Vector = Vec3<Real>;
   const Vector spin(Real(0.5), -1, 2), place(1, 2, -1);
-  Vector falls;
-  // The energy is of second degree, so a difference across a metre is its slope to rounding.
-  for (int axis = 0; axis < 3; ++axis) {
-    const Vector half = Vector::Unit(axis) / 2;
-    falls[axis] = energy_at<Real>(place - half, spin) - energy_at<Real>(place + half, spin);
+  for (const int mass : two_masses) {
+    Vector falls;
+    // The energy is of second degree, so a difference across a metre is its slope to rounding.
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vector half = Vector::Unit(axis) / 2;
+      falls[axis] =
+          energy_at<Real>(place - half, spin, mass) - energy_at<Real>(place + half, spin, mass);
+    }
+    const Vector truth = -mass * spin.cross(spin.cross(place));
+    Found("how the energy of " + std::to_string(mass) +
+              " kg falls from place to place about (1, 2, -1) m",
+          "N", falls)
+        .mistake(Vector(-truth), "it rises outward, where the force points outward: a sign")
+        .mistake(Vector(2 * truth), "twice the force: ½ m |Ω × x|² has a half")
+        .mistake(Vector(truth / mass), "the force on 1 kg: is the mass missing?")
+        .mistake(Vector(Real(mass) * spin.squaredNorm() * place),
+                 "that is -½ m Ω² |x|². Only the distance from the axis counts: |Ω × x|²")
+        .must_be(truth, 12 * tolerance<Real>);
   }
-  const Vector truth = -2 * spin.cross(spin.cross(place));
-  Found("how the energy falls from place to place about (1, 2, -1) m", "N", falls)
-      .mistake(Vector(-truth), "it rises outward, where the force points outward: a sign")
-      .mistake(Vector(2 * truth), "twice the force: ½ m |Ω × x|² has a half")
-      .mistake(Vector(truth / 2), "half of the force: is the mass of 2 kg missing?")
-      .mistake(Vector(2 * spin.squaredNorm() * place),
-               "that is -½ m Ω² |x|². Only the distance from the axis counts: |Ω × x|²")
-      .must_be(truth, 4 * tolerance<Real>);
-  Found("the energy on the axis", "J", energy_at<Real>(spin, spin)).must_be(0, tolerance<Real>);
+  Found("the energy on the axis", "J", energy_at<Real>(spin, spin, 2)).must_be(0, tolerance<Real>);
 }
 
 EXERCISE_CHECK("A plan leaves it out when it stands still, and never else") {

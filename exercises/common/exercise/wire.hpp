@@ -3,8 +3,10 @@
 /// judges it. Numbers keep every bit.
 #pragma once
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -112,7 +114,16 @@ class Words {
 
 template <class Number>
 void get(Words& words, Number& number) requires std::is_arithmetic_v<Number> {
-  number = static_cast<Number>(words.number());
+  const std::string_view word = words.word();
+  const double value = Words(word).number();
+  if constexpr (std::is_integral_v<Number>) {
+    // To convert what doesn't fit is undefined, and a worker may say anything.
+    const double end = std::ldexp(1.0, std::numeric_limits<Number>::digits);
+    const double least = std::is_signed_v<Number> ? -end : 0.0;
+    if (!(value >= least && value < end && value == std::trunc(value)))
+      throw Unreadable("no count: " + std::string(word));
+  }
+  number = static_cast<Number>(value);
 }
 
 template <int rows, int columns, class Real>

@@ -307,6 +307,12 @@ class NothingLost(AClassOfStandIns):
                                              inside=self.submissions)
             self.assertEqual([result["submission"] for result in json.loads(printed)], ["--incomplete", "ada"])
 
+    def test_no_folder_is_taken_for_the_command_that_merges(self):
+        for name in ("merge", "zoe"):
+            self.hand_in(name, "// 1\n")
+        _, said = self.run_to_the_end(folders=["merge", "zoe"], code=2, inside=self.submissions)
+        self.assertIn("merge could be the command or the name of what lies here", said)
+
     def test_a_name_of_two_lines_is_told_on_one(self):
         self.hand_in("ada\ncourse: bob", "// breaks\n")
         _, said = self.run_to_the_end(code=3)

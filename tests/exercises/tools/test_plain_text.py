@@ -70,6 +70,11 @@ class PlainText(InAFolder):
             shown = f"\\u{ord(letter):04x}1"
             self.assertEqual(marks([result]).splitlines()[1], f"{shown},{shown},0,0,")
 
+    def test_no_name_parts_columns_where_a_semicolon_does(self):
+        for name, shown in (("eve;eve;9;9", "eve\\x3beve\\x3b9\\x3b9"), ("x;=1+1;", "x\\x3b=1+1\\x3b")):
+            result = {"student": name, "submission": name, "points": 0, "of": 0, "exercises": []}
+            self.assertEqual(marks([result]).splitlines()[1], f"{shown},{shown},0,0,")
+
     def test_a_terminal_without_the_letters_gets_escapes(self):
         for letters, expected in (("ascii", "\\u2018a\\u2019 \\x1b"), ("utf-8", "\u2018a\u2019 \\x1b"), ("latin-1", "\\u2018a\\u2019 \\x1b")):
             out = io.TextIOWrapper(io.BytesIO(), encoding=letters)

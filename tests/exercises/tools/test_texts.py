@@ -143,5 +143,11 @@ class CompilerSays(unittest.TestCase):
         other = "hammer.hpp:8:16: error: no matching function for call to ‘f(int)’\n"
         self.assertNotIn("Vec3", why_not(other, exercise()))
 
+    def test_no_error_floods_a_report(self):
+        line = f"#error {'so ' * 70_000}"
+        said = why_not(f"hammer.hpp:2:2: error: {line}\n    2 | {line}\n      |  ^~~~~\n", exercise())
+        self.assertTrue(said.startswith("hammer.hpp:2: error: #error so so") and said.endswith(" ..."))
+        self.assertLess(len(said), 2010)
+
     def test_no_warning_is_an_empty_text(self):
         self.assertEqual(first_message("", "hammer.hpp", "warning"), "")

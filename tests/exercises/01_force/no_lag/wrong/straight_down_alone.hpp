@@ -1,5 +1,5 @@
 // caught by: Under a constant force it lands on the parabola, however long a step is
-// message: pushes sideways as well
+// message: where a ball of 8 kg is
 #pragma once
 
 #include <tumble/particle.hpp>

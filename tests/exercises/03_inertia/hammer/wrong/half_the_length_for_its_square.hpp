@@ -1,0 +1,29 @@
+// caught by: A handle alone has a third of m l² about its end
+// message: 0.75 kg and 2 m
+#pragma once
+
+#include <tumble/mass_properties.hpp>
+
+template <class Real>
+Real height_of_centre(Real handle_mass, Real length, Real head_mass) {
+  return (handle_mass * length / 2 + head_mass * length) / (handle_mass + head_mass);
+}
+
+template <class Real>
+Real moment_about_grip(Real handle_mass, Real length, Real head_mass) {
+  return handle_mass * length / 6 + head_mass * length / 2;
+}
+
+template <class Real>
+tumble::MassProperties<Real> hammer(Real handle_mass, Real length, Real head_mass) {
+  const Real mass = handle_mass + head_mass;
+  const Real height = height_of_centre(handle_mass, length, head_mass);
+  // Each part about the common centre: nothing large is subtracted, so no digit is lost.
+  const Real to_middle = height - length / 2, to_head = length - height;
+  const Real moment =
+      handle_mass * (length * length / 12 + to_middle * to_middle) + head_mass * to_head * to_head;
+  tumble::MassProperties<Real> body{.mass = mass};
+  body.centre_of_mass.z() = height;
+  body.inertia.diagonal() << moment, moment, 0;
+  return body;
+}
