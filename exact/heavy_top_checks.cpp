@@ -81,6 +81,10 @@ TEST_CASE("The heavy top agrees with Fehlberg's rule, whichever way it swings an
     for (const double tilt : {0.1, 0.6, 1.6, 3.0})
       for (const Vec3d& across : {Vec3d(0, 0, 0), Vec3d(0.3, -0.2, 0), Vec3d(-4, 1, 0)})
         agrees({"swing", 0.5, 0.2, 1, tilt, across + Vec3d(0, 0, spin)}, {0, 0, -1});
+  // The third root of f lies above the sum of the coefficients over the leading one, unless 1 is
+  // added to it; and where the pull is weak far above their product.
+  agrees({"a little tilted, fast and pushed", 1, 0.2, 6.7, 0.09, {1.1, 0, 25}}, {0, 0, -6.7});
+  agrees({"fast under a weak pull", 1, 0.2, 0.1, 0.1, {0.1, 0, 15}}, {0, 0, -0.1});
 }
 
 TEST_CASE(
