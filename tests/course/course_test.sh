@@ -152,6 +152,9 @@ verify "simulate gives its options to the simulator, in the caller's folder" \
   says "/ 'a scene.json' '--csv' 'a file.csv' '--all'"
 verify "and ends as it does" ends_with 130
 verify "simulate compiles the simulator alone" called "--target simulate"
+(CALLED=$scratch/called CHMOD=$(command -v chmod) PATH=$scratch/bin "$scratch/tree/course" simulate t_handle --no-install <&- >&- 2>&-)
+code=$? output="" errors="with everything closed"
+verify "whose exit code it has also where neither a word nor a complaint can be written" ends_with 130
 course simulate t_handle --live page.html --no-install
 verify "and for a page that computes, its engine" called "--target simulate live_figure_scene"
 stand_in_python 'echo "python3 $PWD ${*@Q}"; exit 7'
