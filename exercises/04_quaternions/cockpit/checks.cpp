@@ -81,3 +81,29 @@ EXERCISE_CHECK("Roll, pull, roll back: the nose has gone sideways") {
                "it rose, as if the roll had not been there")
       .must_be(Vec3<Real>(std::cos(pull), -std::sin(pull), 0), roundings<Real>);
 }
+
+EXERCISE_CHECK(
+    "A stick pushed every way at once is one turn, about an axis of the aeroplane's own") {
+  const Vec3<Real> turn(Real(0.5), Real(-0.75), 1);
+  const double angle = std::sqrt(0.25 + 0.5625 + 1);
+  // Rodrigues: of the nose (1, 0, 0), what lies along the axis n stays, and the rest goes round.
+  const Vec3d n = turn.template cast<double>() / angle, x(1, 0, 0);
+  const Vec3d along = n.x() * n,
+              level = std::cos(angle) * (x - along) + std::sin(angle) * n.cross(x) + along;
+  Quaternion<Real> in_three_turns;
+  for (int axis = 0; axis < 3; ++axis)
+    in_three_turns =
+        in_three_turns * quaternion_of_rotation_vector<Real>(turn[axis] * Vec3<Real>::Unit(axis));
+  const auto upright = quaternion_of_rotation_vector(Vec3<Real>(0, -quarter_turn<Real>, 0));
+  Found("the nose of a level aeroplane after the turn (0.5, -0.75, 1) rad", "",
+        nose(steered(Quaternion<Real>{}, turn)))
+      .mistake(rotate(in_three_turns, Vec3<Real>(1, 0, 0)),
+               "that is a roll, a pull and a turn to the side, one after another. A rotation "
+               "vector is one turn, about the "
+               "axis along which it points")
+      .must_be(Vec3<Real>(level.cast<Real>()), roundings<Real>);
+  // Standing on its tail, it sees the world's z where x was, and minus x where z was.
+  Found("the nose of one that stands on its tail after the same turn", "",
+        nose(steered(upright, turn)))
+      .must_be(Vec3<Real>(Vec3d(-level.z(), level.y(), level.x()).cast<Real>()), roundings<Real>);
+}

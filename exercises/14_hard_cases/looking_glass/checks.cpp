@@ -70,10 +70,10 @@ EXERCISE_CHECK("Every point of a mirrored wheel moves as the mirror shows it") {
 EXERCISE_CHECK("A mirrored body shows the mirrored points") {
   using Vector = Vec3<Real>;
   using Four = Eigen::Matrix<Real, 4, 1>;
-  const auto q = quaternion_of_rotation_vector<Real>(Vector(Real(0.75), -1, Real(0.5)));
-  Four turn;
-  turn << q.real, q.imaginary;
-  for (const Vector& n : {Vector(0, 1, 0), slanted<Real>()}) {
+  const auto check = [](const Vector& rotation, const Vector& n) {
+    const auto q = quaternion_of_rotation_vector<Real>(rotation);
+    Four turn;
+    turn << q.real, q.imaginary;
     const Four seen = ask<Four>("mirrored_turn", turn, n);
     const auto with = [&](Real real, const Vector& imaginary) {
       Four four;
@@ -96,7 +96,11 @@ EXERCISE_CHECK("A mirrored body shows the mirrored points") {
     const Vector point(1, Real(0.5), -2);
     Found("and a point of the image", "m", rotate(image, reflected(point, n)))
         .must_be(reflected(rotate(q, point), n), 4 * tolerance<Real>);
-  }
+  };
+  check({Real(0.75), -1, Real(0.5)}, {0, 1, 0});
+  check({Real(0.75), -1, Real(0.5)}, slanted<Real>());
+  check({3, -2, Real(1.5)},
+        slanted<Real>());  // by more than half a turn: the real part is negative
 }
 
 EXERCISE_CHECK(
