@@ -109,7 +109,8 @@ class Engine:
                 break
             found = self.sites_to_blame(stderrs, folder, written) - refused
             if not found:
-                raise EngineError(f"{chapter} does not compile with its mutants:\n{stderrs[0][:2000]}")
+                errors = [line for line in stderrs[0].splitlines() if "error" in line]
+                raise EngineError("\n".join([f"{chapter} does not compile with its mutants:", *errors])[:2000])
             self.say(f"{chapter}: {len(found)} places can't be switched")
             refused |= found
             (folder / "refused.json").write_text(json.dumps(sorted(refused)))
