@@ -240,7 +240,7 @@ TEST_CASE_TEMPLATE("As many threads as were asked for share a step that has enou
   CHECK(threads_of_step<WitnessOfCentre<Real>, Real>(0, 2 * bodies) == 1);
   CHECK(threads_of_step<WitnessOfBody<Real>, Real>(0, 2 * pairs) == 1);
   CHECK(threads_of_step<WitnessOfPair<Real>, Real>(0, 2 * pairs) == 1);
-  for (const std::size_t threads : {1, 2, 3}) {
+  for (std::size_t threads = 1; threads <= 3; ++threads) {
     CAPTURE(threads);
     const int asked_for = static_cast<int>(threads);
     CHECK(threads_of_step<WitnessOfCentre<Real>, Real>(asked_for, threads * bodies) == threads);

@@ -46,7 +46,7 @@ void check_group(const std::vector<bool>& is_member, Dice& dice) {
       REQUIRE(parts < packs.parts.size());
       const auto& part = packs.parts[parts++];
       REQUIRE(part.pack == pack);
-      for (int lane = 0; lane < width; ++lane)
+      for (std::uint32_t lane = 0; lane < width; ++lane)
         REQUIRE(part.members.lanes[lane] == (is_member[pack * width + lane] ? -1 : 0));
     }
   }
