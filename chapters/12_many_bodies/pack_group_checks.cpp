@@ -71,13 +71,13 @@ void check_group(const std::vector<bool>& is_member, Dice& dice) {
 template <int width>
 void check_groups() {
   Dice dice(53);
-  for (std::size_t first = 0; first <= 4 * width; ++first) {  // the first so many
-    std::vector<bool> is_member(5 * width, false);
+  for (std::size_t first = 0; first <= std::size_t{4} * width; ++first) {  // the first so many
+    std::vector<bool> is_member(std::size_t{5} * width, false);
     std::fill_n(is_member.begin(), first, true);
     check_group<width>(is_member, dice);
   }
   for (int n = 0; n < 60; ++n) {  // packs with all, none or some of their bodies
-    std::vector<bool> is_member(6 * width);
+    std::vector<bool> is_member(std::size_t{6} * width);
     for (std::size_t pack = 0; pack < 6; ++pack) {
       const std::size_t kind = dice.below(3);
       for (std::size_t body = pack * width; body < (pack + 1) * width; ++body)
