@@ -21,7 +21,8 @@ constant_members = {"size", "empty", "begin", "end", "front", "back", "data", "g
                     "squaredNorm", "dot", "cross", "cast", "diagonal", "at", "name", "what", "traits", "time_step"}
 # Tables that the compiler computes, but that may as well be computed when the program starts.
 late_variables = {"row", "from", "portions", "rule", "weight", "turning_ladder", "motion_ladder", "torque_ladder", "quarter_turn",
-                  "sine_series", "cosine_series", "element_slack", "short_list", "smallest_share", "packs_in_block"}
+                  "sine_series", "cosine_series", "element_slack", "short_list", "smallest_share", "packs_in_block",
+                  "errors", "error_sees_end", "is_asked_for"}
 integers = {"bool", "int", "unsigned", "size_t", "int64_t", "uint32_t", "uint64_t"}
 no_calls = {"if", "for", "while", "sizeof", "decltype", "noexcept", "alignof", "static_assert", "requires", "catch",
             "return", "throw", "operator", "alignas"}
@@ -111,7 +112,8 @@ class Generator:
         if statement.kind in ("if", "while"):
             outer = self.constant
             head = statement.head.inside
-            if statement.is_constexpr and head and is_name(head[0], *late_variables):
+            asked = head[1:] if head and head[0].text == "!" else head
+            if statement.is_constexpr and asked and is_name(asked[0], *late_variables):
                 self.late = [Replace(statement.start, statement.head.start, "if ")]
                 self.late_edits += self.late
             self.constant = outer or (statement.is_constexpr and not self.late)

@@ -27,7 +27,7 @@ class ReducedSteps {
   [[gnu::flatten]] Real attempt(Real h) {
     step_ = h;
     look<Rule>(start_, h, rates_, [&]<std::size_t i>(const State& numbers, Real ahead, Look<i>) {
-      if constexpr (is_asked_for(i)) twists_[i][0] = motion_.twist_rate(numbers);
+      if constexpr (is_asked_for<i>) twists_[i][0] = motion_.twist_rate(numbers);
       return motion_.rates(numbers, time_ + ahead);
     });
     end_ = led<RowOfStep<Rule>>(start_, h, rates_);
@@ -73,11 +73,12 @@ class ReducedSteps {
   static constexpr bool error_sees_end = Pair::errors[0][looks] != 0;
 
   /// Whether ψ' has a weight at this stage.
-  static constexpr bool is_asked_for(std::size_t i) {
+  template <std::size_t i>
+  static constexpr bool is_asked_for = [] {
     bool is = i < looks && Rule::rule.weights[i] != 0;
     for (const auto& row : Pair::errors) is = is || row[i] != 0;
     return is;
-  }
+  }();
 
   void look_at_start() {
     rates_[0] = motion_.rates(start_, time_);

@@ -96,20 +96,20 @@ template <class Real>
 template <class Row, std::size_t n, class Real, std::size_t count, std::size_t s>
 [[gnu::always_inline]] inline Real weighed_number(
     const std::array<Numbers<Real, count>, s>& rates) {
-  static constexpr auto first = [] {
-    std::size_t j = 0;
-    while (Row::row[j] == 0) ++j;
-    return j;
-  }();
-  Real sum = static_cast<Real>(Row::row[first]) * rates[first][n];
+  Real sum = 0;
+  bool is_begun = false;  // known to the compiler too: nothing is added to the 0
   [&]<std::size_t... j>(std::index_sequence<j...>) {
     [[maybe_unused]] const auto add = [&]<std::size_t k>() {
       constexpr long double weight = Row::row[k];
-      if constexpr (weight != 0) sum += static_cast<Real>(weight) * rates[k][n];
+      if constexpr (weight != 0) {
+        const Real part = static_cast<Real>(weight) * rates[k][n];
+        sum = is_begun ? sum + part : part;
+        is_begun = true;
+      }
     };
-    (add.template operator()<first + 1 + j>(), ...);
+    (add.template operator()<j>(), ...);
   }
-  (std::make_index_sequence<Row::row.size() - first - 1>());
+  (std::make_index_sequence<Row::row.size()>());
   return sum;
 }
 
