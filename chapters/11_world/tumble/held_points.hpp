@@ -91,9 +91,8 @@ struct HeldTurns {
   Real largest = 0;                  ///< see largest_turning_strength(), of all bodies
   std::size_t hold = 0;              ///< which has the most part in that
 
-  /// A hold gives this to a body. `part` is how large that is.
+  /// A hold gives this to a body. `part` is how large that is, and not 0.
   void add(BodyIndex body, const Mat3<Real>& strength, Real part, std::size_t of_hold) {
-    if (part == 0) return;
     if (sums.size() <= body) sums.resize(body + 1);
     HeldTurn<Real>& sum = sums[body];
     sum.strength += strength;
