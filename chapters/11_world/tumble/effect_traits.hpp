@@ -28,6 +28,8 @@ struct EffectTraits {
   bool visits_tops() const { return sees == Sees::top; }
 };
 
+namespace detail {
+
 /// Which of the quantities of its form the effect writes: a spring at the centre gives no torque.
 template <class Real, class Effect>
 Quantities writes_of(const Effect& effect) {
@@ -61,10 +63,12 @@ auto response_type_of(const Effect& effect, const BodyState<Real>& body) {
     return effect.response(body, body);
 }
 
+}  // namespace detail
+
 /// What the effect's response() returns, for a body or for two; void if it has none.
 template <class Real, class Effect>
-using AnswerOf = decltype(response_type_of<Real, Effect>(std::declval<const Effect&>(),
-                                                         std::declval<const BodyState<Real>&>()));
+using AnswerOf = decltype(detail::response_type_of<Real, Effect>(
+    std::declval<const Effect&>(), std::declval<const BodyState<Real>&>()));
 
 /// What a world knows of this effect.
 template <class Real, class Effect>
@@ -74,8 +78,8 @@ EffectTraits<Real> traits_of(const Effect& effect) {
   EffectTraits<Real> traits{.name = std::string(effect.name),
                             .phase = phase_of<Effect, Real>(),
                             .sees = form.sees,
-                            .reads = reads_of<Real, Effect>(),
-                            .writes = writes_of<Real>(effect)};
+                            .reads = detail::reads_of<Real, Effect>(),
+                            .writes = detail::writes_of<Real>(effect)};
   traits.replaces = form.replaces;
   traits.needs_top = form.sees == Sees::top;
   if constexpr (requires { effect.needs_top(); }) traits.needs_top = effect.needs_top();
