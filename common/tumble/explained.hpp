@@ -14,6 +14,8 @@ namespace tumble {
 /// the program, so that those who wait can explain a refusal by another; null where nobody waits.
 inline void (*tell_of_throw)(const std::exception& thrown) = nullptr;
 
+namespace detail {
+
 /// One who waits. The innermost is asked first.
 class Explaining {
  public:
@@ -37,6 +39,9 @@ class Explaining {
   Explaining* outer_;
   static inline Explaining* innermost_ = nullptr;
 };
+
+}  // namespace detail
+
 #endif
 
 /// What `action` returns. Where it throws std::invalid_argument, `explain` is called with that, and
@@ -44,7 +49,7 @@ class Explaining {
 template <class Action, class Explain>
 auto explained(const Action& action, const Explain& explain) {
 #ifdef __wasi__
-  const Explaining waiting(explain);
+  const detail::Explaining waiting(explain);
   return action();
 #else
   try {

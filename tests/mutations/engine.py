@@ -152,7 +152,6 @@ class Engine:
 
     def compile(self, chapter, folder, written, mutated):
         """Makes the program of the files that include a header with a mutant in it; gives what the compiler complained of."""
-        common = digest(sorted((name, header.text) for name, header in written.items()), self.key)
         included = {}
         for source in [*self.build.checks(chapter).values(), *self.build.others.get(chapter, {}).values()]:
             headers = headers_of(source[2], include_folders(source[1]))
@@ -166,7 +165,9 @@ class Engine:
             target, stamp = folder / f"{file.stem}.o", folder / f"{file.stem}.key"
             command = [words[0], f"-I{folder}", *plain_words(words)[1:], "-include", self.header, "-Og", "-UNDEBUG", "-g0",
                        *flags, *self.columns, *self.precision]
-            key = digest(common, command, *(path.read_text() for path in [file, *included[file][1]]))
+            seen = {path.name for path in included[file][1]}
+            texts = sorted((name, header.text) for name, header in written.items() if Path(name).name in seen)
+            key = digest(texts, self.key, command, *(path.read_text() for path in [file, *included[file][1]]))
             if target.exists() and stamp.exists() and stamp.read_text() == key:
                 return ""
             done = run([*command, "-c", file, "-o", target], directory if Path(directory).is_dir() else None)

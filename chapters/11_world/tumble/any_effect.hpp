@@ -3,30 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <tumble/effect_traits.hpp>
 #include <tumble/group.hpp>
-#include <tumble/kernel.hpp>
 #include <utility>
 
 namespace tumble {
-
-/// What a world knows of an effect without asking it about a body.
-template <class Real>
-struct EffectTraits {
-  std::string name;
-  Phase phase = Phase::force;
-  Sees sees = Sees::nothing;
-  Quantities reads, writes;
-  bool needs_top = false;  ///< the (first) body must not be a point
-  bool needs_second_top = false;
-  bool stores_energy = false;
-  bool replaces = false;          ///< what it writes takes the place of what there was
-  bool finds_pairs = false;       ///< it finds the pairs that it joins itself, in each step
-  bool has_response = false;      ///< it says how it limits the time step
-  bool may_feed_back = false;     ///< it reads how a body moves, and does not say what follows
-  bool depends_on_speed = false;  ///< what it gives depends on a velocity or a spin
-  bool joins_two() const { return sees == Sees::pair; }
-  bool visits_tops() const { return sees == Sees::top; }
-};
 
 /// One virtual function runs the effect on all that it visits, so that none is called for each.
 //! [any_effect]
@@ -58,47 +39,12 @@ class AnyEffect {
   EffectTraits<Real> traits_;
 };
 
-/// Which of the quantities of its form the effect writes: a spring at the centre gives no torque.
-template <class Real, class Effect>
-Quantities writes_of(const Effect& effect) {
-  const Quantities all = form_of<Effect, Real>().writes;
-  if constexpr (requires { effect.gives_torque(); })
-    if (!effect.gives_torque()) return {all.bits & ~quantity::torque.bits};
-  (void)effect;
-  return all;
-}
-
-/// What the effect declares that it reads, or else all that it sees.
-template <class Real, class Effect>
-constexpr Quantities reads_of() {
-  constexpr Sees sees = form_of<Effect, Real>().sees;
-  constexpr Quantities seen = sees == Sees::centre ? quantity::of_centre
-                              : sees == Sees::top  ? quantity::of_top
-                                                   : quantity::of_body;
-  if constexpr (requires { Effect::reads; }) {
-    static_assert(seen.has(Effect::reads), "the effect's function does not see what it reads");
-    return Effect::reads;
-  } else {
-    return seen;
-  }
-}
-
-/// What the effect's response() returns, for a body or for two; void if it has none.
-template <class Real, class Effect>
-auto response_type_of(const Effect& effect, const BodyState<Real>& body) {
-  if constexpr (requires { effect.response(body); })
-    return effect.response(body);
-  else if constexpr (requires { effect.response(body, body); })
-    return effect.response(body, body);
-}
-
 /// @cond the base class says what it does
 /// AnyEffect for one type of effect.
 template <class Real, class Effect>
 class EffectOf : public AnyEffect<Real> {
   static constexpr Form form = form_of<Effect, Real>();
-  using Answer = decltype(response_type_of<Real, Effect>(std::declval<const Effect&>(),
-                                                         std::declval<const BodyState<Real>&>()));
+  using Answer = AnswerOf<Real, Effect>;
   static_assert(std::is_void_v<Answer> || std::is_same_v<Answer, Response<Real>> ||
                     std::is_same_v<Answer, NoResponse>,
                 "response() returns a Response or, of what can't feed on itself, NoResponse");
@@ -108,7 +54,8 @@ class EffectOf : public AnyEffect<Real> {
                 "whatever the effect names");
 
  public:
-  explicit EffectOf(const Effect& effect) : AnyEffect<Real>(traits_of(effect)), effect_(effect) {}
+  explicit EffectOf(const Effect& effect)
+      : AnyEffect<Real>(traits_of<Real>(effect)), effect_(effect) {}
   const Effect& effect() const { return effect_; }
 
   void run(Bodies<Real>& bodies, const Visits& visits, const Moment<Real>& moment) const override {
@@ -171,34 +118,6 @@ class EffectOf : public AnyEffect<Real> {
   static BodyInPlace<Real> in_place(Bodies<Real>& bodies, BodyIndex body, Top<Real>& none) {
     const BodyIndex top = bodies.top_of[body];
     return {bodies.centres[body], top == no_index ? none : bodies.tops[top]};
-  }
-
-  static EffectTraits<Real> traits_of(const Effect& effect) {
-    EffectTraits<Real> traits{.name = std::string(effect.name),
-                              .phase = phase_of<Effect, Real>(),
-                              .sees = form.sees,
-                              .reads = reads_of<Real, Effect>(),
-                              .writes = writes_of<Real>(effect)};
-    traits.replaces = form.replaces;
-    traits.needs_top = form.sees == Sees::top;
-    if constexpr (requires { effect.needs_top(); }) traits.needs_top = effect.needs_top();
-    if constexpr (requires { effect.needs_second_top(); })
-      traits.needs_second_top = effect.needs_second_top();
-    constexpr bool of_one = requires(const BodyState<Real>& body) {
-      effect.potential_energy(body);
-    };
-    constexpr bool of_two = requires(const BodyState<Real>& body) {
-      effect.potential_energy(body, body);
-    };
-    traits.stores_energy = of_one || of_two;
-    traits.finds_pairs = FindsPairs<Effect, Real>;
-    traits.has_response = std::is_same_v<Answer, Response<Real>> && !traits.finds_pairs;
-    traits.may_feed_back = !traits.has_response && !std::is_same_v<Answer, NoResponse> &&
-                           traits.reads.has_any(quantity::of_motion);
-    traits.depends_on_speed = traits.reads.has_any(quantity::velocity | quantity::spin);
-    if constexpr (requires { effect.depends_on_speed(); })
-      traits.depends_on_speed = effect.depends_on_speed();
-    return traits;
   }
 
   Effect effect_;

@@ -33,6 +33,8 @@ std::string turn_too_far(const Top<Real>& top, Same<Real> time_step) {
          text_of(2 * SineCosineConstants<Real>::limit) + " rad can be turned";
 }
 
+namespace detail {
+
 /// Which quantity of a body is not finite, as the middle of a sentence; empty if all are.
 template <class Real>
 std::string not_finite_in(const Particle<Real>& centre, const Top<Real>& top) {
@@ -49,6 +51,8 @@ std::string not_finite_in(const Particle<Real>& centre, const Top<Real>& top) {
   if (!is_finite(q.imaginary) || !std::isfinite(q.real)) return "an orientation that is no number";
   return {};
 }
+
+}  // namespace detail
 
 /// The step in which a body was lost, once more.
 template <class Real>
@@ -84,7 +88,7 @@ class Replay {
  private:
   bool is_lost() const {
     const BodyState<Real> body = state_of(bodies_, lost_);
-    return !not_finite_in(body.centre, body.top).empty();
+    return !detail::not_finite_in(body.centre, body.top).empty();
   }
 
   /// What went wrong in a kick, or nothing.
@@ -112,7 +116,7 @@ class Replay {
       const Entry<Real>& entry = work_.effects[i];
       entry.effect->run(bodies_, entry.visits, moment);
       const BodyState<Real> body = state_of(bodies_, lost_);
-      const std::string what = not_finite_in(body.centre, body.top);
+      const std::string what = detail::not_finite_in(body.centre, body.top);
       if (alone) {
         for (Particle<Real>& centre : bodies_.centres) clear_force(centre);
         for (Top<Real>& top : bodies_.tops) clear_torque(top);

@@ -83,6 +83,8 @@ struct Form {
   bool replaces = false;  ///< what it writes takes the place of what there was
 };
 
+namespace detail {
+
 /// What the effect gives when its function sees `Seen`.
 template <class Effect, class Seen, class Real>
 constexpr Form form_seeing(Sees sees) {
@@ -102,11 +104,13 @@ constexpr Form form_seeing(Sees sees) {
   return form;
 }
 
+}  // namespace detail
+
 template <class Effect, class Real>
 constexpr Form form_of() {
-  const Form centre = form_seeing<Effect, Particle<Real>, Real>(Sees::centre);
-  const Form top = form_seeing<Effect, Top<Real>, Real>(Sees::top);
-  const Form body = form_seeing<Effect, BodyState<Real>, Real>(Sees::body);
+  const Form centre = detail::form_seeing<Effect, Particle<Real>, Real>(Sees::centre);
+  const Form top = detail::form_seeing<Effect, Top<Real>, Real>(Sees::top);
+  const Form body = detail::form_seeing<Effect, BodyState<Real>, Real>(Sees::body);
   Form form = centre.count ? centre : top.count ? top : body;
   form.count = centre.count + top.count + body.count;
   if (PushBetween<Effect, Real>)

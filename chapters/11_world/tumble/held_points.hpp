@@ -76,6 +76,8 @@ Real largest_turning_strength(const RigidBody<Real>& body, const Mat3<Same<Real>
 }
 //! [largest_turning_strength]
 
+namespace detail {
+
 /// What resists the turns of one body: all its holds together.
 template <class Real>
 struct HeldTurn {
@@ -84,18 +86,19 @@ struct HeldTurn {
   std::size_t hold = 0;                      ///< which has it
 };
 
+}  // namespace detail
+
 /// What resists the turns of each body, and which of the holds has the most part in it.
 template <class Real>
 struct HeldTurns {
-  std::vector<HeldTurn<Real>> sums;  ///< by body; no more than up to the last that is held
-  Real largest = 0;                  ///< see largest_turning_strength(), of all bodies
-  std::size_t hold = 0;              ///< which has the most part in that
+  std::vector<detail::HeldTurn<Real>> sums;  ///< by body; no more than up to the last that is held
+  Real largest = 0;                          ///< see largest_turning_strength(), of all bodies
+  std::size_t hold = 0;                      ///< which has the most part in that
 
-  /// A hold gives this to a body. `part` is how large that is.
+  /// A hold gives this to a body. `part` is how large that is, and not 0.
   void add(BodyIndex body, const Mat3<Real>& strength, Real part, std::size_t of_hold) {
-    if (part == 0) return;
     if (sums.size() <= body) sums.resize(body + 1);
-    HeldTurn<Real>& sum = sums[body];
+    detail::HeldTurn<Real>& sum = sums[body];
     sum.strength += strength;
     if (!(part <= sum.most)) sum.most = part, sum.hold = of_hold;
   }

@@ -39,6 +39,8 @@ struct Plan {
   }
 };
 
+namespace detail {
+
 /// Counts why bodies are skipped, and makes the sentence of a row of it.
 class Reasons {
  public:
@@ -68,12 +70,14 @@ class Reasons {
   std::vector<std::pair<std::string_view, std::size_t>> counts_;
 };
 
+}  // namespace detail
+
 /// The line of an effect of the scene.
 template <class Real, class Roster>
 PlanRow row_of(const Entry<Real>& entry, const Planner<Real>& planner, const Roster& roster) {
   const AnyEffect<Real>& effect = *entry.effect;
   const std::vector<Facts>& facts = planner.facts();
-  Reasons reasons;
+  detail::Reasons reasons;
   const auto ask = [&](std::string_view why) {
     if (!why.empty()) reasons.add(why);
   };
@@ -107,7 +111,7 @@ PlanRow row_of(const Entry<Real>& entry, const Planner<Real>& planner, const Ros
 /// The line of a motion that every world has.
 inline PlanRow row_of(const Motion& motion, const Group& group, const std::vector<Facts>& facts,
                       const std::string& name = {}) {
-  Reasons reasons;
+  detail::Reasons reasons;
   for (const Facts& body : facts)
     if (const std::string_view why = motion.why_skipped(body); !why.empty()) reasons.add(why);
   return {name.empty() ? std::string(motion.name) : name,

@@ -13,6 +13,8 @@
 
 namespace tumble {
 
+namespace detail {
+
 /// Calls `visit` with each number of a snapshot, in the order of a file.
 template <class AnySnapshot, class Visit>
 void for_each_number(AnySnapshot& snapshot, const Visit& visit) {
@@ -25,6 +27,8 @@ void for_each_number(AnySnapshot& snapshot, const Visit& visit) {
   }
 }
 
+}  // namespace detail
+
 /// Adds bytes to a checksum: Fowler, Noll and Vo's, which sees every single changed letter.
 inline std::uint64_t checksum_of(std::string_view text) {
   std::uint64_t sum = 14695981039346656037ull;
@@ -33,12 +37,16 @@ inline std::uint64_t checksum_of(std::string_view text) {
   return sum;
 }
 
+namespace detail {
+
 /// The last line of the file whose other lines are `text`.
 inline std::string checksum_line(std::string_view text) {
   std::ostringstream line;
   line << "checksum " << std::hex << checksum_of(text) << '\n';
   return line.str();
 }
+
+}  // namespace detail
 
 /// Writes a snapshot as text: a line that says what it is, the numbers in hexadecimal, so that none
 /// is rounded, and a checksum.
@@ -52,8 +60,8 @@ void write_snapshot(std::ostream& out, const Snapshot<Real>& snapshot) {
     for (const bool flag : *flags) text << (flag ? '1' : '0');
     text << '\n';
   }
-  for_each_number(snapshot, [&](const Real& number) { text << number << '\n'; });
-  out << text.str() << checksum_line(text.str());
+  detail::for_each_number(snapshot, [&](const Real& number) { text << number << '\n'; });
+  out << text.str() << detail::checksum_line(text.str());
 }
 
 /// Reads what write_snapshot() has written.
@@ -78,7 +86,7 @@ Snapshot<Real> read_snapshot(std::istream& in) {
       tops >> word >> word >> snapshot.ticks;
   if (version != 1) throw refuse("it is of version " + std::to_string(version) + ", and this is 1");
   if (!text) throw refuse("its first line does not say what it holds");
-  if (all.substr(end) != checksum_line(all.substr(0, end)))
+  if (all.substr(end) != detail::checksum_line(all.substr(0, end)))
     throw refuse("its checksum is wrong: it is damaged");
   if (bits != 8 * sizeof(Real))
     throw refuse("its numbers have " + std::to_string(bits) + " bits, and the world's " +
@@ -91,7 +99,7 @@ Snapshot<Real> read_snapshot(std::istream& in) {
   for (auto* list : {&snapshot.positions, &snapshot.velocities}) list->resize(bodies);
   snapshot.orientations.resize(tops);
   snapshot.angular_momenta.resize(tops);
-  for_each_number(snapshot, [&](Real& number) {
+  detail::for_each_number(snapshot, [&](Real& number) {
     text >> word;
     number = static_cast<Real>(std::strtod(word.c_str(), nullptr));
   });

@@ -31,6 +31,8 @@ struct PackGroup {
 };
 //! [pack_group]
 
+namespace detail {
+
 /// The members of a group in ascending order. A bit for each body is faster than to sort a list.
 inline std::vector<BodyIndex> sorted_members(const Group& members) {
   std::vector<std::uint64_t> bits;
@@ -46,6 +48,8 @@ inline std::vector<BodyIndex> sorted_members(const Group& members) {
                        static_cast<BodyIndex>(std::countr_zero(left)));
   return sorted;
 }
+
+}  // namespace detail
 
 /// Sorts the members of a group into packs. The lanes that are left over in the last pack belong to
 /// nobody and are not visited.
@@ -63,7 +67,7 @@ PackGroup<Real, width> pack_group(const Group& members) {
   std::vector<BodyIndex> sorted;
   std::size_t first = 0;
   if (members.is_listed()) {
-    sorted = sorted_members(members);
+    sorted = detail::sorted_members(members);
   } else if (!members.empty()) {
     first = members.size() / width * width;
     if (first > 0) group.whole.push_back({0, static_cast<std::uint32_t>(first / width)});

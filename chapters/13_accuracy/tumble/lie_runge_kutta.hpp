@@ -41,11 +41,15 @@ void turn_by_lie_runge_kutta(Top<Real>& top, Same<Real> time_step) {
 }
 //! [turn_by_lie_runge_kutta]
 
+namespace detail {
+
 /// What changes under torque: the turn, and L in the axes that the body had when the step began.
 template <class Real>
 struct TurnAndMomentum {
   Vec3<Real> turn, momentum;
 };
+
+}  // namespace detail
 
 /// What the bearings of locked axes push with (N m, world axes), so that L about those axes stays
 /// 0: they take on the torque about them, and L × ω about them, which the axes of the world would
@@ -64,7 +68,7 @@ Vec3<Real> bearing_torque(const Top<Real>& top) {
 template <class Real, class Gather>
 void turn_by_lie_runge_kutta(Top<Real>& top, const Gather& gather, Same<Real> time,
                              Same<Real> time_step) {
-  using State = TurnAndMomentum<Real>;
+  using State = detail::TurnAndMomentum<Real>;
   const Quaternion<Real> start = top.orientation;
   const bool borne = (top.inverse_moments.array() == 0).any();
   const auto go = [&](const State& by) {

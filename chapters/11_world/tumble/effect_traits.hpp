@@ -1,0 +1,105 @@
+/// @file
+/// What an effect's type tells about it: what it reads and writes, whom it visits, how it answers.
+#pragma once
+
+#include <string>
+#include <tumble/kernel.hpp>
+#include <type_traits>
+#include <utility>
+
+namespace tumble {
+
+/// What a world knows of an effect without asking it about a body.
+template <class Real>
+struct EffectTraits {
+  std::string name;
+  Phase phase = Phase::force;
+  Sees sees = Sees::nothing;
+  Quantities reads, writes;
+  bool needs_top = false;  ///< the (first) body must not be a point
+  bool needs_second_top = false;
+  bool stores_energy = false;
+  bool replaces = false;          ///< what it writes takes the place of what there was
+  bool finds_pairs = false;       ///< it finds the pairs that it joins itself, in each step
+  bool has_response = false;      ///< it says how it limits the time step
+  bool may_feed_back = false;     ///< it reads how a body moves, and does not say what follows
+  bool depends_on_speed = false;  ///< what it gives depends on a velocity or a spin
+  bool joins_two() const { return sees == Sees::pair; }
+  bool visits_tops() const { return sees == Sees::top; }
+};
+
+namespace detail {
+
+/// Which of the quantities of its form the effect writes: a spring at the centre gives no torque.
+template <class Real, class Effect>
+Quantities writes_of(const Effect& effect) {
+  const Quantities all = form_of<Effect, Real>().writes;
+  if constexpr (requires { effect.gives_torque(); })
+    if (!effect.gives_torque()) return {all.bits & ~quantity::torque.bits};
+  (void)effect;
+  return all;
+}
+
+/// What the effect declares that it reads, or else all that it sees.
+template <class Real, class Effect>
+constexpr Quantities reads_of() {
+  constexpr Sees sees = form_of<Effect, Real>().sees;
+  constexpr Quantities seen = sees == Sees::centre ? quantity::of_centre
+                              : sees == Sees::top  ? quantity::of_top
+                                                   : quantity::of_body;
+  if constexpr (requires { Effect::reads; }) {
+    static_assert(seen.has(Effect::reads), "the effect's function does not see what it reads");
+    return Effect::reads;
+  } else {
+    return seen;
+  }
+}
+
+template <class Real, class Effect>
+auto response_type_of(const Effect& effect, const BodyState<Real>& body) {
+  if constexpr (requires { effect.response(body); })
+    return effect.response(body);
+  else if constexpr (requires { effect.response(body, body); })
+    return effect.response(body, body);
+}
+
+}  // namespace detail
+
+/// What the effect's response() returns, for a body or for two; void if it has none.
+template <class Real, class Effect>
+using AnswerOf = decltype(detail::response_type_of<Real, Effect>(
+    std::declval<const Effect&>(), std::declval<const BodyState<Real>&>()));
+
+/// What a world knows of this effect.
+template <class Real, class Effect>
+EffectTraits<Real> traits_of(const Effect& effect) {
+  constexpr Form form = form_of<Effect, Real>();
+  using Answer = AnswerOf<Real, Effect>;
+  EffectTraits<Real> traits{.name = std::string(effect.name),
+                            .phase = phase_of<Effect, Real>(),
+                            .sees = form.sees,
+                            .reads = detail::reads_of<Real, Effect>(),
+                            .writes = detail::writes_of<Real>(effect)};
+  traits.replaces = form.replaces;
+  traits.needs_top = form.sees == Sees::top;
+  if constexpr (requires { effect.needs_top(); }) traits.needs_top = effect.needs_top();
+  if constexpr (requires { effect.needs_second_top(); })
+    traits.needs_second_top = effect.needs_second_top();
+  constexpr bool of_one = requires(const BodyState<Real>& body) {
+    effect.potential_energy(body);
+  };
+  constexpr bool of_two = requires(const BodyState<Real>& body) {
+    effect.potential_energy(body, body);
+  };
+  traits.stores_energy = of_one || of_two;
+  traits.finds_pairs = FindsPairs<Effect, Real>;
+  traits.has_response = std::is_same_v<Answer, Response<Real>> && !traits.finds_pairs;
+  traits.may_feed_back = !traits.has_response && !std::is_same_v<Answer, NoResponse> &&
+                         traits.reads.has_any(quantity::of_motion);
+  traits.depends_on_speed = traits.reads.has_any(quantity::velocity | quantity::spin);
+  if constexpr (requires { effect.depends_on_speed(); })
+    traits.depends_on_speed = effect.depends_on_speed();
+  return traits;
+}
+
+}  // namespace tumble
