@@ -71,7 +71,7 @@ EXERCISE_CHECK("A rod wobbles less often than it turns, and a slanting axis goes
 EXERCISE_CHECK("Two steady turns are the whole motion, at any time") {
   for (const auto& [across, about] : {std::pair<Real, Real>{1, Real(0.125)}, {Real(0.5), 1}}) {
     const auto start = thrown<Real>(across, about, Vec3<Real>(1, Real(-0.5), 3));
-    for (const double seconds : {0.125, 1.0, 2.5}) {
+    for (const double seconds : {0.125, 1.0, 2.5, -0.75}) {
       const Real time = Real(seconds);
       // Chapter 8's splitting is exact for a symmetric top, however long the step.
       auto top = start;

@@ -52,18 +52,21 @@ Vec3d flown(const Vec3d& velocity, const Vec3d& wind, double time, int steps) {
 }  // namespace
 
 EXERCISE_CHECK("At its terminal speed the drag of chapter 9 bears the shuttlecock's weight") {
-  const double v = terminal_speed(), weight = mass * g;
-  const Real c = ask<Real>("coefficient_of", Real(mass), Real(v));
-  const Vec3d drag = quadratic_drag(double(c), Vec3d(0, 0, -v), Vec3d(0, 0, 0));
-  Found("the drag at " + shown(v) + " m/s downward, with your c of " + shown(c) + " kg/m", "N",
-        drag.z())
-      .mistake(weight * v,
-               "that bears too much. Drag grows with the square of the speed: divide by it twice")
-      .mistake(weight / mass, "the mass is missing: a weight is m g")
-      .mistake(2 * weight, "twice the weight. The half of ½ ρ C A is inside c already")
-      .mistake(weight / 2, "half the weight. The half of ½ ρ C A is inside c already")
-      .mistake(weight / g, "where is gravity?")
-      .must_be(weight, few_roundings<Real> * weight);
+  for (const auto& [kg, v] : {std::pair(mass, terminal_speed()), {0.018, 9.0}}) {
+    const double weight = kg * g;
+    const Real c = ask<Real>("coefficient_of", Real(kg), Real(v));
+    const Vec3d drag = quadratic_drag(double(c), Vec3d(0, 0, -v), Vec3d(0, 0, 0));
+    Found("the drag on " + shown(kg) + " kg at " + shown(v) + " m/s downward, with your c of " +
+              shown(c) + " kg/m",
+          "N", drag.z())
+        .mistake(weight * v,
+                 "that bears too much. Drag grows with the square of the speed: divide by it twice")
+        .mistake(g, "the mass is missing: a weight is m g")
+        .mistake(2 * weight, "twice the weight. The half of ½ ρ C A is inside c already")
+        .mistake(weight / 2, "half the weight. The half of ½ ρ C A is inside c already")
+        .mistake(weight / g, "where is gravity?")
+        .must_be(weight, few_roundings<Real> * weight);
+  }
 }
 
 EXERCISE_CHECK("Drag alone leaves v0 / (1 + c v0 t / m), however the time is cut") {

@@ -119,7 +119,7 @@ EXERCISE_CHECK("The error that is left is estimated to a quarter, without the tr
 
 EXERCISE_CHECK("A step that is shorter by the factor found has the error that was asked for") {
   for (const int order : {1, 2, 4}) {
-    const double error = 16, wish = 0.0625, factor = std::pow(256.0, 1.0 / order);
+    const double error = 12, wish = 0.046875, factor = std::pow(256.0, 1.0 / order);
     Found("to have a 256th of the error, by a method of order " + std::to_string(order) +
               ", the step must be shorter by a factor that",
           "", double(ask<Real>("shorter_by", Real(error), Real(wish), order)))
