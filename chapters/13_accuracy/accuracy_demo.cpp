@@ -112,8 +112,8 @@ std::string reason_of(double ratio, double fused) {
   return ratio >= fused ? step : step + "; " + number("%.2f", ratio / fused) + " is left";
 }
 
-/// Every pair of problem and wish by stepping alone: Odeint's cheapest by ours, and where that is
-/// under 1, what either did.
+/// Every pair of problem and tolerance by stepping alone: Odeint's cheapest by ours, and where that
+/// is under 1, what either did.
 void compare_step_by_step(Notebook& notebook, const std::vector<Measurement>& all,
                           const std::vector<std::string>& problems) {
   Table ratios = notebook.table("stepping", {"problem", "1e-1", "1e-2", "1e-3", "1e-4", "1e-5",

@@ -52,10 +52,10 @@ TEST_CASE("On a driven top two ladders meet, and each rung has its order") {
   }();
   const auto& ladder = torque_ladder<Wide, Drive<Wide>>;
   const Top<Wide> by_splitting = after(problem, ladder.back(), 800);
-  const Rung<Top<Wide>, Wide, Drive<Wide>> looks{
+  const Rung<Top<Wide>, Wide, Drive<Wide>> staged{
       "", {}, step_by_runge_kutta<DormandPrinceEighth, Top<Wide>, Drive<Wide>, Wide>};
-  const Top<Wide> by_looks = after(problem, looks, 4000);
-  CHECK(difference(by_splitting, by_looks) <= 1e-16L);
+  const Top<Wide> by_stages = after(problem, staged, 4000);
+  CHECK(difference(by_splitting, by_stages) <= 1e-16L);
   check_orders(problem, by_splitting, ladder);
 }
 

@@ -87,10 +87,10 @@ TEST_CASE("A tableau's weights sum to 1, and the coefficients of each row to its
     long double sum = 0;
     for (const long double weight : rule.weights) sum += weight;
     CHECK(std::abs(sum - 1) <= 1e-17L);  // what 18 digits of a dozen weights under 6 leave
-    for (std::size_t look = 0; look < rule.nodes.size(); ++look) {
+    for (std::size_t stage = 0; stage < rule.nodes.size(); ++stage) {
       long double node = 0;
-      for (const long double weight : rule.looks[look]) node += weight;
-      CHECK(std::abs(node - rule.nodes[look]) <= 1e-16L);  // here they go up to 43
+      for (const long double weight : rule.coefficients[stage]) node += weight;
+      CHECK(std::abs(node - rule.nodes[stage]) <= 1e-16L);  // here they go up to 43
     }
   };
   check(Kutta::rule);
@@ -114,7 +114,8 @@ TEST_CASE(
   CHECK(run("linearly implicit", A).energy_error > 0.1);
   CHECK(run("augmented second order", A).energy_error < 1e-2);
   CHECK(run("Runge-Kutta", A).energy_error < 1e-6);
-  // The linearly implicit rule brakes, wherever it is put; the needle throws the looks out.
+  // The linearly implicit rule brakes, wherever it is put; the needle throws out those that
+  // evaluate rates.
   for (const TumblingProblem* problem : {&A, &B, &C, &D})
     CHECK(run("linearly implicit", *problem).energy_ratio < 1);
   CHECK(run("Runge-Kutta", D).diverged > 0);

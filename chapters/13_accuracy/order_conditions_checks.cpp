@@ -52,11 +52,11 @@ std::vector<std::vector<Shared>> trees_up_to(int largest) {
 
 using Row = std::vector<Wide>;
 
-/// Looks as rows of any length, so that looks beyond the step count too.
-struct Looks {
+/// Stages as rows of any length, so that stages beyond the step count too.
+struct Stages {
   std::vector<Row> rows;
 
-  /// For each look, the product over the branches of what the looks before it make of them.
+  /// For each stage, the product over the branches of what the stages before it make of them.
   Row weights_of(const Tree& tree) const {
     Row product(rows.size(), 1);
     for (const Shared& branch : tree.branches) {
@@ -79,24 +79,24 @@ Wide sum_of(const Row& weights, const Row& values) {
 
 /// The largest miss of a condition over all trees of a size, for weights that lead to `part` of the
 /// step.
-Wide missed(const Looks& looks, const Row& weights, const std::vector<Shared>& trees,
+Wide missed(const Stages& stages, const Row& weights, const std::vector<Shared>& trees,
             Wide part = 1) {
   Wide worst = 0;
   for (const Shared& tree : trees) {
     const Wide wanted = std::pow(part, Wide(tree->size)) / tree->density;
-    worst = std::max(worst, std::abs(sum_of(weights, looks.weights_of(*tree)) - wanted));
+    worst = std::max(worst, std::abs(sum_of(weights, stages.weights_of(*tree)) - wanted));
   }
   return worst;
 }
 
 /// The order that weights show: all conditions up to that size are met to `digits`, and one of the
 /// next size is missed by far more.
-int order_of(const Looks& looks, const Row& weights, const std::vector<std::vector<Shared>>& trees,
-             Wide part = 1) {
+int order_of(const Stages& stages, const Row& weights,
+             const std::vector<std::vector<Shared>>& trees, Wide part = 1) {
   const Wide digits = 1e-15L;  // coefficients as large as 43 with 30 digits, in 19 digits
   int order = 0;
   while (order + 1 < static_cast<int>(trees.size()) &&
-         missed(looks, weights, trees[static_cast<std::size_t>(order) + 1], part) <= digits)
+         missed(stages, weights, trees[static_cast<std::size_t>(order) + 1], part) <= digits)
     ++order;
   return order;
 }
@@ -106,15 +106,15 @@ Row row_of(const List& list) {
   return Row(list.begin(), list.end());
 }
 
-/// All looks of a pair: those of the step, that at its end, and those beyond.
+/// All stages of a pair: those of the step, that at its end, and those beyond.
 template <class Pair>
-Looks looks_of() {
-  Looks looks;
+Stages stages_of() {
+  Stages stages;
   for (std::size_t i = 0; i < Pair::Rule::rule.nodes.size(); ++i)
-    looks.rows.push_back(row_of(Pair::Rule::rule.looks[i]));
-  looks.rows.push_back(row_of(Pair::Rule::rule.weights));
-  for (const auto& row : Pair::more_looks) looks.rows.push_back(row_of(row));
-  return looks;
+    stages.rows.push_back(row_of(Pair::Rule::rule.coefficients[i]));
+  stages.rows.push_back(row_of(Pair::Rule::rule.weights));
+  for (const auto& row : Pair::more_coefficients) stages.rows.push_back(row_of(row));
+  return stages;
 }
 
 /// Weights less those of an error: the answer beside.
@@ -127,12 +127,12 @@ Row beside(std::size_t error) {
   return weights;
 }
 
-/// The weights of all looks that make the state at `part` of a step, as within() weighs them.
+/// The weights of all stages that make the state at `part` of a step, as within() weighs them.
 template <class Pair>
 Row within(Wide part) {
-  const std::size_t looks = Pair::Rule::rule.nodes.size();
+  const std::size_t stages = Pair::Rule::rule.nodes.size();
   const Wide rest = 1 - part;
-  Row weights(looks + 1 + Pair::more_nodes.size(), 0);
+  Row weights(stages + 1 + Pair::more_nodes.size(), 0);
   const auto add = [&](Wide factor, const auto& row) {
     for (std::size_t j = 0; j < row.size(); ++j) weights[j] += factor * row[j];
   };
@@ -140,7 +140,7 @@ Row within(Wide part) {
   // p (Δ + (1 − p) (k₀ − Δ + p (2Δ − k₀ − k₁ + …)))
   add(part * (1 - rest + 2 * part * rest), step);
   weights[0] += part * rest * (1 - part);
-  weights[looks] -= part * part * rest;
+  weights[stages] -= part * part * rest;
   Wide factor = part * rest * part * rest;
   for (std::size_t i = 0; i < Pair::dense.size(); ++i) {
     add(factor, Pair::dense[i]);
@@ -161,9 +161,9 @@ TEST_CASE("There are 1, 1, 2, 4, 9, 20, 48, 115 and 286 rooted trees of one vert
 TEST_CASE("The rules of Runge and Kutta meet the condition of every rooted tree of their order") {
   const auto trees = trees_up_to(9);
   const auto order = [&]<class Rule>(Rule) {
-    Looks looks;
-    for (const auto& row : Rule::rule.looks) looks.rows.push_back(row_of(row));
-    return order_of(looks, row_of(Rule::rule.weights), trees);
+    Stages stages;
+    for (const auto& row : Rule::rule.coefficients) stages.rows.push_back(row_of(row));
+    return order_of(stages, row_of(Rule::rule.weights), trees);
   };
   CHECK(order(Kutta()) == 4);
   CHECK(order(DormandPrinceFifth()) == 5);
@@ -173,29 +173,30 @@ TEST_CASE("The rules of Runge and Kutta meet the condition of every rooted tree 
 
 TEST_CASE("The answers beside an embedded pair have the orders that its name says") {
   const auto trees = trees_up_to(7);
-  CHECK(order_of(looks_of<DormandPrince54>(), beside<DormandPrince54>(0), trees) == 4);
-  CHECK(order_of(looks_of<DormandPrince853>(), beside<DormandPrince853>(0), trees) == 5);
-  CHECK(order_of(looks_of<DormandPrince853>(), beside<DormandPrince853>(1), trees) == 3);
+  CHECK(order_of(stages_of<DormandPrince54>(), beside<DormandPrince54>(0), trees) == 4);
+  CHECK(order_of(stages_of<DormandPrince853>(), beside<DormandPrince853>(0), trees) == 5);
+  CHECK(order_of(stages_of<DormandPrince853>(), beside<DormandPrince853>(1), trees) == 3);
 }
 
 TEST_CASE("Within a step the pairs have the fourth and the seventh order, wherever one asks") {
   const auto trees = trees_up_to(8);
   for (const Wide part : {0.1L, 0.3L, 0.5L, 0.75L, 0.9L}) {
-    CHECK(order_of(looks_of<DormandPrince54>(), within<DormandPrince54>(part), trees, part) == 4);
-    CHECK(order_of(looks_of<DormandPrince853>(), within<DormandPrince853>(part), trees, part) == 7);
+    CHECK(order_of(stages_of<DormandPrince54>(), within<DormandPrince54>(part), trees, part) == 4);
+    CHECK(order_of(stages_of<DormandPrince853>(), within<DormandPrince853>(part), trees, part) ==
+          7);
   }
 }
 //! [trees]
 
 namespace {
 
-/// A tree for x'' = a(x): a vertex is a look at the acceleration, with some branches that are the
-/// velocity, and some that are looks before. `place` is what the exact solution makes of it at t: a
-/// number times t to the power of its size, which is 2 and 1 for each velocity, and the sizes of
-/// the looks.
+/// A tree for x'' = a(x): a vertex is an evaluation of the acceleration, with some branches that
+/// are the velocity, and some that are stages before. `place` is what the exact solution makes of
+/// it at t: a number times t to the power of its size, which is 2 and 1 for each velocity, and the
+/// sizes of the stages.
 struct NystromTree {
   int velocities = 0;
-  std::vector<std::shared_ptr<const NystromTree>> looks = {};
+  std::vector<std::shared_ptr<const NystromTree>> stages = {};
   int power = 0;  ///< the acceleration is `factor` t^power
   Wide factor = 1;
 };
@@ -204,16 +205,16 @@ using SharedNystrom = std::shared_ptr<const NystromTree>;
 std::vector<SharedNystrom> nystrom_trees_up_to(int largest_power) {
   std::vector<SharedNystrom> all;
   for (int power = 0; power <= largest_power; ++power) {
-    std::vector<SharedNystrom> looks, made;
+    std::vector<SharedNystrom> stages, made;
     const std::function<void(std::size_t, int)> grow = [&](std::size_t below, int left) {
-      NystromTree tree{left, looks, power, 1};
-      for (const SharedNystrom& look : looks)
-        tree.factor *= look->factor / ((look->power + 1) * (look->power + 2));
+      NystromTree tree{left, stages, power, 1};
+      for (const SharedNystrom& stage : stages)
+        tree.factor *= stage->factor / ((stage->power + 1) * (stage->power + 2));
       made.push_back(std::make_shared<const NystromTree>(std::move(tree)));
       for (std::size_t n = 0; n < below && all[n]->power + 2 <= left; ++n) {
-        looks.push_back(all[n]);
+        stages.push_back(all[n]);
         grow(n + 1, left - all[n]->power - 2);
-        looks.pop_back();
+        stages.pop_back();
       }
     };
     grow(all.size(), power);
@@ -226,17 +227,17 @@ template <class Rule>
 Row weights_of(const NystromTree& tree) {
   Row product;
   for (const Wide node : Rule::nodes) product.push_back(std::pow(node, Wide(tree.velocities)));
-  for (const SharedNystrom& look : tree.looks) {
-    const Row there = weights_of<Rule>(*look);
+  for (const SharedNystrom& stage : tree.stages) {
+    const Row there = weights_of<Rule>(*stage);
     for (std::size_t i = 0; i < product.size(); ++i)
-      product[i] *= sum_of(row_of(Rule::looks[i]), there);
+      product[i] *= sum_of(row_of(Rule::stages[i]), there);
   }
   return product;
 }
 
 struct Rule86 {
   static constexpr auto& nodes = DormandPrinceNystrom86::rule.nodes;
-  static constexpr auto& looks = DormandPrinceNystrom86::rule.looks;
+  static constexpr auto& stages = DormandPrinceNystrom86::rule.coefficients;
 };
 
 }  // namespace

@@ -107,7 +107,7 @@ TEST_CASE_TEMPLATE("With L apart a free top keeps it in the world, whatever the 
 
 TEST_CASE_TEMPLATE("A step of a free top by its few unknowns is one of the Runge-Kutta rule", Real,
                    EVERY_PRECISION) {
-  // l by the rule on three numbers is L by the rule on seven, since no look asks for the others.
+  // l by the rule on three numbers is L by the rule on seven, since no stage asks for the others.
   Top<Real> apart = top_of<Real>(tumbling_problems[0]), whole = apart;
   turn_by_momentum<DormandPrinceFifth>(apart, Real(1) / 8);
   turn_by_runge_kutta<DormandPrinceFifth>(whole, Real(1) / 8);

@@ -119,7 +119,7 @@ struct SevenNumbers {
   static constexpr int power = 4;
   double attempt(double h) {
     step = h;
-    look<DormandPrinceFifth>(start, h, rates, [&](const auto& numbers, double, auto) {
+    evaluate_stages<DormandPrinceFifth>(start, h, rates, [&](const auto& numbers, double, auto) {
       return rates_of(numbers, inverse);
     });
     end = led<RowOfStep<DormandPrinceFifth>>(start, h, rates);

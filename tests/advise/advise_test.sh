@@ -78,9 +78,9 @@ run --inertia 2,2,2 --spin 1,2,3 --for 5 --angle 1e-9 --json=false
 verify "--json=false is no JSON" [ "${output:0:1}" != "{" ]
 
 # What can't be confirmed is not promised.
-for wish in 1e-17 1e-16; do
-  run --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle $wish
-  verify "$wish rad is refused" says "refused"
+for tolerance in 1e-17 1e-16; do
+  run --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle $tolerance
+  verify "$tolerance rad is refused" says "refused"
   verify "and ends with 1" ends_with 1
 done
 run --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle 1e-9 --precision float
@@ -207,7 +207,7 @@ top="--inertia 1,2,3 --spin 1,2,0.5 --for 10"
   refuses "--place is inf; it must be a number of m" t_handle --for 1 --place inf
   refuses "--for is 0 s; it must be greater than 0 and at most 1e+06 s" t_handle --for 0 --angle 1
   refuses "--for is 0.01 s; with 60 states a second it must be a whole number of states, not 0.6" t_handle --for 0.01 --angle 1
-  refuses "and at most 10000000 are looked at: lower --rate" t_handle --for 1e6 --angle 1
+  refuses "and at most 10000000 are compared: lower --rate" t_handle --for 1e6 --angle 1
   refuses "--rate is 0 states a second; it must be at least 1 and at most 1e+06 states a second" t_handle --for 1 --angle 1 --rate 0
   refuses "--rate is 1.5; it must be a whole number of states a second" t_handle --for 2 --angle 1 --rate 1.5
   refuses "--precision is half; it must be float, double or any" $top --angle 1 --precision half

@@ -42,15 +42,15 @@ TEST_CASE(
 
 TEST_CASE("The advisor's steps are as few as will do, and what it expects is what it found") {
   const std::vector<Candidate> list = {method("second order", 2, 1, 10)};
-  for (const double wish : {0.3, 1e-2, 1e-5, 3e-7}) {
-    const Verdict verdict = asked(list, wish);
+  for (const double tolerance : {0.3, 1e-2, 1e-5, 3e-7}) {
+    const Verdict verdict = asked(list, tolerance);
     REQUIRE(verdict.winner.has_value());
     const auto steps = static_cast<double>(verdict.winner->fineness);
     CHECK(verdict.winner->errors.angle == 1 / (steps * steps));
-    CHECK(verdict.winner->errors.angle <= wish / 2);
+    CHECK(verdict.winner->errors.angle <= tolerance / 2);
     // Half of the tolerance is aimed at; a twentieth of the steps, and one, may be too many.
     const double fewer = steps / 1.06 - 1;
-    CHECK(1 / (fewer * fewer) >= wish / 2);
+    CHECK(1 / (fewer * fewer) >= tolerance / 2);
     CHECK(verdict.winner->nanoseconds == doctest::Approx(10 * 10 * steps));
   }
 }
@@ -152,7 +152,9 @@ TEST_CASE("A tolerance for places counts places, and one for both counts both") 
   };
   const std::vector<Candidate> list = {body};
   const Advisor advisor(list, frames, longest_run);
-  const auto steps = [&](const Wish& wish) { return advisor.cheapest(wish).winner->fineness; };
+  const auto steps = [&](const Tolerance& tolerance) {
+    return advisor.cheapest(tolerance).winner->fineness;
+  };
   const long both = steps({.angle = 1e-2, .place = 1e-2});
   CHECK(both == steps({.place = 1e-2}));
   CHECK(both > 5 * steps({.angle = 1e-2}));
@@ -188,18 +190,18 @@ Candidate choosing(const char* name, int power, double first, double price) {
 
 TEST_CASE(
     "Of a method that chooses its steps the advisor finds the tolerance, and says the steps") {
-  for (const double wish : {1e-3, 1e-5, 1e-8}) {
-    CAPTURE(wish);
+  for (const double tolerance : {1e-3, 1e-5, 1e-8}) {
+    CAPTURE(tolerance);
     const std::vector<Candidate> list = {choosing("own", 4, 1, 10)};
-    const Verdict verdict = asked(list, wish);
+    const Verdict verdict = asked(list, tolerance);
     REQUIRE(verdict.winner.has_value());
     const Found& found = *verdict.winner;
-    CHECK(found.errors.angle <= wish / 2);
+    CHECK(found.errors.angle <= tolerance / 2);
     CHECK(found.errors.steps > 0);
     CHECK(found.errors.rejected == found.errors.steps / frames.count - 1);
     // Coarser by a twentieth, and one, it would not do, or it is at its coarsest.
     const long coarser = found.fineness - found.fineness / 16 - 1;
-    if (coarser >= 1) CHECK(list[0].errors(coarser, 0).angle > wish / 2);
+    if (coarser >= 1) CHECK(list[0].errors(coarser, 0).angle > tolerance / 2);
   }
 }
 

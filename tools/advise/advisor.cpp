@@ -18,11 +18,11 @@ double Advisor::nanoseconds(const Candidate& candidate, long fineness, int repet
   return candidate.nanoseconds(fineness, repetitions) / frames_.seconds();
 }
 
-/// Doubles the fineness until the error is small enough, then looks in between. Gives up on a
+/// Doubles the fineness until the error is small enough, then searches in between. Gives up on a
 /// method that costs more than `dearest` (ns a second), or whose error has stopped falling although
 /// it has made more steps: at a smaller tolerance a method may still make the same ones.
-std::optional<Found> Advisor::search(const Candidate& candidate, const Wish& wish, double dearest,
-                                     std::optional<Found>& nearest) const {
+std::optional<Found> Advisor::search(const Candidate& candidate, const Tolerance& tolerance,
+                                     double dearest, std::optional<Found>& nearest) const {
   const double limit = std::min(dearest, longest_run_ * 1e9 / frames_.seconds());
   double smallest = std::numeric_limits<double>::infinity();
   int without_gain = 0;
@@ -31,8 +31,8 @@ std::optional<Found> Advisor::search(const Candidate& candidate, const Wish& wis
   for (;; high *= 2) {
     const double cost = nanoseconds(candidate, high, 1);
     errors = std::isfinite(cost) ? candidate.errors(high, 0) : failed_run;
-    const double ratio = errors.of(wish);
-    if (ratio < (nearest ? nearest->errors.of(wish) : std::numeric_limits<double>::infinity()))
+    const double ratio = errors.of(tolerance);
+    if (ratio < (nearest ? nearest->errors.of(tolerance) : std::numeric_limits<double>::infinity()))
       nearest = Found{&candidate, high, errors, cost};
     if (ratio <= 1 / reserve) break;
     const bool is_finer = !candidate.chooses_steps() || errors.steps > most_steps;
@@ -48,19 +48,19 @@ std::optional<Found> Advisor::search(const Candidate& candidate, const Wish& wis
   long low = high / 2;  // known not to do
   while (high - low > 1 && high - low > low / 20) {
     const long middle = low + (high - low) / 2;
-    (candidate.errors(middle, 0).of(wish) <= 1 / reserve ? high : low) = middle;
+    (candidate.errors(middle, 0).of(tolerance) <= 1 / reserve ? high : low) = middle;
   }
   return Found{&candidate, high, errors, nanoseconds(candidate, high, 3)};
 }
 
 /// Runs it again: the question itself, and others like it. If one is not good enough, with shorter
 /// steps.
-bool Advisor::confirm(Found& found, const Wish& wish) const {
+bool Advisor::confirm(Found& found, const Tolerance& tolerance) const {
   for (int attempt = 0; attempt < 6; ++attempt) {
     Errors errors;
     for (int trial = 0; trial < found.candidate->trials; ++trial)
       errors = worse(errors, found.candidate->errors(found.fineness, trial));
-    if (errors.of(wish) <= 1) {
+    if (errors.of(tolerance) <= 1) {
       found.errors = errors;
       found.nanoseconds = nanoseconds(*found.candidate, found.fineness, 5);
       return true;
@@ -71,7 +71,7 @@ bool Advisor::confirm(Found& found, const Wish& wish) const {
   return false;
 }
 
-Verdict Advisor::cheapest(const Wish& wish) const {
+Verdict Advisor::cheapest(const Tolerance& tolerance) const {
   // A high order is soon small, and what is dearer than the best need not be tried to the end.
   std::vector<const Candidate*> tried;
   for (const Candidate& candidate : candidates_) tried.push_back(&candidate);
@@ -83,8 +83,8 @@ Verdict Advisor::cheapest(const Wish& wish) const {
   std::size_t n = 0;
   for (const Candidate* candidate : tried) {
     tell_(*candidate, ++n, tried.size());
-    auto found = search(*candidate, wish, worth_naming * cheapest, verdict.nearest);
-    if (!found || !confirm(*found, wish)) continue;
+    auto found = search(*candidate, tolerance, worth_naming * cheapest, verdict.nearest);
+    if (!found || !confirm(*found, tolerance)) continue;
     enough.push_back(*found);
     cheapest = std::min(cheapest, found->nanoseconds);
   }
@@ -102,7 +102,7 @@ Verdict Advisor::cheapest(const Wish& wish) const {
   return verdict;
 }
 
-std::optional<Found> Advisor::best_for(double most_nanoseconds, const Wish& wish) const {
+std::optional<Found> Advisor::best_for(double most_nanoseconds, const Tolerance& tolerance) const {
   std::optional<Found> best;
   for (const Candidate& candidate : candidates_) {
     const double one_step = nanoseconds(candidate, 1, 3);
@@ -121,17 +121,17 @@ std::optional<Found> Advisor::best_for(double most_nanoseconds, const Wish& wish
       found.nanoseconds *= static_cast<double>(found.fineness);
     }
     found.errors = candidate.errors(found.fineness, 0);
-    if (!(found.errors.of(wish) < std::numeric_limits<double>::infinity())) continue;
-    if (!best || found.errors.of(wish) < best->errors.of(wish)) best = found;
+    if (!(found.errors.of(tolerance) < std::numeric_limits<double>::infinity())) continue;
+    if (!best || found.errors.of(tolerance) < best->errors.of(tolerance)) best = found;
   }
   return best;
 }
 
-std::optional<Found> Advisor::least(const Wish& wish) const {
+std::optional<Found> Advisor::least(const Tolerance& tolerance) const {
   std::optional<Found> least;
   for (const Candidate& candidate : candidates_) {
     const Errors errors = candidate.errors(1, 0);
-    if (!(errors.of(wish) < std::numeric_limits<double>::infinity())) continue;
+    if (!(errors.of(tolerance) < std::numeric_limits<double>::infinity())) continue;
     const double cost = nanoseconds(candidate, 1, 3);
     if (!least || cost < least->nanoseconds) least = Found{&candidate, 1, errors, cost};
   }

@@ -42,19 +42,19 @@ class Advisor {
         tell_(std::move(tell)) {}
 
   /// The candidate that meets the tolerance in the least time.
-  Verdict cheapest(const Wish& wish) const;
+  Verdict cheapest(const Tolerance& tolerance) const;
 
   /// What errs least, in terms of the tolerance, at no more than so many ns for each simulated
   /// second.
-  std::optional<Found> best_for(double nanoseconds, const Wish& wish) const;
+  std::optional<Found> best_for(double nanoseconds, const Tolerance& tolerance) const;
 
   /// What takes least at all: each at its coarsest.
-  std::optional<Found> least(const Wish& wish) const;
+  std::optional<Found> least(const Tolerance& tolerance) const;
 
  private:
-  std::optional<Found> search(const Candidate& candidate, const Wish& wish, double dearest,
-                              std::optional<Found>& nearest) const;
-  bool confirm(Found& found, const Wish& wish) const;
+  std::optional<Found> search(const Candidate& candidate, const Tolerance& tolerance,
+                              double dearest, std::optional<Found>& nearest) const;
+  bool confirm(Found& found, const Tolerance& tolerance) const;
   double nanoseconds(const Candidate& candidate, long fineness, int repetitions) const;
 
   const std::vector<Candidate>& candidates_;

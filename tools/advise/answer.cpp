@@ -11,8 +11,8 @@ namespace {
 /// Of the precisions that are asked for, those in which the tolerance is not hopeless from the
 /// start.
 Precisions fine_enough(const Options& asked, const Rounded& rounded) {
-  return {.single = asked.precisions.single && rounded.single <= asked.wish.angle,
-          .twice = asked.precisions.twice && rounded.twice <= asked.wish.angle};
+  return {.single = asked.precisions.single && rounded.single <= asked.tolerance.angle,
+          .twice = asked.precisions.twice && rounded.twice <= asked.tolerance.angle};
 }
 
 /// What the finest precision that is asked for loses by rounding the exact solution, rad.
@@ -26,7 +26,7 @@ std::vector<Candidate> candidates_for(const Options& asked, Answer& answer) {
     answer.reference = "the exact solution in long double";
     answer.uncertainty.angle = uncertainty_of_truth(*asked.top, asked.frames);
     answer.rounded = rounded_truth(*asked.top, asked.frames);
-    if (least_lost(asked, answer.rounded) > asked.wish.angle)
+    if (least_lost(asked, answer.rounded) > asked.tolerance.angle)
       answer.refusal = std::string("the exact orientations, rounded to ") +
                        (asked.precisions.twice ? "double" : "float") + ", are off by up to " +
                        support::number("%.2g rad", least_lost(asked, answer.rounded)) +
@@ -34,8 +34,8 @@ std::vector<Candidate> candidates_for(const Options& asked, Answer& answer) {
     return free_top_candidates(*asked.top, asked.frames, fine_enough(asked, answer.rounded),
                                asked.kinds, asked.longest_run);
   }
-  const SceneCandidates made =
-      scene_candidates(asked.scene, asked.frames, asked.wish, asked.precisions, asked.longest_run);
+  const SceneCandidates made = scene_candidates(asked.scene, asked.frames, asked.tolerance,
+                                                asked.precisions, asked.longest_run);
   answer.reference = "Richardson's extrapolation of runs with " +
                      std::to_string(made.reference_steps) + " and " +
                      std::to_string(made.reference_steps / 2) + " steps a state";
@@ -51,7 +51,7 @@ Answer answer_to(const Options& asked) {
   const Progress progress;
   progress.show(asked.top ? "computing the exact solution" : "computing the reference");
   answer.candidates = candidates_for(asked, answer);
-  if (!(answer.uncertainty.of(asked.wish) <= 0.25)) {
+  if (!(answer.uncertainty.of(asked.tolerance) <= 0.25)) {
     answer.refusal =
         "the reference is not sure enough of itself to confirm that: it would have to be four "
         "times "
@@ -73,16 +73,16 @@ Answer answer_to(const Options& asked) {
                                         candidate.precision + ", " + std::to_string(n) + " of " +
                                         std::to_string(of));
                         });
-  answer.verdict = advisor.cheapest(asked.wish);
+  answer.verdict = advisor.cheapest(asked.tolerance);
   if (!answer.verdict.winner) {
     answer.refusal = "no method here could be confirmed to be that accurate";
   } else {
-    const Wish tenth{asked.wish.angle / 10, asked.wish.place / 10};
+    const Tolerance tenth{asked.tolerance.angle / 10, asked.tolerance.place / 10};
     wanted = "a tenth of the error";
     if (answer.uncertainty.of(tenth) <= 0.25 && least_lost(asked, answer.rounded) <= tenth.angle)
       answer.better = advisor.cheapest(tenth).winner;
-    answer.worse = advisor.best_for(answer.verdict.winner->nanoseconds / 10, asked.wish);
-    if (!answer.worse) answer.least = advisor.least(asked.wish);
+    answer.worse = advisor.best_for(answer.verdict.winner->nanoseconds / 10, asked.tolerance);
+    if (!answer.worse) answer.least = advisor.least(asked.tolerance);
   }
   return answer;
 }

@@ -12,9 +12,9 @@ Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
 
-Json json_of(const Errors& errors, const Wish& wish) {
-  return {{"angle", std::isfinite(wish.angle) ? number(errors.angle) : Json(nullptr)},
-          {"place", std::isfinite(wish.place) ? number(errors.place) : Json(nullptr)}};
+Json json_of(const Errors& errors, const Tolerance& tolerance) {
+  return {{"angle", std::isfinite(tolerance.angle) ? number(errors.angle) : Json(nullptr)},
+          {"place", std::isfinite(tolerance.place) ? number(errors.place) : Json(nullptr)}};
 }
 
 Json json_of(const std::optional<Found>& found, const Answer& answer) {
@@ -38,8 +38,8 @@ Json json_of(const std::optional<Found>& found, const Answer& answer) {
                 : even ? Json(frames.count * found->fineness)
                        : Json(nullptr)},
       {"rejected_steps", own ? Json(found->errors.rejected) : Json(nullptr)},
-      {"expected_error", json_of(found->errors, answer.asked.wish)},
-      {"margin", number(1 / found->errors.of(answer.asked.wish))},
+      {"expected_error", json_of(found->errors, answer.asked.tolerance)},
+      {"margin", number(1 / found->errors.of(answer.asked.tolerance))},
       {"nanoseconds_per_simulated_second", found->nanoseconds},
       {"bodies_per_sixtieth", fit * static_cast<double>(answer.bodies)}};
 }
@@ -51,7 +51,8 @@ std::string json_of(const Answer& answer) {
   Json question = {
       {"seconds", asked.frames.seconds()},
       {"states_per_second", asked.frames.rate},
-      {"wanted_error", {{"angle", number(asked.wish.angle)}, {"place", number(asked.wish.place)}}}};
+      {"wanted_error",
+       {{"angle", number(asked.tolerance.angle)}, {"place", number(asked.tolerance.place)}}}};
   if (asked.top) {
     question["moments"] = asked.top->moments;
     question["spin"] = asked.top->spin;
@@ -64,7 +65,7 @@ std::string json_of(const Answer& answer) {
       {"confirmed", answer.verdict.winner.has_value()},
       {"refusal", answer.refusal.empty() ? Json(nullptr) : Json(answer.refusal)},
       {"reference", answer.reference},
-      {"reference_uncertainty", json_of(answer.uncertainty, asked.wish)},
+      {"reference_uncertainty", json_of(answer.uncertainty, asked.tolerance)},
       {"cheapest", json_of(answer.verdict.winner, answer)},
       {"ten_times_better", json_of(answer.better, answer)},
       {"ten_times_cheaper", json_of(answer.worse, answer)},

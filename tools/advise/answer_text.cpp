@@ -64,16 +64,16 @@ std::string method_of(const Found& found, const Frames& frames) {
 }
 
 /// The errors that somebody asked about.
-std::string errors_of(const Errors& errors, const Wish& wish) {
+std::string errors_of(const Errors& errors, const Tolerance& tolerance) {
   std::string text;
-  if (std::isfinite(wish.angle)) text = formatted("%.2g rad", errors.angle);
-  if (std::isfinite(wish.place))
+  if (std::isfinite(tolerance.angle)) text = formatted("%.2g rad", errors.angle);
+  if (std::isfinite(tolerance.place))
     text += (text.empty() ? "" : " and ") + formatted("%.2g m", errors.place);
   return text;
 }
 
-std::string wanted(const Wish& wish) {
-  return errors_of({.angle = wish.angle, .place = wish.place}, wish);
+std::string wanted(const Tolerance& tolerance) {
+  return errors_of({.angle = tolerance.angle, .place = tolerance.place}, tolerance);
 }
 
 std::string question(const Answer& answer) {
@@ -92,7 +92,7 @@ std::string question(const Answer& answer) {
   return text +
          formatted(", for %g s, %ld state%s a second\n", asked.frames.seconds(), asked.frames.rate,
                    asked.frames.rate == 1 ? "" : "s") +
-         line("wanted", "errors of at most " + wanted(asked.wish) + ", all the way");
+         line("wanted", "errors of at most " + wanted(asked.tolerance) + ", all the way");
 }
 
 std::string frame_of(const Answer& answer, const Found& found) {
@@ -113,23 +113,23 @@ std::string text_of(const Answer& answer) {
   if (!answer.verdict.winner) {
     text += line("refused", answer.refusal);
     text += line("reference",
-                 answer.reference + ", sure to " + errors_of(answer.uncertainty, asked.wish));
+                 answer.reference + ", sure to " + errors_of(answer.uncertainty, asked.tolerance));
     if (answer.verdict.nearest)
       text += line("nearest", method_of(*answer.verdict.nearest, asked.frames) + ": " +
-                                  errors_of(answer.verdict.nearest->errors, asked.wish));
+                                  errors_of(answer.verdict.nearest->errors, asked.tolerance));
     return text;
   }
   const Found& winner = *answer.verdict.winner;
   text += line("cheapest", method_of(winner, asked.frames));
-  const double ratio = winner.errors.of(asked.wish);
+  const double ratio = winner.errors.of(asked.tolerance);
   text += line("expected error",
-               errors_of(winner.errors, asked.wish) +
+               errors_of(winner.errors, asked.tolerance) +
                    (ratio > 0 ? formatted(", %.2g times less than wanted", 1 / ratio) : ""));
   if (asked.top)
     text += line("", formatted("energy off by %.2g, angular momentum by %.2g, relatively",
                                winner.errors.energy, winner.errors.momentum));
   text += line("confirmed", "against " + answer.reference + ", sure to " +
-                                errors_of(answer.uncertainty, asked.wish));
+                                errors_of(answer.uncertainty, asked.tolerance));
   if (asked.top) text += line("", "with this top, and with three that are like it");
   text += line("costs", formatted("%.4g ns for each simulated second", winner.nanoseconds));
   text += line("that makes", frame_of(answer, winner));
@@ -137,16 +137,16 @@ std::string text_of(const Answer& answer) {
                answer.better ? formatted("%.2g times the cost: ",
                                          answer.better->nanoseconds / winner.nanoseconds) +
                                    method_of(*answer.better, asked.frames) + ", " +
-                                   errors_of(answer.better->errors, asked.wish)
+                                   errors_of(answer.better->errors, asked.tolerance)
                              : std::string("can't be confirmed"));
   if (answer.worse)
-    text += line("ten times cheaper", errors_of(answer.worse->errors, asked.wish) + ": " +
+    text += line("ten times cheaper", errors_of(answer.worse->errors, asked.tolerance) + ": " +
                                           method_of(*answer.worse, asked.frames));
   else if (answer.least)
     text += line("ten times cheaper", formatted("nothing is; at %.2g of the cost: ",
                                                 answer.least->nanoseconds / winner.nanoseconds) +
                                           method_of(*answer.least, asked.frames) + ", " +
-                                          errors_of(answer.least->errors, asked.wish));
+                                          errors_of(answer.least->errors, asked.tolerance));
   for (std::size_t n = 0; n < std::min<std::size_t>(answer.verdict.others.size(), 3); ++n) {
     const Found& other = answer.verdict.others[n];
     text += line(n == 0 ? "would do too" : "",

@@ -12,12 +12,12 @@
 namespace tumble::advise {
 
 /// The largest errors that are wanted; infinite where nobody asks.
-struct Wish {
+struct Tolerance {
   double angle = std::numeric_limits<double>::infinity();  ///< of any orientation, rad
   double place = std::numeric_limits<double>::infinity();  ///< of any centre of mass, m
 };
 
-/// The largest errors on the way, of all bodies and all frames that were looked at.
+/// The largest errors on the way, of all bodies and all frames that were compared.
 struct Errors {
   double angle = 0;     ///< rad
   double place = 0;     ///< m
@@ -28,10 +28,10 @@ struct Errors {
 
   /// How large they are in terms of what is wanted: at most 1 if the tolerance is met. A run that
   /// failed is infinitely far off.
-  double of(const Wish& wish) const {
+  double of(const Tolerance& tolerance) const {
     if (!std::isfinite(angle) || !std::isfinite(place))
       return std::numeric_limits<double>::infinity();
-    return std::max(angle / wish.angle, place / wish.place);
+    return std::max(angle / tolerance.angle, place / tolerance.place);
   }
 };
 

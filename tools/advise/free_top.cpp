@@ -33,7 +33,7 @@ Rounded rounded_truth(const FreeTopQuestion& question, const Frames& frames) {
   const exact::FreeTop<long double> exact(start_of<long double>(question, 0));
   Rounded worst;
   for (long frame = 1; frame <= frames.count; ++frame) {
-    if (frame % frames_between_looks(frames) != 0) continue;
+    if (frame % frames_between_samples(frames) != 0) continue;
     const Quaternion<long double> truth =
         exact.at(static_cast<long double>(frame) / static_cast<long double>(frames.rate))
             .orientation;

@@ -29,7 +29,7 @@ template <class Real, class Advance>
 Errors watched(const Trial<Real>& trial, const Frames& frames, const Advance& advance) {
   Top<Real> top = trial.start;
   Errors errors;
-  const long between = frames_between_looks(frames);
+  const long between = frames_between_samples(frames);
   for (long frame = 1; frame <= frames.count; ++frame) {
     advance(top, frame);
     if (frame % between != 0) continue;

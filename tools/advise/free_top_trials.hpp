@@ -15,10 +15,10 @@ namespace tumble::advise {
 /// The question, and three like it: turned at random, and the spin off by up to a hundredth.
 inline constexpr int trials = 4;
 
-/// More frames than this are not looked at; they are then spread evenly over the time.
+/// More frames than this are not compared; they are then spread evenly over the time.
 inline constexpr long most_frames_seen = 4096;
 
-inline long frames_between_looks(const Frames& frames) {
+inline long frames_between_samples(const Frames& frames) {
   return std::max(1L, frames.count / most_frames_seen);
 }
 
@@ -63,7 +63,7 @@ Top<Real> start_of(const FreeTopQuestion& question, int trial) {
   return top;
 }
 
-/// A start and where the exact solution has it in each frame that is looked at.
+/// A start and where the exact solution has it in each frame that is compared.
 template <class Real>
 struct Trial {
   Top<Real> start;
@@ -76,7 +76,7 @@ std::vector<Trial<Real>> trials_of(const FreeTopQuestion& question, const Frames
   for (int trial = 0; trial < trials; ++trial) {
     Trial<Real> made{start_of<Real>(question, trial), {}};
     const exact::FreeTop<long double> exact(support::exactly(made.start));
-    for (long frame = 0; frame <= frames.count; frame += frames_between_looks(frames))
+    for (long frame = 0; frame <= frames.count; frame += frames_between_samples(frames))
       made.truth.push_back(
           exact.at(static_cast<long double>(frame) / static_cast<long double>(frames.rate)));
     list.push_back(std::move(made));

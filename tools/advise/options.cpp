@@ -106,7 +106,7 @@ Frames frames_of(const std::string& seconds, const std::string& rate) {
                      tumble::text_of(count));
   if (frames.count > 10'000'000)
     throw UsageError("--for is " + seconds + " s; that makes " + std::to_string(frames.count) +
-                     " states, and at most 10000000 are looked at: lower --rate");
+                     " states, and at most 10000000 are compared: lower --rate");
   return frames;
 }
 
@@ -152,8 +152,8 @@ Options read(const cxxopts::ParseResult& given) {
   if (!has("angle") && !has("place"))
     throw UsageError(of_top ? "how accurate? --angle RAD says it"
                             : "how accurate? --angle RAD or --place METRES say it");
-  if (has("angle")) options.wish.angle = between("angle", text("angle"), "rad", 0, 3);
-  if (has("place")) options.wish.place = between("place", text("place"), "m", 0, 1e12);
+  if (has("angle")) options.tolerance.angle = between("angle", text("angle"), "rad", 0, 3);
+  if (has("place")) options.tolerance.place = between("place", text("place"), "m", 0, 1e12);
   options.precisions = precisions_of(text("precision", "any"));
   options.kinds = step_kinds_of(text("steps", "any"));
   if (options.kinds.own && !options.kinds.even && !of_top)

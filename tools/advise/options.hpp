@@ -25,7 +25,7 @@ struct Options {
   std::filesystem::path scene;         ///< empty: a free top is asked for
   std::optional<FreeTopQuestion> top;  ///< nothing: a scene is asked for
   Frames frames;
-  Wish wish;
+  Tolerance tolerance;
   Precisions precisions;
   StepKinds kinds;
   double longest_run = 1;  ///< s

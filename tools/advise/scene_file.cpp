@@ -19,7 +19,7 @@ struct Snapshot {
   std::vector<Quaterniond> orientations;
 };
 
-/// More frames than this are not looked at; they are then spread evenly, with the last among them.
+/// More frames than this are not compared; they are then spread evenly, with the last among them.
 constexpr long most_snapshots = 100;
 
 /// By what a scene is stepped.
@@ -48,7 +48,7 @@ Snapshot snapshot_of(const Bodies<Real>& bodies) {
   return snapshot;
 }
 
-/// The whole run, a snapshot for each frame that is looked at. @throws SimulationError.
+/// The whole run, a snapshot for each frame that is compared. @throws SimulationError.
 template <class Real>
 std::vector<Snapshot> snapshots_of(World<Real> world, const Frames& frames, long steps) {
   const long between = (frames.count + most_snapshots - 1) / most_snapshots;
@@ -105,8 +105,8 @@ struct Reference {
 
 /// Steps half as long each time. Two extrapolated runs that agree tell how far the better one may
 /// be off: no less than rounding lets two runs agree.
-Reference reference_of(const std::filesystem::path& file, const Frames& frames, const Wish& wish,
-                       double longest_run) {
+Reference reference_of(const std::filesystem::path& file, const Frames& frames,
+                       const Tolerance& tolerance, double longest_run) {
   Reference best;
   // The scheme of the highest order: what the scene's effects take from it is found by the way.
   const Choice choice = {.scheme = Scheme::suzuki};
@@ -134,8 +134,9 @@ Reference reference_of(const std::filesystem::path& file, const Frames& frames, 
           last, now, std::clamp(static_cast<int>(std::lround(std::log2(fall))), 1, 10));
       if (last_extrapolated) {
         const Errors uncertainty = errors_between(better, *last_extrapolated);
-        if (uncertainty.of(wish) < best.uncertainty.of(wish)) best = {better, uncertainty, steps};
-        if (best.uncertainty.of(wish) <= 0.02) return best;  // enough for a tenth of it too
+        if (uncertainty.of(tolerance) < best.uncertainty.of(tolerance))
+          best = {better, uncertainty, steps};
+        if (best.uncertainty.of(tolerance) <= 0.02) return best;  // enough for a tenth of it too
       }
       last_extrapolated = better;
       last_difference = size;
@@ -217,12 +218,12 @@ void append(SceneCandidates& made, const std::filesystem::path& file, const Fram
 }  // namespace
 
 SceneCandidates scene_candidates(const std::filesystem::path& file, const Frames& frames,
-                                 const Wish& wish, const Precisions& precisions,
+                                 const Tolerance& tolerance, const Precisions& precisions,
                                  double longest_run) {
   SceneCandidates made;
   made.bodies = scene_with<double>(file, frames, 1, {}).world.body_count();
   const auto reference =
-      std::make_shared<const Reference>(reference_of(file, frames, wish, longest_run));
+      std::make_shared<const Reference>(reference_of(file, frames, tolerance, longest_run));
   made.uncertainty = reference->uncertainty;
   made.reference_steps = reference->steps;
   if (reference->snapshots.empty()) return made;

@@ -23,7 +23,7 @@ struct SceneCandidates {
 /// a fiftieth of what is wanted or a run takes longer than `longest_run` seconds.
 /// @throws SceneError if the scene is wrong, SimulationError if the reference can't be run at all.
 SceneCandidates scene_candidates(const std::filesystem::path& file, const Frames& frames,
-                                 const Wish& wish, const Precisions& precisions,
+                                 const Tolerance& tolerance, const Precisions& precisions,
                                  double longest_run);
 
 }  // namespace tumble::advise

@@ -19,7 +19,7 @@ struct DormandPrince54 {
       {{71 / 57600.0L, 0, -71 / 16695.0L, 71 / 1920.0L, -17253 / 339200.0L, 22 / 525.0L,
         -1 / 40.0L}}};
   //! [pair]
-  static constexpr std::array<std::array<long double, 0>, 0> more_looks = {};
+  static constexpr std::array<std::array<long double, 0>, 0> more_coefficients = {};
   static constexpr std::array<long double, 0> more_nodes = {};
   static constexpr std::array<std::array<long double, 7>, 1> dense = {
       {{-12715105075 / 11282082432.0L, 0, 87487479700 / 32700410799.0L,
@@ -43,7 +43,7 @@ struct DormandPrince853 {
         Rule::rule.weights[8] - 0.733846688281611857341361741547L, Rule::rule.weights[9],
         Rule::rule.weights[10], Rule::rule.weights[11] - 0.0220588235294117647058823529412L}}};
   static constexpr std::array<long double, 3> more_nodes = {0.1L, 0.2L, 7 / 9.0L};
-  static constexpr std::array<std::array<long double, 16>, 3> more_looks = {
+  static constexpr std::array<std::array<long double, 16>, 3> more_coefficients = {
       {{5.61675022830479523392909219681e-02L, 0, 0, 0, 0, 0, 2.53500210216624811088794765333e-01L,
         -2.46239037470802489917441475441e-01L, -1.24191423263816360469010140626e-01L,
         1.5329179827876569731206322685e-01L, 8.20105229563468988491666602057e-03L,

@@ -15,8 +15,8 @@ struct RowOfError {
   static constexpr auto& row = Pair::errors[i];
 };
 template <class Pair, std::size_t i>
-struct RowOfMoreLooks {
-  static constexpr auto& row = Pair::more_looks[i];
+struct RowOfMoreStages {
+  static constexpr auto& row = Pair::more_coefficients[i];
 };
 template <class Pair, std::size_t i>
 struct RowWithin {
@@ -91,16 +91,17 @@ class EmbeddedSteps {
   //! [attempt]
   [[gnu::flatten]] Real attempt(Real h) {
     step_ = h;
-    look<typename Pair::Rule>(start_, h, rates_, [&](const auto& numbers, Real ahead, auto) {
-      return rates_under(gather_, numbers, time_ + ahead, there_);
-    });
+    evaluate_stages<typename Pair::Rule>(
+        start_, h, rates_, [&](const auto& numbers, Real ahead, auto) {
+          return rates_under(gather_, numbers, time_ + ahead, there_);
+        });
     end_ = led<RowOfStep<typename Pair::Rule>>(start_, h, rates_);
     if constexpr (count == 7) {
       const Real factor = 1 / std::sqrt(end_[0] * end_[0] + end_[1] * end_[1] + end_[2] * end_[2] +
                                         end_[3] * end_[3]);
       end_ = each<Real, count>([&](auto n) { return n < 4 ? factor * end_[n] : end_[n]; });
     }
-    if constexpr (error_sees_end) look_at_end();
+    if constexpr (error_sees_end) evaluate_end();
     return [&]<std::size_t... i>(std::index_sequence<i...>) {
       return together(std::array{error<i>()...});
     }
@@ -109,10 +110,10 @@ class EmbeddedSteps {
   //! [attempt]
 
   void accept() {
-    if constexpr (!error_sees_end) look_at_end();
+    if constexpr (!error_sees_end) evaluate_end();
     time_ += step_;
     start_ = end_;
-    rates_[0] = rates_[looks];
+    rates_[0] = rates_[stage_count];
   }
 
   /// See first_step_of().
@@ -141,8 +142,8 @@ class EmbeddedSteps {
   /// need are evaluated now.
   //! [within]
   Body within(Real part) {
-    if constexpr (!error_sees_end) look_at_end();
-    look_further();
+    if constexpr (!error_sees_end) evaluate_end();
+    evaluate_more_stages();
     const Real rest = 1 - part;
     const auto beyond = [&]<std::size_t... i>(std::index_sequence<i...>) {
       return std::array<State, Pair::dense.size()>{weighed<RowWithin<Pair, i>>(rates_)...};
@@ -154,7 +155,7 @@ class EmbeddedSteps {
       for (std::size_t i = beyond.size(); i-- > 0;)
         more = beyond[i][n] + (i % 2 == 0 ? part : rest) * more;
       const Real change = end_[n] - start_[n], first = step_ * rates_[0][n] - change,
-                 last = change - step_ * rates_[looks][n] - first;
+                 last = change - step_ * rates_[stage_count][n] - first;
       state[n] =
           start_[n] + part * (change + rest * (first + part * (last + rest * (step_ * more))));
     }
@@ -168,16 +169,17 @@ class EmbeddedSteps {
  private:
   using Rule = typename Pair::Rule;
   using State = decltype(numbers_of(std::declval<const Body&>()));
-  static constexpr std::size_t looks = Rule::rule.nodes.size(), count = std::tuple_size_v<State>;
-  static constexpr bool error_sees_end = Pair::errors[0][looks] != 0;
+  static constexpr std::size_t stage_count = Rule::rule.nodes.size(),
+                               count = std::tuple_size_v<State>;
+  static constexpr bool error_sees_end = Pair::errors[0][stage_count] != 0;
 
-  void look_at_end() { rates_[looks] = rates_under(gather_, end_, time_ + step_, there_); }
+  void evaluate_end() { rates_[stage_count] = rates_under(gather_, end_, time_ + step_, there_); }
 
-  void look_further() {
+  void evaluate_more_stages() {
     const auto one = [&]<std::size_t i>() {
-      const auto numbers = led<RowOfMoreLooks<Pair, i>>(start_, step_, rates_);
+      const auto numbers = led<RowOfMoreStages<Pair, i>>(start_, step_, rates_);
       const Real ahead = static_cast<Real>(Pair::more_nodes[i]) * step_;
-      rates_[looks + 1 + i] = rates_under(gather_, numbers, time_ + ahead, there_);
+      rates_[stage_count + 1 + i] = rates_under(gather_, numbers, time_ + ahead, there_);
     };
     [&]<std::size_t... i>(std::index_sequence<i...>) {
       (one.template operator()<i>(), ...);
@@ -196,7 +198,7 @@ class EmbeddedSteps {
   Body there_;  // to gather into
   Real time_, tolerance_, step_ = 0;
   State start_, end_ = {};
-  std::array<State, looks + 1 + Pair::more_nodes.size()> rates_ = {};
+  std::array<State, stage_count + 1 + Pair::more_nodes.size()> rates_ = {};
 };
 
 /// Takes a particle or a top from `time` (s) through `seconds`. `gather` as in kicked_steps.hpp.

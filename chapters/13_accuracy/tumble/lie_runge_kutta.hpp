@@ -83,21 +83,21 @@ void turn_by_lie_runge_kutta(Top<Real>& top, const Gather& gather, Same<Real> ti
   };
   const State begin = {Vec3<Real>::Zero(), top.angular_momentum_body};
   State sum = begin, there = begin;
-  const auto look = [&](Real weight, Real ahead) {
+  const auto add_stage = [&](Real weight, Real ahead) {
     const State change = rate(there);
     sum.turn += weight * change.turn;
     sum.momentum += weight * change.momentum;
     there = {ahead * change.turn, begin.momentum + ahead * change.momentum};
   };
-  look(Real(1) / 6, Real(1) / 2);
+  add_stage(Real(1) / 6, Real(1) / 2);
   for (const Real ahead : {Real(1) / 2, Real(1)}) {
     go(there);
     gather(top, time + time_step / 2);
-    look(Real(1) / 3, ahead);
+    add_stage(Real(1) / 3, ahead);
   }
   go(there);
   gather(top, time + time_step);
-  look(Real(1) / 6, 0);
+  add_stage(Real(1) / 6, 0);
   go(sum);
   top.orientation = renormalized(top.orientation);
   gather(top, time + time_step);

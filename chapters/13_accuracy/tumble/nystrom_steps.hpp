@@ -10,7 +10,7 @@ namespace tumble {
 /// The rows of a Nyström pair.
 template <class Pair, std::size_t i>
 struct RowOfPlace {
-  static constexpr auto& row = Pair::rule.looks[i];
+  static constexpr auto& row = Pair::rule.coefficients[i];
 };
 template <class Pair>
 struct RowOfVelocities {
@@ -52,7 +52,7 @@ class NystromSteps {
     [&]<std::size_t... i>(std::index_sequence<i...>) {
       (one.template operator()<i + 1>(), ...);
     }
-    (std::make_index_sequence<looks - 1>());
+    (std::make_index_sequence<stage_count - 1>());
     end_velocity_ = led<RowOfVelocities<Pair>>(velocity_, h, rates_);
     return error();
   }
@@ -62,7 +62,7 @@ class NystromSteps {
     time_ += step_;
     place_ = end_place_;
     velocity_ = end_velocity_;
-    rates_[0] = rates_[looks - 1];
+    rates_[0] = rates_[stage_count - 1];
   }
 
   [[gnu::flatten]] Real first_step(Real seconds) {
@@ -88,7 +88,7 @@ class NystromSteps {
 
  private:
   using Three = Numbers<Real, 3>;
-  static constexpr std::size_t looks = Pair::rule.nodes.size();
+  static constexpr std::size_t stage_count = Pair::rule.nodes.size();
 
   static Numbers<Real, 6> joined(const Three& a, const Three& b) {
     return {a[0], a[1], a[2], b[0], b[1], b[2]};
@@ -124,7 +124,7 @@ class NystromSteps {
   Particle<Real> there_;  // to gather into
   Real time_, tolerance_, step_ = 0;
   Three place_ = {}, velocity_ = {}, end_place_ = {}, end_velocity_ = {};
-  std::array<Three, looks> rates_ = {};
+  std::array<Three, stage_count> rates_ = {};
 };
 
 /// Like carry(), by a Nyström pair, where the force depends on time and place alone.

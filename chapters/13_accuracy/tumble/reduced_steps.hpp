@@ -20,18 +20,20 @@ class ReducedSteps {
 
   ReducedSteps(const Motion& motion, Real time, Real tolerance)
       : motion_(motion), time_(time), tolerance_(tolerance), start_(motion_.numbers()) {
-    look_at_start();
+    evaluate_start();
   }
 
   //! [attempt_reduced]
   [[gnu::flatten]] Real attempt(Real h) {
     step_ = h;
-    look<Rule>(start_, h, rates_, [&]<std::size_t i>(const State& numbers, Real ahead, Look<i>) {
-      if constexpr (is_asked_for<i>) twists_[i][0] = motion_.twist_rate(numbers);
-      return motion_.rates(numbers, time_ + ahead);
-    });
+    evaluate_stages<Rule>(start_, h, rates_,
+                          [&]<std::size_t i>(const State& numbers, Real ahead, StageNumber<i>) {
+                            if constexpr (is_asked_for<i>)
+                              twists_[i][0] = motion_.twist_rate(numbers);
+                            return motion_.rates(numbers, time_ + ahead);
+                          });
     end_ = led<RowOfStep<Rule>>(start_, h, rates_);
-    if constexpr (error_sees_end) look_at_end();
+    if constexpr (error_sees_end) evaluate_end();
     return [&]<std::size_t... i>(std::index_sequence<i...>) {
       return together(std::array{square<i>()...});
     }
@@ -48,7 +50,7 @@ class ReducedSteps {
       start_ = motion_.numbers();
       twist_ = 0;
     }
-    look_at_start();
+    evaluate_start();
   }
 
   /// See first_step_of().
@@ -69,24 +71,25 @@ class ReducedSteps {
  private:
   using Rule = typename Pair::Rule;
   using State = decltype(std::declval<const Motion&>().numbers());
-  static constexpr std::size_t looks = Rule::rule.nodes.size(), count = std::tuple_size_v<State>;
-  static constexpr bool error_sees_end = Pair::errors[0][looks] != 0;
+  static constexpr std::size_t stage_count = Rule::rule.nodes.size(),
+                               count = std::tuple_size_v<State>;
+  static constexpr bool error_sees_end = Pair::errors[0][stage_count] != 0;
 
   /// Whether ψ' has a weight at this stage.
   template <std::size_t i>
   static constexpr bool is_asked_for = [] {
-    bool is = i < looks && Rule::rule.weights[i] != 0;
+    bool is = i < stage_count && Rule::rule.weights[i] != 0;
     for (const auto& row : Pair::errors) is = is || row[i] != 0;
     return is;
   }();
 
-  void look_at_start() {
+  void evaluate_start() {
     rates_[0] = motion_.rates(start_, time_);
     twists_[0][0] = motion_.twist_rate(start_);
   }
-  void look_at_end() {
-    rates_[looks] = motion_.rates(end_, time_ + step_);
-    twists_[looks][0] = motion_.twist_rate(end_);
+  void evaluate_end() {
+    rates_[stage_count] = motion_.rates(end_, time_ + step_);
+    twists_[stage_count][0] = motion_.twist_rate(end_);
   }
 
   template <std::size_t i>
@@ -100,8 +103,8 @@ class ReducedSteps {
   Motion motion_;
   Real time_, tolerance_, step_ = 0, twist_ = 0;  // twist: ψ at the start of the step, rad
   State start_, end_ = {};
-  std::array<State, looks + 1> rates_ = {};
-  std::array<Numbers<Real, 1>, looks + 1> twists_ = {};
+  std::array<State, stage_count + 1> rates_ = {};
+  std::array<Numbers<Real, 1>, stage_count + 1> twists_ = {};
 };
 
 /// The journey of such steps.

@@ -135,10 +135,10 @@ template <class Row, class Real, std::size_t count, std::size_t s>
 
 /// The rows of a rule's tableau: that of stage i, and that of the whole step.
 template <class Rule, std::size_t i>
-struct RowOfLook {
+struct RowOfStage {
   static constexpr auto row = [] {
     std::array<long double, i> first = {};
-    for (std::size_t j = 0; j < i; ++j) first[j] = Rule::rule.looks[i][j];
+    for (std::size_t j = 0; j < i; ++j) first[j] = Rule::rule.coefficients[i][j];
     return first;
   }();
 };
@@ -160,7 +160,7 @@ template <class Row, class Real, std::size_t count, std::size_t s>
 /// is one product and one sum away from the stage before. This rounds a little more than the step
 /// itself may.
 template <class Row, class Real, std::size_t count, std::size_t s>
-[[gnu::always_inline]] inline Numbers<Real, count> led_to_look(
+[[gnu::always_inline]] inline Numbers<Real, count> led_to_stage(
     const Numbers<Real, count>& start, Same<Real> time_step,
     const std::array<Numbers<Real, count>, s>& rates) {
   return each<Real, count>([&](auto n) {
@@ -179,27 +179,28 @@ template <class Row, class Real, std::size_t count, std::size_t s>
 
 /// The number of a stage, known when the program is compiled.
 template <std::size_t i>
-using Look = std::integral_constant<std::size_t, i>;
+using StageNumber = std::integral_constant<std::size_t, i>;
 
 /// Evaluates all stages of a rule but the first, which `rates` holds already. `rates_at(numbers,
-/// ahead, Look<i>())` gives the rates of a state `ahead` seconds after the start. `rates` may have
-/// room for more.
-//! [look]
+/// ahead, StageNumber<i>())` gives the rates of a state `ahead` seconds after the start. `rates`
+/// may have room for more.
+//! [evaluate_stages]
 template <class Rule, class Real, std::size_t count, std::size_t room, class RatesAt>
-[[gnu::always_inline]] inline void look(const Numbers<Real, count>& start, Same<Real> time_step,
-                                        std::array<Numbers<Real, count>, room>& rates,
-                                        const RatesAt& rates_at) {
+[[gnu::always_inline]] inline void evaluate_stages(const Numbers<Real, count>& start,
+                                                   Same<Real> time_step,
+                                                   std::array<Numbers<Real, count>, room>& rates,
+                                                   const RatesAt& rates_at) {
   static constexpr auto& rule = Rule::rule;
   const auto one = [&]<std::size_t i>() {
-    const auto there = led_to_look<RowOfLook<Rule, i>>(start, time_step, rates);
-    rates[i] = rates_at(there, static_cast<Real>(rule.nodes[i]) * time_step, Look<i>());
+    const auto there = led_to_stage<RowOfStage<Rule, i>>(start, time_step, rates);
+    rates[i] = rates_at(there, static_cast<Real>(rule.nodes[i]) * time_step, StageNumber<i>());
   };
   [&]<std::size_t... i>(std::index_sequence<i...>) {
     (one.template operator()<i + 1>(), ...);
   }
   (std::make_index_sequence<rule.nodes.size() - 1>());
 }
-//! [look]
+//! [evaluate_stages]
 
 /// The numbers after one step: stage after stage, and then all of them weighed. `first` is what
 /// rates_at() would return for the start.
@@ -210,7 +211,7 @@ Numbers<Real, count> after_step(const Numbers<Real, count>& start,
                                 const RatesAt& rates_at) {
   std::array<Numbers<Real, count>, Rule::rule.nodes.size()> rates;
   rates[0] = first;
-  look<Rule>(start, time_step, rates, rates_at);
+  evaluate_stages<Rule>(start, time_step, rates, rates_at);
   return led<RowOfStep<Rule>>(start, time_step, rates);
 }
 //! [after_step]
@@ -240,12 +241,12 @@ template <class Rule, class Motion, class Real, std::size_t count>
   std::array<Numbers<Real, count>, Rule::rule.nodes.size()> rates;
   rates[0] = motion.rates(numbers, time);
   Real twist_rate = static_cast<Real>(Rule::rule.weights[0]) * motion.twist_rate(numbers);
-  const auto rates_at = [&]<std::size_t i>(const auto& there, Real ahead, Look<i>) {
+  const auto rates_at = [&]<std::size_t i>(const auto& there, Real ahead, StageNumber<i>) {
     constexpr auto weight = static_cast<Real>(Rule::rule.weights[i]);
     if constexpr (weight != 0) twist_rate += weight * motion.twist_rate(there);
     return motion.rates(there, time + ahead);
   };
-  look<Rule>(numbers, time_step, rates, rates_at);
+  evaluate_stages<Rule>(numbers, time_step, rates, rates_at);
   numbers = led<RowOfStep<Rule>>(numbers, time_step, rates);
   twist += time_step * twist_rate;
 }

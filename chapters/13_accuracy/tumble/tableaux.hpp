@@ -8,13 +8,13 @@
 namespace tumble {
 
 /// A rule with s stages. Stage i evaluates the rate nodes[i] h after the start, at the place to
-/// which the stages j before it lead when weighed with looks[i][j]; the step weighs all of them
-/// with weights[i].
+/// which the stages j before it lead when weighed with coefficients[i][j]; the step weighs all of
+/// them with weights[i].
 //! [tableau]
 template <std::size_t s>
 struct Tableau {
   std::array<long double, s> nodes, weights;
-  std::array<std::array<long double, s>, s> looks;
+  std::array<std::array<long double, s>, s> coefficients;
 };
 //! [tableau]
 
@@ -24,7 +24,7 @@ struct Tableau {
 struct Kutta {
   static constexpr Tableau<4> rule = {.nodes = {0, 0.5L, 0.5L, 1},
                                       .weights = {1 / 6.0L, 1 / 3.0L, 1 / 3.0L, 1 / 6.0L},
-                                      .looks = {{{}, {0.5L}, {0, 0.5L}, {0, 0, 1}}}};
+                                      .coefficients = {{{}, {0.5L}, {0, 0.5L}, {0, 0, 1}}}};
 };
 //! [classical]
 
@@ -33,12 +33,13 @@ struct DormandPrinceFifth {
   static constexpr Tableau<6> rule = {
       .nodes = {0, 0.2L, 0.3L, 0.8L, 8 / 9.0L, 1},
       .weights = {35 / 384.0L, 0, 500 / 1113.0L, 125 / 192.0L, -2187 / 6784.0L, 11 / 84.0L},
-      .looks = {{{},
-                 {0.2L},
-                 {3 / 40.0L, 9 / 40.0L},
-                 {44 / 45.0L, -56 / 15.0L, 32 / 9.0L},
-                 {19372 / 6561.0L, -25360 / 2187.0L, 64448 / 6561.0L, -212 / 729.0L},
-                 {9017 / 3168.0L, -355 / 33.0L, 46732 / 5247.0L, 49 / 176.0L, -5103 / 18656.0L}}}};
+      .coefficients = {
+          {{},
+           {0.2L},
+           {3 / 40.0L, 9 / 40.0L},
+           {44 / 45.0L, -56 / 15.0L, 32 / 9.0L},
+           {19372 / 6561.0L, -25360 / 2187.0L, 64448 / 6561.0L, -212 / 729.0L},
+           {9017 / 3168.0L, -355 / 33.0L, 46732 / 5247.0L, 49 / 176.0L, -5103 / 18656.0L}}}};
 };
 
 /// Order 8 with twelve stages: the rule of Dormand and Prince in Hairer, Nørsett and Wanner,
@@ -52,7 +53,7 @@ struct DormandPrinceEighth {
                   1.89151789931450038304281599044L, -5.8012039600105847814672114227L,
                   0.31116436695781989440891606237L, -0.152160949662516078556178806805L,
                   0.201365400804030348374776537501L, 0.0447106157277725905176885569043L},
-      .looks = {
+      .coefficients = {
           {{},
            {0.0526001519587677318785587544488L},
            {0.0197250569845378994544595329183L, 0.0591751709536136983633785987549L},
@@ -93,7 +94,7 @@ struct FehlbergEighth {
                 1 / 3.0L, 0, 1},
       .weights = {0, 0, 0, 0, 0, 34 / 105.0L, 9 / 35.0L, 9 / 35.0L, 9 / 280.0L, 9 / 280.0L,
                   41 / 840.0L, 41 / 840.0L},
-      .looks = {
+      .coefficients = {
           {{},
            {2 / 27.0L},
            {1 / 36.0L, 1 / 12.0L},

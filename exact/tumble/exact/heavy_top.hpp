@@ -54,7 +54,7 @@ template <class Real>
 class HeavyTop {
  public:
   /// `start` has its moments about the fixed point, equal ones about its first two axes, and the
-  /// third is the axis of symmetry; its torque is not looked at. `pull` (N m, world axes) is the
+  /// third is the axis of symmetry; its torque is ignored. `pull` (N m, world axes) is the
   /// weight times the distance from the fixed point to the centre of mass: the torque is e₃ × pull.
   /// @throws std::invalid_argument if the first two inverse moments differ, if one is 0, or if the
   /// pull is zero or not finite; without a pull it is a FreeTop.

@@ -119,10 +119,10 @@ EXERCISE_CHECK("The error that is left is estimated to a quarter, without the tr
 
 EXERCISE_CHECK("A step that is shorter by the factor found has the error that was asked for") {
   for (const int order : {1, 2, 4}) {
-    const double error = 12, wish = 0.046875, factor = std::pow(256.0, 1.0 / order);
+    const double error = 12, tolerance = 0.046875, factor = std::pow(256.0, 1.0 / order);
     Found("to have a 256th of the error, by a method of order " + std::to_string(order) +
               ", the step must be shorter by a factor that",
-          "", double(ask<Real>("shorter_by", Real(error), Real(wish), order)))
+          "", double(ask<Real>("shorter_by", Real(error), Real(tolerance), order)))
         .mistake(std::pow(256.0, order),
                  "the error falls faster than the step, not the step faster than the "
                  "error: take the root")

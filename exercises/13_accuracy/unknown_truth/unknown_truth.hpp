@@ -30,8 +30,8 @@ Real error_left(Real coarse, Real fine, int order) {
   todo("the leading error of the finer result");
 }
 
-/// By how much shorter the steps must be for an error of `wish` in place of `error`.
+/// By how much shorter the steps must be for an error of `tolerance` in place of `error`.
 template <class Real>
-Real shorter_by(Real error, Real wish, int order) {
+Real shorter_by(Real error, Real tolerance, int order) {
   todo("the factor by which the step must shrink");
 }

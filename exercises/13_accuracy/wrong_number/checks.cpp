@@ -22,11 +22,12 @@ Vec3d truth(double time) {
 template <class Real>
 void require_sums() {
   const Real off = ask<Real>("astray");
-  require(off <= 16 * unit_roundoff<Real>,
-          "the weights must make up 1, and each row of looks its node, else even a steady turn "
-          "goes astray: "
-          "here one of these sums is off by " +
-              shown(off) + ". They were right before");
+  require(
+      off <= 16 * unit_roundoff<Real>,
+      "the weights must make up 1, and each row of coefficients its node, else even a steady turn "
+      "goes astray: "
+      "here one of these sums is off by " +
+          shown(off) + ". They were right before");
 }
 
 /// How far the top's angular momentum (kg m²/s) is off after the same 4 s in 8 and in 16 steps.
@@ -52,16 +53,16 @@ Errors errors() {
 EXERCISE_CHECK(
     "Stages that depend on other stages have their proper weight: the sum of chains is 1/6") {
   require_sums<Real>();
-  Found("the sum of weight times look times node", "", double(ask<Real>("sum_of_chains")))
+  Found("the sum of weight times coefficient times node", "", double(ask<Real>("sum_of_chains")))
       .mistake(
           1.0 / 12,
           "that is the table as you got it. The weights and nodes are right; look at what leads "
-          "a look")
+          "a stage")
       .mistake(0, "it is the right pair of numbers, the wrong way round")
       .mistake(1.0 / 24,
-               "the third look follows the first alone now, as if the second had not been made")
+               "the third stage follows the first alone now, as if the second had not been made")
       .mistake(1.0 / 8,
-               "the third look follows the second alone now. That is how Kutta's other rule does "
+               "the third stage follows the second alone now. That is how Kutta's other rule does "
                "it, with "
                "other nodes")
       .must_be(1.0 / 6, 4 * unit_roundoff<Real>);

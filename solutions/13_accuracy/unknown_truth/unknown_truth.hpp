@@ -43,10 +43,10 @@ Real error_left(Real coarse, Real fine, int order) {
   //! [end]
 }
 
-/// By how much shorter the steps must be for an error of `wish` in place of `error`.
+/// By how much shorter the steps must be for an error of `tolerance` in place of `error`.
 template <class Real>
-Real shorter_by(Real error, Real wish, int order) {
+Real shorter_by(Real error, Real tolerance, int order) {
   //! [solution] the factor by which the step must shrink
-  return std::pow(error / wish, 1 / Real(order));
+  return std::pow(error / tolerance, 1 / Real(order));
   //! [end]
 }

@@ -29,6 +29,6 @@ Real error_left(Real coarse, Real fine, int order) {
 }
 
 template <class Real>
-Real shorter_by(Real error, Real wish, int order) {
-  return std::pow(error / wish, 1 / Real(order));
+Real shorter_by(Real error, Real tolerance, int order) {
+  return std::pow(error / tolerance, 1 / Real(order));
 }

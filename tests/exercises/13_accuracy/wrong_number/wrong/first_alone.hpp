@@ -9,7 +9,7 @@
 struct ThreeEighths {
   static constexpr tumble::Tableau<4> rule = {.nodes = {0, 1 / 3.0L, 2 / 3.0L, 1},
                                               .weights = {1 / 8.0L, 3 / 8.0L, 3 / 8.0L, 1 / 8.0L},
-                                              .looks = {{
+                                              .coefficients = {{
                                                   {},
                                                   {1 / 3.0L},
                                                   {2 / 3.0L},
@@ -22,7 +22,7 @@ Real sum_of_chains() {
   long double sum = 0;
   for (std::size_t i = 0; i < 4; ++i)
     for (std::size_t j = 0; j < i; ++j)
-      sum += ThreeEighths::rule.weights[i] * ThreeEighths::rule.looks[i][j] *
+      sum += ThreeEighths::rule.weights[i] * ThreeEighths::rule.coefficients[i][j] *
              ThreeEighths::rule.nodes[j];
   return static_cast<Real>(sum);
 }
@@ -34,7 +34,7 @@ Real astray() {
   largest = std::abs(largest);
   for (std::size_t i = 0; i < 4; ++i) {
     long double row = -ThreeEighths::rule.nodes[i];
-    for (const long double look : ThreeEighths::rule.looks[i]) row += look;
+    for (const long double coefficient : ThreeEighths::rule.coefficients[i]) row += coefficient;
     largest = std::max(largest, std::abs(row));
   }
   return static_cast<Real>(largest);

@@ -10,7 +10,7 @@
 struct ThreeEighths {
   static constexpr tumble::Tableau<4> rule = {.nodes = {0, 1 / 3.0L, 2 / 3.0L, 1},
                                               .weights = {1 / 8.0L, 3 / 8.0L, 3 / 8.0L, 1 / 8.0L},
-                                              .looks = {{
+                                              .coefficients = {{
                                                   {},
                                                   {1 / 3.0L},
                                                   {1 / 3.0L, 1 / 3.0L},
