@@ -15,7 +15,7 @@ const headers = ['common', ...readdirSync(join(source, 'chapters')).map(name => 
 /** The names of fields that have a note, and of functions that stand at the margin under a comment, in what is not left out. */
 function documented(text) {
   // A type with __attribute__ in it Doxygen does not read.
-  const shown = text.replace(/^ *Lanes lanes;.*$/gm, '').replace(/\/\/\/ @cond[\s\S]*?\/\/\/ @endcond/g, '').replace(/^namespace detail \{[\s\S]*?^\}/gm, '').replace(/^ (?:private|protected):[\s\S]*?^\};/gm, '');
+  const shown = text.replace(/^ *Lanes lanes;.*$/gm, '').replace(/\/\/\/ @cond[\s\S]*?\/\/\/ @endcond/g, '').replace(/^namespace detail \{[\s\S]*?^\}  \/\/ namespace detail$/gm, '').replace(/^ (?:private|protected):[\s\S]*?^\};/gm, '');
   const fields = [...shown.matchAll(/^ +(?:const )?[\w:]+(?:<.*>)? (\w+)(?: = [^;]*)?; +\/\/\/</gm)].map(match => match[1]);
   const functions = [...shown.matchAll(/^\/\/\/.*\n(?:\/\/!.*\n)?(?:template <.*>\n)?(?:inline |constexpr )*[\w:]+(?:<[\w:, <>]*>)? (\w+)\(/gm)].map(match => match[1]);
   return {fields, functions};
