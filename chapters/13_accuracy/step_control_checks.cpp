@@ -1,0 +1,168 @@
+#include <functional>
+#include <support/checks.hpp>
+#include <tumble/step_control.hpp>
+
+using namespace tumble;
+using namespace tumble::support;
+
+namespace {
+
+/// A step whose error is what `error_of` says of its length, 1 being allowed.
+struct Scripted {
+  static constexpr int power = 5;
+  std::function<double(double)> error_of;
+  std::vector<double> attempts = {}, accepted = {};
+
+  double attempt(double h) {
+    attempts.push_back(h);
+    if (attempts.size() > 10000) throw std::logic_error("it goes on for ever");
+    const double error = error_of(h);
+    return error * error;
+  }
+  void accept() { accepted.push_back(attempts.back()); }
+};
+
+template <class Action>
+std::string failure_of(const Action& action) {
+  try {
+    action();
+  } catch (const StepError& error) {
+    return error.what();
+  }
+  return "nothing thrown";
+}
+
+/// A rough logarithm and a rough power err by 0.045 each, and the logarithm is halved or divided.
+const double rough = std::exp2(2 * 0.045);
+
+void check_roughly(double found, double expected) {
+  CAPTURE(found);
+  CAPTURE(expected);
+  CHECK(found <= expected * rough);
+  CHECK(found >= expected / rough);
+}
+
+}  // namespace
+
+TEST_CASE("After a step that failed the next is as long as the order says, less a seventh") {
+  for (const int power : {1, 2, 5, 8})
+    for (const double error : {1.01, 2.0, 5.0, 100.0}) {
+      StepControl control(power);
+      const double wanted = 0.85 * std::pow(error, -1.0 / power);
+      if (wanted > 0.1 * rough)
+        check_roughly(control.factor(static_cast<float>(error * error)), wanted);
+    }
+  CHECK(StepControl(1).factor(1e20F) == 0.1F);
+  for (const float none :
+       {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(),
+        std::numeric_limits<float>::max()})
+    CHECK(StepControl(8).factor(none) == 0.1F);
+}
+
+TEST_CASE("After a step that was accepted the error before it counts too") {
+  for (const int power : {2, 5, 8}) {
+    StepControl control(power);
+    double before = 1;  // as if the step before the first had just been allowed
+    for (const double error : {0.5, 0.25, 0.9, 0.125, 0.125, 1.0}) {
+      const double wanted = 0.85 * std::pow(error, -0.7 / power) * std::pow(before, 0.4 / power);
+      check_roughly(control.factor(static_cast<float>(error * error)), wanted);
+      before = error;
+    }
+  }
+}
+
+TEST_CASE(
+    "A step grows to six times its length at most, shrinks to a fifth, and rests where one "
+    "failed") {
+  CHECK(StepControl(1).factor(1e-10F) == 6);
+  StepControl shrinking(1);
+  shrinking.factor(1e-12F);
+  CHECK(shrinking.factor(1) == 0.2F);
+
+  StepControl control(4);
+  CHECK(control.factor(16) < 0.9F);
+  CHECK(control.factor(1e-16F) == 1);
+  CHECK(control.factor(1e-18F) > 1);  // the step before has not failed
+  control.factor(std::numeric_limits<float>::infinity());
+  CHECK(control.factor(1e-16F) == 1);
+
+  // An error of zero is taken for a billionth, so the next is judged by a finite one.
+  StepControl exact(8), nearly(8);
+  CHECK(exact.factor(0) == nearly.factor(1e-18F));
+  CHECK(exact.factor(0.25F) == nearly.factor(0.25F));
+}
+
+TEST_CASE(
+    "The first step errs by two to the power of its order, if rates change as they begin to") {
+  // rate (h r)^power with r = changes/rate
+  for (const int power : {2, 4, 7}) {
+    const double rate = 16, changes = 24, h = first_step_of(rate, changes, power, 1e9);
+    CHECK(std::abs(rate * std::pow(h * changes / rate, power) / std::exp2(power) - 1) <=
+          64 * power * unit_roundoff<double>);
+  }
+  CHECK(first_step_of(16.0, 24, 4, 0.01) == 0.01);
+  CHECK(first_step_of(16.0, 0, 4, 3) == 3);  // where nothing changes, all at once
+  CHECK(first_step_of(0.0, 0, 4, 3) == 3);
+}
+
+TEST_CASE(
+    "A journey accepts what is allowed, counts both kinds of steps, and leaves no tiny last one") {
+  // Where it may: the error is that of a fifth order which 0.25 s just meets.
+  const auto fifth_order = [](double h) { return std::pow(h / 0.25, 5); };
+  for (double seconds = 0.3; seconds < 3; seconds += 0.0371) {
+    CAPTURE(seconds);
+    Scripted stepper{fifth_order};
+    double told = 0;
+    std::size_t count = 0;
+    const Journey journey = travel(stepper, seconds, 0.1, [&](double gone, double h) {
+      CHECK(gone == told);
+      CHECK(h == stepper.attempts.back());
+      CHECK(stepper.accepted.size() == count);  // before it counts
+      told += h;
+      ++count;
+    });
+    CHECK(std::abs(told - seconds) <= 100 * unit_roundoff<double> * seconds);
+    CHECK(journey.steps == static_cast<long>(stepper.accepted.size()));
+    CHECK(journey.steps + journey.rejected == static_cast<long>(stepper.attempts.size()));
+    for (const double h : stepper.accepted) CHECK(h <= 0.25);
+    if (stepper.accepted.size() > 1) {
+      const double last = stepper.accepted.back(), before = *(stepper.accepted.end() - 2);
+      CHECK(last >= 0.49 * before);
+    }
+  }
+
+  Scripted just_allowed{[](double) { return 1.0; }};
+  const Journey one = travel(just_allowed, 2.0, 2, [](double, double) {});
+  CHECK(one.steps == 1);
+  CHECK(one.rejected == 0);
+  CHECK(just_allowed.attempts == std::vector<double>{2});
+
+  Scripted once_beyond{[](double h) { return h > 1.99 ? 1.1 : 0.01; }};
+  const Journey two = travel(once_beyond, 2.0, 2, [](double, double) {});
+  CHECK(two.rejected == 1);
+  CHECK(two.steps == 2);
+}
+
+TEST_CASE("Where no step meets the tolerance, the journey fails with the time that it got to") {
+  Scripted wall{[](double) { return 2.0; }};
+  CHECK(failure_of([&] {
+          travel(wall, 1.0, 0.5, [](double, double) {});
+        }).find(" s, 0 s after the start; no step meets the tolerance there") != std::string::npos);
+  double reached = 0;
+  Scripted later{[&](double h) { return reached + h > 0.75 ? 2.0 : 0.5; }};
+  const std::string complaint = failure_of(
+      [&] { travel(later, 1.0, 0.25, [&](double gone, double h) { reached = gone + h; }); });
+  CHECK(complaint.find("no step meets the tolerance there") != std::string::npos);
+  CHECK(reached > 0.74);
+  CHECK(reached <= 0.75);
+}
+
+TEST_CASE("A journey's time and tolerance are refused by name") {
+  const double infinite = std::numeric_limits<double>::infinity(), none = std::nan("");
+  CHECK_NOTHROW(require_journey(1.0, 1e-3));
+  CHECK_NOTHROW(require_journey(0.0, 1e-3));
+  for (const double seconds : {-1.0, infinite, none})
+    CHECK(complaint_of([&] { require_journey(seconds, 1e-3); }).find("time is ") == 0);
+  for (const double tolerance : {0.0, -1.0, infinite, none})
+    CHECK(complaint_of([&] { require_journey(1.0, tolerance); }).find("tolerance is ") == 0);
+}
