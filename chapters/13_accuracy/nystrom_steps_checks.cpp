@@ -54,25 +54,26 @@ TEST_CASE(
   const auto spring = [](Particled& particle, double) { particle.force = -particle.position; };
   const auto start = make_particle<double>(1, {1, 4, 8}, {3, 4, 12});
   const double rate = std::sqrt(81.0 + 169.0) / 1e-3;
-  NystromSteps<Pair, decltype(spring), double> steps(start, spring, 0.0, 1e-3);
+  using Steps = NystromSteps<Pair, decltype(spring), double>;
+  Steps steps(start, spring, 0.0, 1e-3);
   // The change is a difference of rates a ten-thousandth of a second apart.
-  CHECK(std::abs(steps.first_step(1) / (2 * std::pow(rate, -1.0 / steps.power)) - 1) <=
+  CHECK(std::abs(steps.first_step(1) / (2 * std::pow(rate, -1.0 / Steps::power)) - 1) <=
         1e5 * unit_roundoff<double>);
 
   // x'' = t from 3 s on: the rates (v, 3), 4.5 and 3, change at the rates 3 and 1, on three axes.
   const PushInTime push{1};
   NystromSteps<Pair, PushInTime, double> pushed(at(push, 3), push, 3.0, 1e-3);
   const double expected = first_step_of(3 * std::hypot(4.5, 3) / 1e-3,
-                                        3 * std::hypot(3.0, 1.0) / 1e-3, steps.power, 10.0);
+                                        3 * std::hypot(3.0, 1.0) / 1e-3, Steps::power, 10.0);
   CHECK(std::abs(pushed.first_step(10) / expected - 1) <= 1e-3);
 
   // Where the tolerance is nothing, what is always allowed is measured by the size: 9 m and 13 m/s.
-  NystromSteps<Pair, decltype(spring), double> strict(start, spring, 0.0, 1e-40);
+  Steps strict(start, spring, 0.0, 1e-40);
   const double always = 4 * std::numeric_limits<double>::epsilon();
   const double strict_rate = std::hypot(13 / (always * 9), 9 / (always * 13)),
                strict_change = std::hypot(9 / (always * 9), 13 / (always * 13));
   CHECK(
-      std::abs(strict.first_step(1) / first_step_of(strict_rate, strict_change, steps.power, 1.0) -
+      std::abs(strict.first_step(1) / first_step_of(strict_rate, strict_change, Steps::power, 1.0) -
                1) <= 1e-9);
 }
 
