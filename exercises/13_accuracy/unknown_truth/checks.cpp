@@ -118,22 +118,26 @@ EXERCISE_CHECK("The error that is left is estimated to a quarter, without the tr
 }
 
 EXERCISE_CHECK("A step that is shorter by the factor found has the error that was asked for") {
-  for (const int order : {1, 2, 4}) {
-    const double error = 12, tolerance = 0.046875, factor = std::pow(256.0, 1.0 / order);
-    Found("to have a 256th of the error, by a method of order " + std::to_string(order) +
-              ", the step must be shorter by a factor that",
-          "", double(ask<Real>("shorter_by", Real(error), Real(tolerance), order)))
-        .mistake(std::pow(256.0, order),
-                 "the error falls faster than the step, not the step faster than the "
-                 "error: take the root")
-        .mistake(256,
-                 "that is right for order 1 alone: the error falls as the step to the power of the "
-                 "order")
-        .mistake(1 / factor,
-                 "that is the new step, as a part of the old one; it is by how much it is shorter")
-        .mistake(256.0 / order, "the order is an exponent")
-        .must_be(factor, 64 * unit_roundoff<Real> * factor);
-  }
+  for (const int order : {1, 2, 4})
+    for (const auto& [error, tolerance] : {std::pair(12.0, 0.046875), {40.5, 0.5}}) {
+      const double ratio = error / tolerance, factor = std::pow(ratio, 1.0 / order);
+      Found("to make an error of " + shown(error) + " one of " + shown(tolerance) +
+                ", by a method of order " + std::to_string(order) +
+                ", the step must be shorter by a factor that",
+            "", double(ask<Real>("shorter_by", Real(error), Real(tolerance), order)))
+          .mistake(std::pow(ratio, order),
+                   "the error falls faster than the step, not the step faster than the "
+                   "error: take the root")
+          .mistake(
+              ratio,
+              "that is right for order 1 alone: the error falls as the step to the power of the "
+              "order")
+          .mistake(
+              1 / factor,
+              "that is the new step, as a part of the old one; it is by how much it is shorter")
+          .mistake(ratio / order, "the order is an exponent")
+          .must_be(factor, 64 * unit_roundoff<Real> * factor);
+    }
 }
 
 EXERCISE_CHECK(
