@@ -103,6 +103,33 @@ TEST_CASE("Paced, each row has its order against the exact motion of a heavy top
   CHECK(std::lround(order(KahanLiEighth(), 0.2L)) == 8);
 }
 
+TEST_CASE("Under a torque that changes with time paced steps keep the clock, whenever they begin") {
+  const auto problem = driven_top<Wide>();
+  for (const Wide begin : {0.0L, 3.0L, -1.0L}) {
+    Top<Wide> staged = problem.start;
+    problem.gather(staged, begin);
+    for (int n = 0; n < 400; ++n)
+      step_by_runge_kutta<DormandPrinceEighth>(staged, problem.gather, begin + Wide(n) / 100,
+                                               0.01L);
+    const auto error = [&](Wide angle) {
+      Top<Wide> paced = problem.start;
+      carry_paced<KahanLiEighth>(paced, problem.gather, begin, 4, angle, 1);
+      return angle_between(paced.orientation, staged.orientation);
+    };
+    const Wide fine = error(0.1L);
+    CAPTURE(static_cast<double>(fine));
+    CHECK(std::lround(std::log2(error(0.2L) / fine)) == 8);
+
+    PacedSteps<Verlet, Drive<Wide>, Wide> steps(problem.start, problem.gather, begin, 0.1L, 1);
+    Wide now = begin;
+    for (int n = 0; n < 20; ++n) {
+      now += steps.next();
+      steps.step();
+    }
+    CHECK(std::abs(steps.time() - now) <= 20 * 10 * unit_roundoff<Wide>);
+  }
+}
+
 TEST_CASE_TEMPLATE("The pace that is carried along stays true to the pace of the top", Real,
                    EVERY_PRECISION) {
   // One step is off by the third power of its angle, and a symmetric rule does not add that up;
@@ -123,9 +150,9 @@ TEST_CASE_TEMPLATE("The pace that is carried along stays true to the pace of the
 
 TEST_CASE("A paced journey ends where it shall, and what it can't be asked for is refused") {
   const auto problem = slow_top<double>();
-  const auto carried = [&](double seconds, double angle) {
+  const auto carried = [&](double seconds, double angle, double least = 1) {
     Topd top = problem.start;
-    const Journey journey = carry_paced<Verlet>(top, problem.gather, 0.0, seconds, angle, 1);
+    const Journey journey = carry_paced<Verlet>(top, problem.gather, 0.0, seconds, angle, least);
     return std::pair(top, journey.steps);
   };
   CHECK(carried(0, 0.1).second == 0);
@@ -137,6 +164,11 @@ TEST_CASE("A paced journey ends where it shall, and what it can't be asked for i
   CHECK(angle_between(carried(7, 0.01).first.orientation, truth.orientation) < 1e-3);
   CHECK(complaint_of([&] { carried(-1, 0.1); }) == "time is -1 s; it must be 0 or more");
   CHECK(complaint_of([&] { carried(1, 0); }) == "angle is 0 rad a step; it must be greater than 0");
+  CHECK(complaint_of([&] { carried(1, NAN); }) == "angle is nan rad a step; it must be finite");
+  CHECK(complaint_of([&] { carried(1, INFINITY); }) ==
+        "angle is inf rad a step; it must be finite");
+  CHECK(complaint_of([&] { carried(1, 0.1, -1); }) ==
+        "least pace is -1 rad/s; it must be 0 or more");
   Topd still{.inverse_moments = {1, 2, 3}};
   const auto nothing = [](Topd& top, double) { top.torque.setZero(); };
   CHECK(carry_paced<Verlet>(still, nothing, 0.0, 5, 0.1).steps == 1);

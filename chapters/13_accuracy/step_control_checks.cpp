@@ -52,6 +52,10 @@ TEST_CASE("After a step that failed the next is as long as the order says, less 
       if (wanted > 0.1 * rough)
         check_roughly(control.factor(static_cast<float>(error * error)), wanted);
     }
+  // A step that barely failed counts as failed: the next is not longer, however small its error.
+  StepControl failed(5);
+  failed.factor(1.5F);
+  CHECK(failed.factor(1e-16F) == 1);
   CHECK(StepControl(1).factor(1e20F) == 0.1F);
   for (const float none :
        {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN(),
