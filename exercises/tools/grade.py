@@ -30,7 +30,7 @@ from plain_text import complain, one_line, say, why_unheard
 from programs import prepare_all
 from reports import FORMATS, marks
 from shards import WHOLE, Part, Stopped, job_of_part, merge, shard_of, stoppable
-from submission import places_of, places_of_header, read_header
+from submission import places_of, places_of_header, read_header, when_submitted
 from toolchain import read_toolchain
 from untrusted import require_out_of_reach, require_seals, seals_in_words
 
@@ -39,11 +39,11 @@ NO_RESULT = 3
 
 
 def counted(results, keep):
-    """The submissions that count: of each student the best, or the last by name."""
+    """The submissions that count: of each student the best, or the last."""
     if keep == "all":
         return results
     by_student = {}
-    for result in sorted(results, key=lambda result: result["submission"]):
+    for result in sorted(results, key=lambda result: (result["student"], when_submitted(result["submission"]))):
         so_far = by_student.get(result["student"])
         if so_far is None or keep == "last" or result["points"] > so_far["points"]:
             by_student[result["student"]] = result

@@ -155,6 +155,11 @@ def student_of(submission):
     return re.fullmatch(r"(.+?)(?:@[0-9][0-9-]*)?", submission, re.DOTALL)[1]
 
 
+def when_submitted(submission):
+    """Compares as a student's submissions follow each other: the numbers after the @ count, as of ada@9 and ada@10, and ada comes first."""
+    return [int(number) for number in re.findall("[0-9]+", submission[len(student_of(submission)):])], submission
+
+
 def places_of(folders, follow_links=False):
     """Where each submission lies, by its name. Who can make a link among the submissions must not choose by it what is graded: one that is
     a link leads to a place in the same folder that is nobody else's, unless all links are followed."""

@@ -148,6 +148,8 @@ template <class Real> Real halved(Real number) { return looked_up<Real>(number, 
             self.hand_in(name, text)
         self.assertEqual({name: each["points"] for name, each in self.graded("--keep", "best").items()}, {"ada@1": 3, "bob@1": 0})
         self.assertEqual({name: each["points"] for name, each in self.graded("--keep", "last").items()}, {"ada@2": 0, "bob@1": 0})
+        self.hand_in("ada@10", RIGHT)
+        self.assertEqual({name: each["points"] for name, each in self.graded("--keep", "last").items()}, {"ada@10": 3, "bob@1": 0})
 
     def test_a_seed_gives_each_student_numbers_of_their_own(self):
         near_two_alone = RIGHT.replace("number + number", "number > Real(1.5) && number < Real(2.5) ? number + number : Real(4)")

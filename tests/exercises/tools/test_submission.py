@@ -9,7 +9,7 @@ import unittest.mock
 from pathlib import Path
 
 from complaint import Complaint, GraderFailed
-from submission import DEEPEST_SEARCHED, LARGEST, MOST_SEARCHED, name_of, places_of, read_header, student_of
+from submission import DEEPEST_SEARCHED, LARGEST, MOST_SEARCHED, name_of, places_of, read_header, student_of, when_submitted
 from test_texts import InAFolder, exercise
 
 PLAIN = "#pragma once\n#include <exercise/todo.hpp>\n#include <tumble/force.hpp>\n"
@@ -83,6 +83,10 @@ class Headers(InAFolder):
 
     def test_resubmissions_are_of_one_student(self):
         self.assertEqual([student_of(name) for name in ("ada", "ada@1", "ada@2026-03-01")], ["ada"] * 3)
+
+    def test_resubmissions_follow_each_other_by_their_numbers(self):
+        wanted = ["ada", "ada@9", "ada@10", "ada@2026-9-30", "ada@2026-10-01", "ada@2026-10-01-2", "ada@2026-10-01-11"]
+        self.assertEqual(sorted(sorted(wanted), key=when_submitted), wanted)
 
     def test_an_address_and_a_name_without_a_student_stay_whole(self):
         for name in ("jo@gmail.com", "jo@web.de", "jo@163.com", "@1", "@", "ada@", "@home", "ada@-", "ada@\u0661"):
