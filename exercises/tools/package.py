@@ -1,7 +1,8 @@
 """./course package gradescope: the zip that Gradescope takes for a programming assignment.
 
-It holds setup.sh, which Gradescope runs once to make its image, run_autograder, which it runs for each submission, and the course as
-students get it: to grade, no solution is needed. The image must be Debian 12 or Ubuntu 24.04 or later.
+It holds setup.sh, which Gradescope runs once to make its image, run_autograder, which it runs for each submission, the course as
+students get it, and what grades those of --exercises that come from the folder of --private: to grade, no solution is needed. The
+image must be Debian 12 or Ubuntu 24.04 or later.
 """
 
 import ctrl_c  # noqa: F401
@@ -31,7 +32,7 @@ if [ -n "$missing" ] || ! [ -d /usr/include/eigen3 ] || ! [ -d /usr/include/doct
   apt-get install -y --no-install-recommends g++ make cmake python3 libeigen3-dev doctest-dev
 fi
 nothing=$(mktemp -d)
-"$autograder/source/course/course" grade --no-install --unsealed --exercises {exercises} "$nothing" >/dev/null
+"$autograder/source/course/course" grade --no-install --unsealed --exercises {exercises}{private} "$nothing" >/dev/null
 rmdir "$nothing"
 """
 
@@ -40,23 +41,29 @@ RUN = """#!/usr/bin/env bash
 # where the kernel has no Landlock; the output's last line says what held.
 autograder=${{AUTOGRADER:-/autograder}}
 mkdir -p "$autograder/results"
-exec "$autograder/source/course/course" grade --no-install --unsealed --exercises {exercises} --format gradescope \\
+exec "$autograder/source/course/course" grade --no-install --unsealed --exercises {exercises}{private} --format gradescope \\
   --output "$autograder/results/results.json" "$autograder/submission"
 """
 
 
-def package(root, exercises, target):
+PRIVATE = ' --private "$autograder/source/private"'
+
+
+def package(root, exercises, target, private=None):
     """Writes the zip; it is complete or not there. Returns what it leaves out."""
-    words = ",".join(exercise.name for exercise in exercises)
+    held_back = [exercise for exercise in exercises if private and exercise.folder.is_relative_to(private)]
+    gaps = {"exercises": ",".join(exercise.name for exercise in exercises), "private": PRIVATE if held_back else ""}
+    files_held_back = [file for exercise in held_back for file in _files_that_grade(exercise)]
     released, _ = released_files(root)
-    require_a_place_of_its_own("--output", target, [("a file of the course", root / name) for name in released])
+    require_a_place_of_its_own("--output", target, [*(("a file of the course", root / name) for name in released),
+                                                    *(("a file of a private exercise", file) for file in files_held_back)])
     with Outputs() as outputs, tempfile.TemporaryDirectory(prefix="package-") as scratch:
         write = outputs.open("--output", target)
         course = Path(scratch) / "course"
         _, left_out = release(root, course)
         held_names = {exercise.name for exercise in read_catalogue(course)}
         for exercise in exercises:
-            if exercise.name not in held_names:
+            if exercise.name not in held_names and exercise not in held_back:
                 raise Complaint(f"git doesn't track the exercise {exercise.name}, so the zip would not hold it; git add it, and its solution")
         held = io.BytesIO()
         with zipfile.ZipFile(held, "w", zipfile.ZIP_DEFLATED, strict_timestamps=False) as packed:
@@ -64,16 +71,26 @@ def package(root, exercises, target):
                 entry = zipfile.ZipInfo(name)
                 entry.external_attr = 0o100755 << 16
                 entry.compress_type = zipfile.ZIP_DEFLATED
-                packed.writestr(entry, text.format(exercises=words))
+                packed.writestr(entry, text.format(**gaps))
             for file in sorted(course.rglob("*")):
                 if file.is_file():
-                    entry = zipfile.ZipInfo.from_file(file, f"course/{file.relative_to(course)}", strict_timestamps=False)
-                    # Whatever the umask of whoever packs: the compiler reads it there as a user of its own.
-                    entry.external_attr = (0o100755 if os.access(file, os.X_OK) else 0o100644) << 16
-                    entry.compress_type = zipfile.ZIP_DEFLATED
-                    packed.writestr(entry, file.read_bytes())
+                    _pack(packed, file, f"course/{file.relative_to(course)}")
+            for file in files_held_back:
+                _pack(packed, file, f"private/{file.relative_to(private)}")
         write(held.getvalue())
     return left_out
+
+
+def _files_that_grade(exercise):
+    return [exercise.folder / "exercise.json", *sorted(exercise.folder.glob("*.[ch]pp"))]
+
+
+def _pack(packed, file, name):
+    entry = zipfile.ZipInfo.from_file(file, name, strict_timestamps=False)
+    # Whatever the umask of whoever packs: the compiler reads it there as a user of its own.
+    entry.external_attr = (0o100755 if os.access(file, os.X_OK) else 0o100644) << 16
+    entry.compress_type = zipfile.ZIP_DEFLATED
+    packed.writestr(entry, file.read_bytes())
 
 
 def main(words):
@@ -84,13 +101,13 @@ def main(words):
     parser.add_argument("--toolchain", type=Path, help=argparse.SUPPRESS)
     parser.add_argument("kind", choices=("gradescope",))
     parser.add_argument("--exercises", required=True, help="those of the assignment, such as moon,no_lag")
+    parser.add_argument("--private", type=Path, help="a folder of further exercises, laid out as exercises/ is")
     parser.add_argument("--output", type=Path, default=Path("autograder.zip"))
     arguments = parser.parse_args(words)
     try:
-        catalogue = read_catalogue(arguments.root)
-        exercises = find_all(catalogue, arguments.exercises)
+        exercises = find_all(read_catalogue(arguments.root, arguments.private), arguments.exercises)
         with stoppable():
-            left_out = package(arguments.root, exercises, arguments.output)
+            left_out = package(arguments.root, exercises, arguments.output, arguments.private)
         say(f"{arguments.output} is for Gradescope: {', '.join(exercise.title for exercise in exercises)}; "
             f"{sum(exercise.points for exercise in exercises)} points.")
         tell_left_out(left_out)

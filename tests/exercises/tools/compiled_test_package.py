@@ -50,19 +50,26 @@ class Gradescope(unittest.TestCase):
         with tempfile.TemporaryDirectory(prefix="autograder") as folder:
             autograder = Path(folder)
             autograder.chmod(0o755)  # as Gradescope's is: run by root, the compiler has a user of its own
-            file = autograder / "autograder.zip"
-            package(ROOT, [find(read_catalogue(ROOT), "moon")], file)
+            file, private = autograder / "autograder.zip", autograder / "hidden"
+            shutil.copytree(ROOT / "exercises" / "01_force" / "moon", private / "01_force" / "far_moon")
+            (private / "01_force" / "far_moon" / "moon.hpp").rename(private / "01_force" / "far_moon" / "far_moon.hpp")
+            (private / "01_force" / "far_moon" / "answer.txt").write_text("for my eyes alone")
+            package(ROOT, find_all(read_catalogue(ROOT, private), "moon,far_moon"), file, private)
+            shutil.rmtree(private)
             with zipfile.ZipFile(file) as packed:
                 names = packed.namelist()
                 self.assertFalse([name for name in names if "solutions/" in name or "/wrong/" in name])
+                self.assertEqual([name for name in names if name.startswith("private/")],
+                                 [f"private/01_force/far_moon/{name}" for name in ("exercise.json", "checks.cpp", "far_moon.hpp")])
                 for entry in packed.infolist():  # as unzip does, with the rights that are noted in the zip
                     os.chmod(packed.extract(entry, autograder / "source"), entry.external_attr >> 16)
             (autograder / "submission").mkdir()
-            shutil.copyfile(ROOT / "solutions" / "01_force" / "moon" / "moon.hpp", autograder / "submission" / "moon.hpp")
+            for name in ("moon", "far_moon"):
+                shutil.copyfile(ROOT / "solutions" / "01_force" / "moon" / "moon.hpp", autograder / "submission" / f"{name}.hpp")
             for script in ("setup.sh", "run_autograder"):
                 result = subprocess.run([str(autograder / "source" / script)], cwd="/", stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                         stderr=subprocess.STDOUT, env={**os.environ, "AUTOGRADER": str(autograder)}, timeout=900)
                 self.assertEqual(result.returncode, 0, result.stdout.decode())
             results = json.loads((autograder / "results" / "results.json").read_text(encoding="utf-8"))
             self.assertEqual(mistakes_in(results), [])
-            self.assertEqual((results["score"], len(results["tests"])), (2, 2))
+            self.assertEqual((results["score"], len(results["tests"])), (4, 4))
