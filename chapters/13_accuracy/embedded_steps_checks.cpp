@@ -32,6 +32,34 @@ void check_is(const Particled& found, const Particled& truth, double size) {
 
 }  // namespace
 
+TEST_CASE_TEMPLATE("What acts at the end of a step is asked of a unit quaternion", Pair,
+                   DormandPrince54, DormandPrince853) {
+  double asked = 0;
+  const auto turn = [&](Topd& top, double time) {
+    asked = norm(top.orientation);
+    top.torque = {time, 1, -2 * time};
+  };
+  const Topd top{.angular_momentum_body = {1, 2, 3}, .inverse_moments = {1, 2, 3}};
+  EmbeddedSteps<Pair, Topd, decltype(turn), double> steps(top, turn, 0.0, 1e-3);
+  for (int n = 0; n < 3; ++n) {
+    steps.attempt(0.125);  // so long that the four numbers leave their sphere by far more
+    steps.accept();
+    CHECK(std::abs(asked - 1) <= 4 * unit_roundoff<double>);
+  }
+}
+
+TEST_CASE_TEMPLATE("The error of L counts as a part of what L was when the step began", Pair,
+                   DormandPrince54, DormandPrince853) {
+  // So heavy that it hardly turns: L gains t^13/13, and is a few hundred times as long in the end.
+  const auto twist = [](Topd& top, double time) { top.torque = {std::pow(time, 12), 0, 0}; };
+  const auto square = [&](double momentum) {
+    const Topd top{.angular_momentum_body = {momentum, 0, 0},
+                   .inverse_moments = Vec3d::Constant(1e-12)};
+    return EmbeddedSteps<Pair, Topd, decltype(twist), double>(top, twist, 0.0, 1).attempt(2);
+  };
+  CHECK(std::abs(square(1) / square(2) - 4) <= 1e-6);
+}
+
 TEST_CASE_TEMPLATE("The error of a particle counts in what is allowed, position and velocity alike",
                    Real, EVERY_PRECISION) {
   const Real e = std::numeric_limits<Real>::epsilon();

@@ -33,6 +33,8 @@ void check_reversals(const Problem<Body, Gather>& problem, int steps, const Ladd
     turn_around(back.start);
     const Wide off = difference(after(back, rung, steps), problem.start);
     CAPTURE(static_cast<double>(off));
+    // What is claimed of a free top is claimed here of none.
+    CHECK(!(rung.claims.energy || rung.claims.momentum || rung.claims.bounded));
     if (rung.claims.reverses)
       CHECK(off <= rounding);
     else

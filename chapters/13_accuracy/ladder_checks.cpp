@@ -426,11 +426,14 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "Three rules that keep the length of L and turn by no more than the spin says claim that a top "
+    "The rules that keep the length of L and turn by no more than the spin says claim that a top "
     "stays finite, and four that add to L do not") {
   // Steady: L is not touched. |L| restored: it is scaled back. Both turn by |L|/I at most.
   for (const char* name : {"steady", "explicit, |L| restored", "momentum-carrying"})
     CHECK(turning_rung<double>(name).claims.bounded);
+  // So does whatever turns L about one axis after another.
+  for (const TurningRung<double>& rung : turning_ladder<double>)
+    if (rung.name.find("splitting") == 0) CHECK(rung.claims.bounded);
   // Nothing bounds what adds to L.
   for (const char* name : {"explicit", "Runge-Kutta", "Dormand-Prince 5", "Dormand-Prince 8"})
     CHECK(!turning_rung<double>(name).claims.bounded);

@@ -21,6 +21,12 @@ TEST_CASE("Newton's method makes one more round after a small correction, and gi
   CHECK(rounds({0}) == 2);
   CHECK(rounds({1e4, 1e-5, 1e-18}) == 3);  // the vector is large by then
   CHECK(rounds({0.5}) == 20);
+  int at_rest = 0;
+  CHECK(newton<double>(Vec3d::Zero(), [&](const Vec3d& at) -> Vec3d {
+          ++at_rest;
+          return at;
+        }) == Vec3d::Zero());
+  CHECK(at_rest == 2);  // nothing to correct, where nothing is small beside the vector
   CHECK(newton<double>(Vec3d(1, 2, 3), [](const Vec3d& at) -> Vec3d {
           return Vec3d(4, 4, 4) - at;
         }) == Vec3d(4, 4, 4));

@@ -104,3 +104,20 @@ TEST_CASE("A Nyström step's error counts in what its tolerance allows for its t
   CHECK(error / half >= 40);  // 2^6 for each second, less what the next order takes
   CHECK(error / half <= 90);
 }
+
+TEST_CASE(
+    "Where the tolerance is nothing an error counts as a part of the place or the velocity "
+    "at the start") {
+  // Far beyond the order of the pair: the errors of place and velocity are of h^11 and h^10.
+  const PushInTime push{9};
+  const auto exponent = [&](double place, double velocity) {
+    const auto error = [&](double h) {
+      NystromSteps<Pair, PushInTime, double> steps(
+          make_particle<double>(1, {place, 0, 0}, {velocity, 0, 0}), push, 0.0, 1e-40);
+      return std::sqrt(steps.attempt(h));
+    };
+    return std::log2(error(1) / error(0.5));
+  };
+  CHECK(std::abs(exponent(1, 1e30) - 11) <= 1e-9);  // the velocity's error is nothing beside 1e30
+  CHECK(std::abs(exponent(1e30, 1) - 10) <= 1e-9);
+}

@@ -169,6 +169,14 @@ TEST_CASE("A paced journey ends where it shall, and what it can't be asked for i
         "angle is inf rad a step; it must be finite");
   CHECK(complaint_of([&] { carried(1, 0.1, -1); }) ==
         "least pace is -1 rad/s; it must be 0 or more");
+  // Spun up as 1/(1 s - t), beyond all bounds: in the end no clock shows the steps.
+  const auto wind_up = [](Topd& top, double time) {
+    top.torque = {0, 1 / ((1 - time) * (1 - time)), 0};
+  };
+  Topd wound{.angular_momentum_body = {0, 1, 0}, .inverse_moments = {1, 1, 1}};
+  CHECK_THROWS_WITH_AS(carry_paced<Verlet>(wound, wind_up, 0.0, 2, 0.125),
+                       doctest::Contains("s after the start; no step meets the tolerance there"),
+                       StepError);
   Topd still{.inverse_moments = {1, 2, 3}};
   const auto nothing = [](Topd& top, double) { top.torque.setZero(); };
   CHECK(carry_paced<Verlet>(still, nothing, 0.0, 5, 0.1).steps == 1);

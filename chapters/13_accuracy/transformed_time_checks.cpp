@@ -41,6 +41,15 @@ TEST_CASE("The rest of a journey is a drift, a kick of the middle's push, and a 
   CHECK(motion.particle().force == Vec3d(0.5, 2, -0.5));
 }
 
+TEST_CASE("A particle that would just escape is refused, and what it lacks is told") {
+  long count = 0;
+  const CountingStar star{&count};
+  auto comet = make_particle<double>(1, {0.5, 0, 0}, {0, 2, 0});  // 1/r is v²/2
+  CHECK(complaint_of([&] { carry_in_transformed_time<Verlet>(comet, star, 1, 10); }) ==
+        "binding energy is 0 J; it must be greater than 0: the orbit is open");
+  CHECK(comet.position == Vec3d(0.5, 0, 0));
+}
+
 TEST_CASE("About as many steps are made as were asked for, and a few trials to end in time") {
   for (const long steps : {1L, 10L, 100L}) {
     long count = 0;
