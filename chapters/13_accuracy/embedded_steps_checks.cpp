@@ -180,3 +180,23 @@ TEST_CASE_TEMPLATE(
         "time is -1 s; it must be 0 or more");
   CHECK(complaint_of([&] { carry<Pair>(body, push, 0.0, 1, -1e-6); }).find("tolerance is ") == 0);
 }
+
+TEST_CASE("Within a step of a top the fourth order holds too, and the quaternion is a unit") {
+  const auto twist = [](Topd& top, double time) { top.torque = {time, 1, -2 * time}; };
+  const Topd top{.angular_momentum_body = {1, 2, 3}, .inverse_moments = {1, 0.5, 0.25}};
+  const auto error = [&](double h) {
+    EmbeddedSteps<DormandPrince54, Topd, decltype(twist), double> steps(top, twist, 0.0, 1);
+    steps.attempt(h);
+    double worst = 0;
+    for (const double part : {0.25, 0.5, 0.875}) {
+      const Topd within = steps.within(part);
+      CHECK(std::abs(norm(within.orientation) - 1) <= 4 * unit_roundoff<double>);
+      Topd there = top;
+      carry<DormandPrince853>(there, twist, 0.0, part * h, 1e-14);
+      worst = std::max({worst, angle_between(within.orientation, there.orientation),
+                        distance(within.angular_momentum_body, there.angular_momentum_body)});
+    }
+    return worst;
+  };
+  CHECK(std::log2(error(0.125) / error(0.0625)) >= 4.5);  // the fifth power of the step, and more
+}

@@ -63,6 +63,23 @@ TEST_CASE("Under a push that changes with time each rung of the motion ladder ha
   check_orders(problem, truth, motion_ladder<Wide, SwungSpring>);
 }
 
+TEST_CASE("On a throw through thick air each rung that knows of the air has its order") {
+  // Explicit Euler and kick and drift know a drift in a straight line alone.
+  // So thick that in one of the first, long steps it loses six sevenths of its speed.
+  const Problem<Particle<Wide>, GravityInAir<Wide>> problem{
+      "",
+      make_particle<Wide>(1, {0, 0, 0}, {1, 0, 1}),
+      {.weight = 1, .drag = 2, .drag_rate = 2},
+      4};
+  const auto truth = exactly_after(problem.gather, problem.start, problem.seconds);
+  using Air = GravityInAir<Wide>;
+  std::vector<Rung<Particle<Wide>, Wide, Air>> rungs;
+  for (const auto& rung : motion_ladder<Wide, Air>)
+    if (rung.claims.order > 1) rungs.push_back(rung);
+  CHECK(rungs.size() == 9);
+  check_orders(problem, truth, rungs);
+}
+
 //! [heavy_orders]
 TEST_CASE("On a heavy top each rung of the torque ladder has its order, against the exact motion") {
   auto problem = heavy_top<Wide>("", 8);

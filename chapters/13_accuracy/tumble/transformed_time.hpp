@@ -24,7 +24,6 @@ class TransformedTime {
   /// `gather` returns U (J) by pull_energy(particle), besides leaving the force in the particle.
   TransformedTime(const Particle<Real>& particle, const Gather& gather)
       : gather_(&gather), particle_(particle), mass_(mass_of(particle)) {
-    gather(particle_, 0);
     bound_ = gather.pull_energy(particle_) - kinetic_energy_of(particle_);
   }
 
