@@ -1,0 +1,50 @@
+#include "parts_of_step.hpp"
+
+#include <support/checks.hpp>
+#include <support/random_world.hpp>
+#include <support/scene_rules.hpp>
+#include <support/shipped_scenes.hpp>
+#include <tumble/scene/read_scene_file.hpp>
+
+using namespace tumble;
+using namespace tumble::support;
+
+namespace {
+
+World<double> world_of(const std::filesystem::path& scene) {
+  return read_scene_file<double, OneByOne<double>, SceneRules>(scene).world;
+}
+
+}  // namespace
+
+TEST_CASE("The parts of a step are the lines of its plan that visit somebody") {
+  for (const std::filesystem::path& path : shipped_scenes()) {
+    CAPTURE(path.stem().string());
+    World<double> world = world_of(path);
+    std::vector<std::string> lines, parts;
+    for (const PlanRow& row : world.plan().rows)
+      if (row.visited > 0) lines.push_back(row.effect);
+    for (const simulate::PartOfStep& part : simulate::parts_of(world.work()))
+      parts.push_back(part.name);
+    CHECK(parts == lines);
+  }
+}
+
+TEST_CASE(
+    "One after another, as often as each occurs in a step, the parts make a step of Euler's") {
+  int compared = 0;
+  for (const std::filesystem::path& path : shipped_scenes()) {
+    CAPTURE(path.stem().string());
+    World<double> world = world_of(path);
+    if (world.work().portions.size() != 3) continue;  // of another scheme
+    ++compared;
+    Bodies<double> bodies = world.bodies();
+    for (const simulate::PartOfStep& part : simulate::parts_of(world.work())) {
+      CHECK(part.times == 1);
+      part.act(bodies, world.moment());
+    }
+    world.step();
+    CHECK(same_motion(bodies, world.bodies()));
+  }
+  CHECK(compared >= 10);
+}
