@@ -21,11 +21,11 @@ TEST_CASE("The parts of a step are the lines of its plan that visit somebody") {
   for (const std::filesystem::path& path : shipped_scenes()) {
     CAPTURE(path.stem().string());
     World<double> world = world_of(path);
-    std::vector<std::string> lines, parts;
+    std::string lines, parts;
     for (const PlanRow& row : world.plan().rows)
-      if (row.visited > 0) lines.push_back(row.effect);
+      if (row.visited > 0) lines += row.effect + '\n';
     for (const simulate::PartOfStep& part : simulate::parts_of(world.work()))
-      parts.push_back(part.name);
+      parts += part.name + '\n';
     CHECK(parts == lines);
   }
 }
