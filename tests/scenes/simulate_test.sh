@@ -34,7 +34,7 @@ run t_handle --check-plan --csv path.csv
 verify "--check-plan writes no files" complains "--check-plan compares two runs and writes no files; --csv can't go with it"
 verify "and ends as for a wrong command line" ends_with 2
 run t_handle --until 0.1
-verify "it simulates until the time that is asked for" says "24 steps of 0.00416667 s"
+verify "it simulates until the time that is asked for" says "1 body, 24 steps of 0.00416667 s, in double"
 verify "it tells the steps per second" says "steps per second"
 verify "it prints the books" says "unexplained"
 verify "without a terminal it tells calmly how far it is" says " 50 %: step 12 of 24"
@@ -53,6 +53,7 @@ verify "--bill measures each effect" says "ns per body and step"
 printf '{"duration": 0.1, "bodies": [{"name": "a", "mass": 1}, {"name": "b", "mass": 1}, {"name": "c", "mass": 1}],
   "effects": [{"kind": "gravity", "acceleration": [0, 0, -9], "bodies": ["a", "c"]}]}' >billed.json
 run billed.json --bill
+verify "which it counts" says "3 bodies, "
 verify "for the bodies that it visits" grep -Eq '^gravity +2 ' <<<"$output"
 verify "and a whole step for all" grep -Eq '^a whole step +3 ' <<<"$output"
 rm billed.json
