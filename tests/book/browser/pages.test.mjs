@@ -1,4 +1,5 @@
-// Every page opens from its file: without an error, without a request that leaves the folder, set and not too wide.
+// Every page opens from its file: without an error, without a request that leaves the folder, set and not too wide. What takes
+// the time is to open a page, so whatever can be asked of one that is open is asked at once.
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {fileURLToPath} from 'node:url';
@@ -6,10 +7,10 @@ import {after, before, test} from 'node:test';
 import {address, follow, launch, narrow, open_page} from './browser.mjs';
 import {reading_pages, sampled_pages} from './pages.mjs';
 
-let browser, page, narrow_page;
+let browser, page, narrow_page, formulas = 0;
 before(async () => {
   browser = await launch();
-  page = await open_page(browser);
+  page = await open_page(browser, {reducedMotion: 'reduce'});
   narrow_page = await open_page(browser, {viewport: narrow});
 });
 after(() => browser.close());
@@ -56,14 +57,51 @@ function tables_out_of_line() {
   }).map(table => table.textContent.trim().slice(0, 60));
 }
 
+/// The families of the page's text and code that are not among the fonts that it has loaded.
+async function strange_families() {
+  await document.fonts.ready;
+  const wanted = ['main p', 'main code'].map(selector => document.querySelector(selector)).filter(Boolean);
+  const families = wanted.map(element => getComputedStyle(element).fontFamily.split(',')[0].replace(/"/g, ''));
+  return families.filter(family => ![...document.fonts].some(font => font.family.replace(/"/g, '') === family && font.status === 'loaded'));
+}
+
+/// What takes its time to change its look, or scrolls by itself.
+function what_moves() {
+  return [document.documentElement, ...document.body.querySelectorAll('*')].filter(element => {
+    const {transitionDuration, animationName, animationDuration, scrollBehavior} = getComputedStyle(element);
+    const longest = Math.max(...transitionDuration.split(',').map(parseFloat),
+      ...animationName === 'none' ? [0] : animationDuration.split(',').map(parseFloat));
+    return longest > 0.01 || scrollBehavior === 'smooth';
+  }).slice(0, 5).map(element => element.outerHTML.slice(0, 80));
+}
+
+/// What can be pressed or typed into.
+function controls() {
+  return [...document.querySelectorAll('#sidebar, nav, button, input')].filter(control => control.checkVisibility())
+    .map(control => control.outerHTML.slice(0, 80));
+}
+
 for (const name of sampled_pages) {
-  test(`${name} opens from its file without an error, its formulas and tables set.`, async () => {
+  test(`${name} opens from its file without an error, its formulas and tables set.`, async context => {
     page.complaints.length = 0;
     await page.goto(address(name), {waitUntil: 'load'});
     assert.ok((await page.title()).length > 0, 'the page has no title');
     assert.deepEqual(await page.evaluate(faults_of_formulas), []);
     assert.deepEqual(await page.evaluate(tables_out_of_line), [], 'the head of the table is not above its columns');
     assert.deepEqual(page.complaints, []);
+    if (!reading_pages.includes(name)) return;
+    formulas += await page.locator('.katex').count();
+    await context.test('The letters of its text and code come with the book.', async () =>
+      assert.deepEqual(await page.evaluate(strange_families), []));
+    await context.test('Nothing moves for a reader who asked for less motion.', async () =>
+      assert.deepEqual(await page.evaluate(what_moves), []));
+    await context.test('On paper there is no sidebar, no button and no way to search.', async () => {
+      await page.emulateMedia({media: 'print'});
+      const shown = await page.evaluate(controls);
+      await page.emulateMedia({media: null});
+      assert.deepEqual(shown, []);
+      assert.notDeepEqual(await page.evaluate(controls), [], 'there is none on the screen either');
+    });
   });
 
   test(`${name} does not scroll sideways in 360 pixels.`, async () => {
@@ -71,6 +109,8 @@ for (const name of sampled_pages) {
     assert.deepEqual(await narrow_page.evaluate(what_scrolls_sideways), []);
   });
 }
+
+test('Formulas were looked at: some page has one.', () => assert.ok(formulas > 0));
 
 /// How far the outermost pixels at each edge of a box differ from the page's colour, from 0 to 255: the median, since letters differ too.
 async function shades_at_edges(box) {
@@ -122,15 +162,6 @@ for (const colourScheme of ['light', 'dark']) {
   });
 }
 
-test('Formulas were looked at: some page has one.', async () => {
-  let formulas = 0;
-  for (const name of reading_pages) {
-    await page.goto(address(name));
-    formulas += await page.locator('.katex').count();
-  }
-  assert.ok(formulas > 0);
-});
-
 test('Next leads through the whole book in order, and Previous back again.', async () => {
   for (const [relation, order] of [['next', reading_pages], ['prev', [...reading_pages].reverse()]]) {
     await page.goto(address(order[0]));
@@ -141,32 +172,6 @@ test('Next leads through the whole book in order, and Previous back again.', asy
       walked.push(new URL(page.url()).pathname.split('/').pop());
     }
     assert.deepEqual(walked, order);
-  }
-});
-
-test('On paper there is no sidebar, no button and no way to search.', async () => {
-  await page.emulateMedia({media: 'print'});
-  for (const name of reading_pages) {
-    await page.goto(address(name));
-    const shown = await page.locator('#sidebar, nav, button, input').evaluateAll(
-      controls => controls.filter(control => control.checkVisibility()).map(control => control.outerHTML.slice(0, 80)));
-    assert.deepEqual(shown, [], name);
-  }
-  await page.emulateMedia({media: null});
-});
-
-test('Nothing moves for a reader who asked for less motion.', async () => {
-  const still = await open_page(browser, {reducedMotion: 'reduce'});
-  for (const name of reading_pages) {
-    await still.goto(address(name));
-    const moving = await still.evaluate(() => [document.documentElement, ...document.body.querySelectorAll('*')]
-      .filter(element => {
-        const {transitionDuration, animationName, animationDuration, scrollBehavior} = getComputedStyle(element);
-        const longest = Math.max(...transitionDuration.split(',').map(parseFloat),
-          ...animationName === 'none' ? [0] : animationDuration.split(',').map(parseFloat));
-        return longest > 0.01 || scrollBehavior === 'smooth';
-      }).slice(0, 5).map(element => element.outerHTML.slice(0, 80)));
-    assert.deepEqual(moving, [], name);
   }
 });
 
@@ -185,18 +190,5 @@ test('The first pages weigh less than 300 kB before their figures, fonts and sty
   for (const name of ['index.html', 'how_to_read.html', 'chapter_01_force.html']) {
     const weight = await weight_before_figures(name);
     assert.ok(weight < 300e3, `${name} weighs ${weight} bytes`);
-  }
-});
-
-test('The letters of text, code and formulas come with the book.', async () => {
-  for (const name of reading_pages) {
-    await page.goto(address(name));
-    const strange = await page.evaluate(async () => {
-      await document.fonts.ready;
-      const wanted = selector => document.querySelector(selector);
-      const families = [wanted('main p'), wanted('main code')].filter(Boolean).map(element => getComputedStyle(element).fontFamily.split(',')[0].replace(/"/g, ''));
-      return families.filter(family => ![...document.fonts].some(font => font.family.replace(/"/g, '') === family && font.status === 'loaded'));
-    });
-    assert.deepEqual(strange, [], name);
   }
 });
