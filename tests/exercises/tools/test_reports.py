@@ -50,11 +50,18 @@ class Reports(unittest.TestCase):
     def test_junit_counts_and_holds_no_letter_that_xml_forbids(self):
         suites = ElementTree.fromstring(junit([RESULT]))
         self.assertEqual([(suite.get("tests"), suite.get("failures")) for suite in suites], [("3", "2"), ("1", "1")])
-        self.assertEqual(suites.find(".//failure").get("message"), "it is \\x07 short")
+        self.assertEqual([failure.get("message") for failure in suites.iter("failure")],
+                         ["it is \\x07 short", "not written yet: the flight", "moon.hpp is empty"])
+
+    def test_junit_names_the_submission_in_each_case_since_readers_gather_by_class(self):
+        suites = ElementTree.fromstring(junit([RESULT]))
+        self.assertEqual([case.get("classname") for case in suites.iter("testcase")],
+                         ["ada@1.03_inertia.hammer"] * 3 + ["ada@1.01_force.moon"])
 
     def test_the_text_names_reasons_and_what_to_look_at(self):
         said = text([RESULT])
-        for expected in ("ada@1: 2 of 6 points", "    moon.hpp is empty", "! look at it: it opens files", "    x It is <long>", "    . It flies"):
+        for expected in ("ada@1: 2 of 6 points", "    moon.hpp is empty", "! look at it: it opens files", "    x It is <long>", "    . It flies",
+                         "        not written yet: the flight"):
             self.assertIn(expected, said)
 
     def test_marks_stand_in_the_column_of_their_exercise(self):
