@@ -54,13 +54,13 @@ def package(root, exercises, target, private=None):
     held_back = [exercise for exercise in exercises if private and exercise.folder.is_relative_to(private)]
     gaps = {"exercises": ",".join(exercise.name for exercise in exercises), "private": PRIVATE if held_back else ""}
     files_held_back = [file for exercise in held_back for file in _files_that_grade(exercise)]
-    released, _ = released_files(root)
+    released, left_out = released_files(root)  # before the zip is begun, which may lie in the course
     require_a_place_of_its_own("--output", target, [*(("a file of the course", root / name) for name in released),
                                                     *(("a file of a private exercise", file) for file in files_held_back)])
     with Outputs() as outputs, tempfile.TemporaryDirectory(prefix="package-") as scratch:
         write = outputs.open("--output", target)
         course = Path(scratch) / "course"
-        _, left_out = release(root, course)
+        release(root, course)
         held_names = {exercise.name for exercise in read_catalogue(course)}
         for exercise in exercises:
             if exercise.name not in held_names and exercise not in held_back:

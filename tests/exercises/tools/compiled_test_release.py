@@ -121,6 +121,10 @@ class OfTheFixture(FixtureCourse):
         with zipfile.ZipFile(file) as packed:
             self.assertIn("course/exercises/01_force/doubled/task.md", packed.namelist())
 
+    def test_a_zip_that_is_written_into_the_course_is_not_named_itself_as_left_out(self):
+        self.track()
+        self.assertEqual(package(self.root, read_catalogue(self.root), self.root / "autograder.zip"), {})
+
     def test_an_exercise_that_git_does_not_track_is_not_even_named(self):
         exam = self.exercise_folder.with_name("exam")
         shutil.copytree(self.exercise_folder, exam)
