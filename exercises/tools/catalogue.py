@@ -17,7 +17,7 @@ def read_catalogue(root, private=None):
     if private:
         found = sorted(file.parent for file in Path(private).glob("[0-9][0-9]_*/*/exercise.json"))
         if not found:
-            raise Complaint(f"{private} holds no exercise; it must hold CHAPTER/NAME/exercise.json, such as "
+            raise Complaint(f"{private} holds no exercise; it must hold CHAPTER/NAME/exercise.json, CHAPTER being one of the course, such as "
                             "03_inertia/hammer/exercise.json")
         folders += found
     exercises = [read_exercise(folder) for folder in folders]

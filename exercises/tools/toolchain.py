@@ -26,7 +26,8 @@ class Toolchain:
 
     def folders_of(self, floor):
         if floor not in self.floors:
-            raise Complaint(f"there is no chapter {floor}; the chapters are {', '.join(self.floors)}")
+            chapters = [each for each in self.floors if each[0].isdigit()]  # and no floor below them all
+            raise Complaint(f"there is no chapter {floor}; the chapters are {', '.join(chapters)}")
         return self.floors[floor]
 
     @property

@@ -5,8 +5,10 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from catalogue import read_catalogue
 from complaint import Complaint
 from exercise import read_exercise
+from toolchain import Toolchain
 
 SOUND = {
     "title": "A hammer", "goals": ["see"], "prerequisites": ["03_inertia"], "minutes": 20, "difficulty": "write",
@@ -68,6 +70,18 @@ class ExerciseFile(unittest.TestCase):
             self.refused(expected, parameters={"mass": {**mass, **change}})
         self.refused('has "Mass"', parameters={"Mass": mass})
         self.refused("lacks step", parameters={"mass": {key: value for key, value in mass.items() if key != "step"}})
+
+    def test_a_private_folder_is_told_which_chapters_there_are(self):
+        with tempfile.TemporaryDirectory() as folder:
+            place = Path(folder) / "inertia" / "hammer"
+            place.mkdir(parents=True)
+            (place / "exercise.json").write_text(json.dumps(SOUND), encoding="utf-8")
+            with self.assertRaisesRegex(Complaint, "CHAPTER/NAME/exercise.json, CHAPTER being one of the course, such as 03_inertia"):
+                read_catalogue(folder, folder)
+        floors = {"common": [], "01_force": [], "03_inertia": []}
+        with self.assertRaises(Complaint) as caught:
+            Toolchain("c++", [], [], [], floors, Path(), Path()).folders_of("04_inertia")
+        self.assertEqual(str(caught.exception), "there is no chapter 04_inertia; the chapters are 01_force, 03_inertia")
 
     def test_what_is_no_json_is_said_with_its_place(self):
         with self.assertRaises(Complaint) as caught:
