@@ -202,7 +202,7 @@ export class Reference {
     const taught = [...(header.page ? [{address: header.page.file, name: header.page.name}] : []), ...lessons]
       .map(({address, name}) => `<a href="${address}">${escape(name)}</a>`)
       .join('; ');
-    const own = rows_of(contents).filter(({kind}) => !/nested|namespaces/.test(kind));
+    const own = rows_of(contents).filter(({kind}) => !/nested|namespaces|concepts/.test(kind));
     const shown = own.filter(({kind, id}) => kind !== 'typedef-members' || this.descriptions.get(id)?.doc);
     const aliases = own.filter(row => !shown.includes(row));
     const members = shown.map(row => {
