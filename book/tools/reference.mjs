@@ -51,6 +51,7 @@ const declaration = html =>
     .replace(/ &amp;(?=\w|<a)/g, '&amp; ')
     .replace(/ &amp;/g, '&amp;')
     .replace(/ \(/g, '(')
+    .replace(/(?<=\d) '(?=\d{3})/g, "'")
     .replace(/\s+/g, ' ')
     .trim();
 
