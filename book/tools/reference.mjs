@@ -51,6 +51,7 @@ const declaration = html =>
     .replace(/ &amp;(?=\w|<a)/g, '&amp; ')
     .replace(/ &amp;/g, '&amp;')
     .replace(/ \(/g, '(')
+    .replace(/(?<=\d) '(?=\d{3})/g, "'")
     .replace(/\s+/g, ' ')
     .trim();
 
@@ -202,7 +203,7 @@ export class Reference {
     const taught = [...(header.page ? [{address: header.page.file, name: header.page.name}] : []), ...lessons]
       .map(({address, name}) => `<a href="${address}">${escape(name)}</a>`)
       .join('; ');
-    const own = rows_of(contents).filter(({kind}) => !/nested|namespaces/.test(kind));
+    const own = rows_of(contents).filter(({kind}) => !/nested|namespaces|concepts/.test(kind));
     const shown = own.filter(({kind, id}) => kind !== 'typedef-members' || this.descriptions.get(id)?.doc);
     const aliases = own.filter(row => !shown.includes(row));
     const members = shown.map(row => {

@@ -34,6 +34,7 @@ test('Each field and each function that a header documents stands in the referen
     const page = readFileSync(join(book, file), 'utf8');
     const rows = [...page.matchAll(/<tr id="[^"]*"><td><code>(.*?)<\/code>/g)].map(match => match[1].replace(/<[^>]*>/g, '').replace(/ = .*/, ''));
     const named = [...page.matchAll(/<h[23][^>]*>([\w~]+)<\/h[23]>/g)].map(match => match[1]);
+    if (named.includes('tumble')) absent.push(`${path}: what is called there like the namespace`);
     const told = documented(readFileSync(join(source, path), 'utf8'));
     absent.push(...told.fields.filter(name => !rows.includes(name)).map(name => `${path}: the field ${name}`));
     absent.push(...told.functions.filter(name => !named.includes(name)).map(name => `${path}: the function ${name}`));
@@ -42,4 +43,33 @@ test('Each field and each function that a header documents stands in the referen
   }
   assert.deepEqual(absent, []);
   assert.ok(fields > 100 && functions > 200, `${fields} fields and ${functions} functions were found in the sources`);
+});
+
+test('The unit and the axes in the table of what a function takes are those that its text names beside the argument.', () => {
+  const {names, of} = JSON.parse(readFileSync(join(source, 'book/pages/parameters.json'), 'utf8'));
+  const rows = [...Object.values(names), ...Object.values(of).flatMap(each => Object.values(each))];
+  const units = [...new Set(rows.map(([, unit]) => unit))].filter(unit => /^[\w /()²³⁻]+$/.test(unit) && !['1', 'any'].includes(unit));
+  const literally = text => text.replace(/[()/.]/g, '\\$&');
+  const any_unit = units.sort((a, b) => b.length - a.length).map(literally).join('|');
+  let compared = 0;
+  const wrong = [];
+  for (const file of readdirSync(book).filter(name => name.endsWith('_8hpp.html')))
+    for (const member of readFileSync(join(book, file), 'utf8').split(/(?=<h[23][ >])/)) {
+      const [, name] = /^<h[23][^>]*>(.*?)<\//.exec(member) ?? [];
+      const [told, table] = member.split('<table class="given">');
+      if (!table) continue;
+      const declared = told.replace(/<[^>]*>/g, '');
+      for (const [, argument, unit, axes] of table.matchAll(/<tr><td><code>(\w+)<\/code><\/td><td>[^<]*<\/td><td>([^<]*)<\/td><td>([^<]*)<\/td>/g)) {
+        const beside = new RegExp(`<code>${argument}</code>(?: is \\S+,)?(?: in | \\(| )(${any_unit})(?![\\w/²³])(?:, (world|body|model)\\b)?`).exec(told);
+        if (beside) {
+          compared += 1;
+          if (beside[1] !== unit) wrong.push(`${file}, ${name}: ${argument} in ${unit}, by the text in ${beside[1]}`);
+          if (beside[2] && beside[2] !== axes) wrong.push(`${file}, ${name}: ${argument} in ${axes} axes, by the text in ${beside[2]} axes`);
+        }
+        // What is counted in whole numbers is no number of seconds.
+        if (unit === 's' && new RegExp(`int64_t ${argument}\\b`).test(declared)) wrong.push(`${file}, ${name}: ${argument} in s, and it is a whole number`);
+      }
+    }
+  assert.deepEqual(wrong, []);
+  assert.ok(compared > 50, `${compared} units were found in the texts`);
 });

@@ -41,9 +41,9 @@ Mat3<Real> inertia_about(const MassProperties<Real>& body, const Vec3<Same<Real>
 }
 //! [inertia_about]
 
-/// The way back, I_c = I − M (d² δ − d dᵀ): mass properties from a tensor about `point` (kg m², m),
-/// as tables and files often give it. The difference of two large numbers loses digits when the
-/// point is far away; no later care brings them back.
+/// The way back, I_c = I − M (d² δ − d dᵀ): mass properties from a tensor (kg m²) about `point`
+/// (m), as tables and files often give it. The difference of two large numbers loses digits when
+/// the point is far away; no later care brings them back.
 template <class Real>
 MassProperties<Real> from_inertia_about(const Vec3<Real>& point, const Mat3<Same<Real>>& inertia,
                                         Same<Real> mass, const Vec3<Same<Real>>& centre_of_mass) {

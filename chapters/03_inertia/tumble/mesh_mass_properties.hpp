@@ -28,6 +28,7 @@ struct MeshFrame {
     exponent = std::ilogb(half.maxCoeff()) + 1;
   }
 
+  /// A `point` (m, model axes) from the middle, in the units.
   Vec3<Real> from_model(const Vec3<Real>& point) const {
     return (point - middle) * std::ldexp(Real(1), -exponent);
   }

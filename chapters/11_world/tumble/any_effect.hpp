@@ -48,7 +48,7 @@ class EffectOf : public AnyEffect<Real> {
   static_assert(std::is_void_v<Answer> || std::is_same_v<Answer, Response<Real>> ||
                     std::is_same_v<Answer, NoResponse>,
                 "response() returns a Response or, of what can't feed on itself, NoResponse");
-  static_assert(form.count == 1, "an effect has exactly one function, see effect.hpp");
+  static_assert(form.count == 1, "an effect has exactly one function of those in forms.hpp");
   static_assert(ActsInItsPhase<Effect, Real>,
                 "a force or a torque acts in the phase force and a blow in the phase impulse, "
                 "whatever the effect names");

@@ -8,38 +8,45 @@
 
 namespace tumble {
 
-/// What an effect's function can give. It is const and sees everything as const, so what it gives
-/// is all that it can change. `Seen` is what it sees: a Particle, a Top, or a BodyState, which is
-/// both.
+/// What an effect's function can give: a force, N, world axes. It is const and sees everything as
+/// const, so what it gives is all that it can change. `Seen` is what it sees: a Particle, a Top, or
+/// a BodyState, which is both.
 //! [forms]
 template <class Effect, class Seen, class Real>
 concept GivesForce = requires(const Effect& effect, const Seen& seen, const Real& time) {
   { effect.force(seen, time) } -> std::convertible_to<Vec3<Real>>;
 };
+/// A torque, N m, world axes.
 template <class Effect, class Seen, class Real>
 concept GivesTorque = requires(const Effect& effect, const Seen& seen, const Real& time) {
   { effect.torque(seen, time) } -> std::convertible_to<Vec3<Real>>;
 };
+/// Force and torque at once.
 template <class Effect, class Seen, class Real>
 concept GivesPush = requires(const Effect& effect, const Seen& seen, const Real& time) {
   { effect.push(seen, time) } -> std::same_as<Push<Real>>;
 };
+/// An acceleration, m/s², world axes.
 template <class Effect, class Seen, class Real>
 concept GivesAcceleration = requires(const Effect& effect, const Seen& seen, const Real& time) {
   { effect.acceleration(seen, time) } -> std::convertible_to<Vec3<Real>>;
 };
+/// Another velocity, m/s, world axes.
 template <class Effect, class Seen, class Real>
 concept GivesVelocity = requires(const Effect& effect, const Seen& seen, const Moment<Real>& at) {
   { effect.velocity(seen, at) } -> std::convertible_to<Vec3<Real>>;
 };
+/// Another angular momentum, kg m²/s, body axes.
 template <class Effect, class Seen, class Real>
 concept GivesSpin = requires(const Effect& effect, const Seen& seen, const Moment<Real>& at) {
   { effect.angular_momentum_body(seen, at) } -> std::convertible_to<Vec3<Real>>;
 };
+/// Another position of the centre of mass, m, world axes.
 template <class Effect, class Seen, class Real>
 concept GivesPosition = requires(const Effect& effect, const Seen& seen, const Moment<Real>& at) {
   { effect.position(seen, at) } -> std::convertible_to<Vec3<Real>>;
 };
+/// Another orientation, a unit quaternion.
 template <class Effect, class Seen, class Real>
 concept GivesOrientation = requires(const Effect& effect, const Seen& seen,
                                     const Moment<Real>& at) {

@@ -7,7 +7,8 @@
 
 namespace tumble {
 
-/// Bodies and effects: the part of a World that has no time.
+/// Bodies and effects: the part of a World that has no time. What else can be done with its bodies,
+/// see SceneBodies.
 template <class Real, class Keeping>
 class Scenery : public SceneBodies<Real, Keeping> {
   using Base = SceneBodies<Real, Keeping>;
@@ -21,7 +22,8 @@ class Scenery : public SceneBodies<Real, Keeping> {
   template <class Effect>
   EffectHandle add(Effect effect) {
     static_assert(EffectOnOne<Effect, Real> || FindsPairs<Effect, Real>,
-                  "an effect for everyone has one of the functions in effect.hpp");
+                  "an effect for everyone has one of the functions for one body in forms.hpp, with "
+                  "the arguments and the result given there, and const");
     return append_effect(prepared(effect), true, {});
   }
 
@@ -29,8 +31,9 @@ class Scenery : public SceneBodies<Real, Keeping> {
   template <class Effect>
   EffectHandle add(Effect effect, const std::vector<BodyHandle>& bodies) {
     static_assert(EffectForSome<Effect, Real>,
-                  "an effect for some bodies has one of the functions in effect.hpp, and does not "
-                  "find its pairs itself");
+                  "an effect for some bodies has one of the functions in forms.hpp, with the "
+                  "arguments and the result given there, and const, and does not find its pairs "
+                  "itself");
     return append_effect(prepared(effect), false, bodies);
   }
 

@@ -66,7 +66,7 @@ template <class Real>
 }
 //! [rates_of]
 
-/// The rates of a free top, and a torque in body axes. About a locked axis L stays 0: whatever
+/// The rates of a free top, and `torque` (N m, body axes). About a locked axis L stays 0: whatever
 /// locks it bears the torque and L × ω.
 template <class Real>
 [[gnu::always_inline]] inline Numbers<Real, 7> with_torque_body(const Numbers<Real, 7>& rates,
