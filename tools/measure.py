@@ -176,25 +176,51 @@ def put_together(arguments):
     for task, (_, item) in tasks.items():
         if not is_measured(results[task], item):
             raise Complaint(f"what the parts hold for {task} is no measurement")
-    beside = arguments.into.with_name(arguments.into.name + ".unfinished")
-    shutil.rmtree(beside, ignore_errors=True)
-    measuring = Measuring(arguments.quick)
+    count = len(arguments.merge)
+    where = f"the full set, measured in {count} part{'s' * (count > 1)} on {what['processor']} ({what['compiler']})\n"
+    unfinished = arguments.into.with_name(arguments.into.name + ".unfinished")
+    shutil.rmtree(unfinished, ignore_errors=True)
+    try:
+        fill(unfinished, programs, tasks, results, Measuring(arguments.quick))
+        write(unfinished, {"where.txt": where})
+        replace(arguments.into, unfinished)
+    except RuntimeError as error:
+        raise Complaint(f"what the parts hold can't be put together: {error}") from None
+    except OSError as error:
+        raise Complaint(f"{arguments.into} can't be written: {error.strerror}; what it held is as it was") from None
+    finally:
+        shutil.rmtree(unfinished, ignore_errors=True)
+    return 0
+
+
+def fill(folder, programs, tasks, results, measuring):
+    """Leaves there a folder for each program, with what it would have left."""
     for name, program in programs.items():
-        folder = beside / name
-        folder.mkdir(parents=True)
-        own = [results[task] for task in tasks if tasks[task][0] is program]
+        own = folder / name
+        own.mkdir(parents=True)
+        parts = [results[task] for task in tasks if tasks[task][0] is program]
         if program["items"]:
             with tempfile.TemporaryDirectory(prefix="tumble-measure-") as scratch:
-                for number, result in enumerate(own):
+                for number, result in enumerate(parts):
                     write(Path(scratch), {f"{number}.txt": result["text"], f"{number}.errors": result["errors"]})
-                measuring.run_into(folder, program, TUMBLE_ITEMS=f"from {scratch}")
+                measuring.run_into(own, program, TUMBLE_ITEMS=f"from {scratch}")
         else:
-            write(folder, own[0]["files"])
-    count = len(arguments.merge)
-    write(beside, {"where.txt": f"the full set, measured in {count} part{'s' * (count > 1)} on {what['processor']} ({what['compiler']})\n"})
-    shutil.rmtree(arguments.into, ignore_errors=True)
-    beside.rename(arguments.into)
-    return 0
+            write(own, parts[0]["files"])
+
+
+def replace(folder, new):
+    """Puts a folder into the place of another one, which is kept until then."""
+    before = folder.with_name(folder.name + ".before")
+    shutil.rmtree(before, ignore_errors=True)
+    if folder.exists():
+        folder.rename(before)
+    try:
+        new.rename(folder)
+    except BaseException:
+        if before.exists() and not folder.exists():
+            before.rename(folder)
+        raise
+    shutil.rmtree(before, ignore_errors=True)
 
 
 def is_measured(result, item):

@@ -55,8 +55,11 @@ class Measurements(unittest.TestCase):
 
     def merged(self, *parts):
         self.measure("--into", "measured", "--merge", *parts)
-        return {str(file.relative_to(SCRATCH / "measured")): file.read_bytes()
-                for file in sorted((SCRATCH / "measured").rglob("*")) if file.is_file() and file.name != "where.txt"}
+        return self.files_in("measured")
+
+    def files_in(self, folder):
+        return {str(file.relative_to(SCRATCH / folder)): file.read_bytes()
+                for file in sorted((SCRATCH / folder).rglob("*")) if file.is_file() and file.name != "where.txt"}
 
     def whole(self):
         """What one run of each program leaves: the build does the same."""
@@ -111,6 +114,43 @@ class Measurements(unittest.TestCase):
         begun = self.begun.read_text().split()
         self.assertEqual(set(begun), {"1", "3", "5", "7", "9", "20", "100"})  # this shard's
         self.assertLessEqual(len(begun), 7 + len(stops) * (os.cpu_count() or 1))  # only what was interrupted is done again
+
+    def test_what_was_merged_before_stays_when_a_merge_is_stopped(self):
+        self.measure("--shard", "1/1", "--part", "all")
+        before = self.merged("all")
+        slow = SCRATCH / "slow.sh"
+        slow.write_text(f'#!/bin/sh\n[ "${{TUMBLE_ITEMS%% *}}" != from ] || {{ touch "{self.begun}"; sleep 60; }}\nexec "{TINY}" "$@"\n')
+        slow.chmod(0o755)
+        self.programs[0]["program"] = str(slow)
+        self.list_programs()
+        for how in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
+            with self.subTest(how=how):
+                self.begun.unlink(missing_ok=True)
+                merging = subprocess.Popen(self.words("--into", "measured", "--merge", "all"), cwd=SCRATCH, stderr=subprocess.PIPE, text=True)
+                while not self.begun.exists():
+                    self.assertIsNone(merging.poll())
+                    time.sleep(0.01)
+                merging.send_signal(how)
+                self.assertIn("course: stopped\n", merging.communicate()[1])
+                self.assertEqual(merging.returncode, 128 + how)
+                self.assertEqual(self.files_in("measured"), before)
+                self.assertEqual(sorted(file.name for file in SCRATCH.glob("measured*")), ["measured"])
+
+    def test_what_was_merged_before_stays_when_a_merge_fails(self):
+        self.measure("--shard", "1/1", "--part", "all")
+        before = self.merged("all")
+        failing = SCRATCH / "failing.sh"
+        failing.write_text(f'#!/bin/sh\n[ "${{TUMBLE_ITEMS%% *}}" != from ] || {{ echo out of luck >&2; exit 3; }}\nexec "{TINY}" "$@"\n')
+        failing.chmod(0o755)
+        self.programs[0]["program"] = str(failing)
+        self.list_programs()
+        self.assertIn("can't be put together: it ended with 3: out of luck", self.measure("--into", "measured", "--merge", "all", code=2))
+        self.programs[0]["program"] = TINY
+        self.list_programs()
+        (SCRATCH / "file").write_text("")
+        self.assertIn("file/measured can't be written: Not a directory", self.measure("--into", "file/measured", "--merge", "all", code=2))
+        self.assertEqual(self.files_in("measured"), before)
+        self.assertEqual(sorted(file.name for file in SCRATCH.glob("measured*")), ["measured"])
 
     def test_parts_of_another_course_compiler_or_share_are_refused(self):
         for number in (1, 2):
