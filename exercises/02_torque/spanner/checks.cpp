@@ -70,8 +70,14 @@ EXERCISE_CHECK("A pull along the spanner is refused, and so is a spanner of no l
               "pull_needed", Real(40), Real(0.25), Real(0));
   ask_refusal("a spanner of 0 m got an answer; " + otherwise, "pull_needed", Real(40), Real(0),
               right_angle<Real>);
-  ask_refusal("a spanner of -0.25 m got an answer; " + otherwise, "pull_needed", Real(40),
-              Real(-0.25), right_angle<Real>);
+  for (const Real angle : {right_angle<Real>, -right_angle<Real>})
+    ask_refusal(
+        "a spanner of -0.25 m, pulled at " + shown(angle) + " rad, got an answer; " + otherwise,
+        "pull_needed", Real(40), Real(-0.25), angle);
+  ask_refusal(
+      "a pull at -1 rad, to the other side of the spanner, got an answer. It loosens the bolt; " +
+          otherwise,
+      "pull_needed", Real(40), Real(0.25), Real(-1));
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   ask_refusal(
       "a length that is not a number got an answer: every comparison with NaN is false, so ask "

@@ -16,7 +16,7 @@ constexpr double few_roundings = 16 * unit_roundoff<Real>;
 }  // namespace
 
 EXERCISE_CHECK("At rest below the ground it is 4000 times the depth to the power of three halves") {
-  for (const double depth : {0.01, 0.25, 4.0}) {
+  for (const double depth : {0x1p-20, 0.01, 0.25, 4.0}) {
     const double d = double(Real(depth)), truth = 4000 * d * std::sqrt(d);
     Found("the push on a ball at rest " + shown(d) + " m below the ground", "N",
           double(push<Real>(-d, 0)))
@@ -65,6 +65,7 @@ EXERCISE_CHECK("What comes is braked, what goes is pushed less, and nothing is e
   };
   look("comes with 1 m/s", -1, 1.5);
   look("goes with 1 m/s", 1, 0.5);
+  look("goes with 1.998 m/s", 2 - 0x1p-9, 0x1p-10);
   look("goes with 4 m/s", 4, 0);
 }
 

@@ -154,9 +154,15 @@ EXERCISE_CHECK(
   look(1024 * (1 + 16 * one_rounding), 1024 * (1 + one_rounding), 1024,
        "The last two differ by a rounding of a thousand, so the ratio is noise: ask for more than "
        "4 epsilon times the last");
+  look(1 + 16 * one_rounding, 1 + 4 * one_rounding, 1,
+       "The last two differ by 4 epsilon, and more than that is asked for");
   look(1, 2, Real(1.5), "The results go up and down: a ratio below zero has no logarithm");
   look(1, Real(1.125), Real(1.5),
        "The differences grow: the steps are too long for an order to show");
+  look(3, 2, 1, "The differences are equal: they must shrink for an order to show");
+  Found("differences of 10 and 5 epsilon are more than 4: the order", "",
+        double(ask<Real>("observed_order", 1 + 15 * one_rounding, 1 + 5 * one_rounding, Real(1))))
+      .must_be(1, 64 * unit_roundoff<Real>);
   const double order =
       double(ask<Real>("observed_order", 1 + 64 * one_rounding, 1 + 16 * one_rounding, Real(1)));
   Found("differences of 48 and 16 epsilon can be told from roundings: the order", "", order)

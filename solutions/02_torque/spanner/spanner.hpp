@@ -8,8 +8,9 @@
 #include <tumble/require.hpp>
 
 /// The force (N) that gives a bolt `torque` N m, pulled at the end of a spanner of `length` m, at
-/// `angle` rad to the spanner.
-/// @throws std::invalid_argument if no pull does it: along the spanner, or without a spanner.
+/// `angle` rad to the spanner, between 0 and pi.
+/// @throws std::invalid_argument if no pull does it: along the spanner, to its other side (where
+/// the sine of the angle is negative), or without a spanner.
 template <class Real>
 Real pull_needed(Real torque, Real length, Real angle) {
   //! [solution] refuse what cannot be, then solve the torque for the force
