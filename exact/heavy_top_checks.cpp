@@ -106,6 +106,9 @@ TEST_CASE(
   // Upright against a pull upwards: it hangs, without a rounding, and its tilt has no direction.
   agrees({"hanging to the bit and pushed", 0.5, 1, 1, 0, {3, 1, -2}}, {0, 0, 1});
   agrees({"a pendulum, let go at its lowest", 0.5, 1, 1, 0, {1, 0, 0}}, {0, 0, 1});
+  // It begins where cn is 0, in a plane with the vertical: its direction is that of a moment later.
+  for (const double tilt : {0.1, 0.6, 1.6, 3.0})
+    agrees({"a pendulum, let go at rest", 0.5, 1, 1, tilt, {0, 0, 0}}, {0, 0, -1});
 }
 
 TEST_CASE("The heavy top keeps its digits at the instant when it all but stands upright") {

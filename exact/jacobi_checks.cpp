@@ -47,9 +47,12 @@ TEST_CASE_TEMPLATE("A parameter of 0 makes sines, one of 1 makes hyperbolic func
     CHECK(std::abs(sech * std::cosh(u) - 1) <= 8 * unit_roundoff<Real>);
     CHECK(std::abs(also_sech / sech - 1) <= 8 * unit_roundoff<Real>);
   }
-  const auto far = edge.at(1e6);
-  CHECK(far.sn == 1);
-  CHECK(far.dn > 0);
+  for (const Real u : {Real(1e6), std::numeric_limits<Real>::max()}) {
+    const auto far = edge.at(u);
+    CHECK(far.sn == 1);
+    CHECK(far.cn > 0);
+    CHECK(far.dn > 0);
+  }
 }
 
 TEST_CASE(

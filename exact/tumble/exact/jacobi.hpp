@@ -115,7 +115,7 @@ class Jacobi {
   /// sn(iu|m) = i sn(u|1 − m)/cn(u|1 − m).
   SnCnDn<Real> near_zero(Real u) const {
     // Only where m is 1 can u be large. cn falls like exp(-u) then, and must not become 0.
-    static const Real longest = std::log(std::numeric_limits<Real>::max()) - 4;
+    const Real longest = std::log(std::numeric_limits<Real>::max()) - 4;
     Real angle = std::ldexp(mean_ * std::min(u, longest), static_cast<int>(steps_));
     if (hyperbolic_) {
       for (std::size_t n = steps_; n > 0; --n)
