@@ -14,15 +14,15 @@ from pathlib import Path
 from mutation_list import ListError
 
 
-def read_equal(folder):
-    """A reason for each (header, old lines, new lines)."""
+def read_equal(files):
+    """A reason for each (header, old lines, new lines), from such lists."""
     reasons = {}
-    for path in sorted(Path(folder).glob("*.txt")):
+    for path in map(Path, files):
         for block in re.split(r"\n\n+", path.read_text().strip("\n")):
             rows = block.split("\n")
-            headline = re.fullmatch(r"(tumble/[\w/]+\.hpp): (.+)", rows[0])
+            headline = re.fullmatch(r"([\w/]+\.hpp): (.+)", rows[0])
             if not headline:
-                raise ListError(f"{path.name}, at \"{rows[0]}\": a reason begins with \"tumble/NAME.hpp: why\"")
+                raise ListError(f"{path.name}, at \"{rows[0]}\": a reason begins with the header, as in \"tumble/mesh.hpp: why\"")
             old = None
             for row in rows[1:]:
                 if row.startswith("- "):

@@ -292,7 +292,7 @@ def main():
         paths = options.lists or [path for path in sorted(here.glob("*.txt")) if path.stem in build.commands and (
             not options.chapters or path.stem in options.chapters.split(","))]
         by_lists = from_lists(paths, build)
-        equal = read_equal(here / "equal")
+        equal = read_equal(sorted((here / "equal").glob("*.txt")))
         if options.generated:
             wanted = [name for name in wanted if name in options.generated.split(",")]
         elif wanted == every or "common" in options.chapters.split(","):
