@@ -69,8 +69,7 @@ TEST_CASE_TEMPLATE("A zero axis, and an axis or angle that is not finite or too 
 }
 
 TEST_CASE_TEMPLATE(
-    "Of a quaternion, an axis and a matrix each number alone is looked at, and half turns are none "
-    "too few",
+    "Of a quaternion, an axis and a matrix every number is checked, and half turns are accepted",
     Real, EVERY_PRECISION) {
   const auto with = [](int part, Real number) {
     Quaternion<Real> q = {.real = 0};

@@ -85,7 +85,7 @@ TEST_CASE_TEMPLATE("A half turn about each axis comes back to the bit", Real, EV
   CHECK(same_bits(quaternion_of<Real>(Mat3<Real>::Identity()), Quaternion<Real>()));
 }
 
-TEST_CASE_TEMPLATE("A matrix that is no rotation is refused: stretched, mirrored or not finite",
+TEST_CASE_TEMPLATE("A matrix that isn't a rotation is refused: stretched, mirrored or not finite",
                    Real, EVERY_PRECISION) {
   const auto complaint = [](const Mat3<Real>& matrix) {
     return complaint_of([&] { quaternion_of(matrix, "orientation"); });

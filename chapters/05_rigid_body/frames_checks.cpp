@@ -65,7 +65,7 @@ TEST_CASE_TEMPLATE("After a turn by 90 degrees the same world torque gets anothe
         2 * rotation_error<Real> * 4);
 }
 
-TEST_CASE_TEMPLATE("At 45 degrees a torque about one axis answers about another as well", Real,
+TEST_CASE_TEMPLATE("At 45 degrees a torque about one axis is answered about another as well", Real,
                    EVERY_PRECISION) {
   Top<Real> top = plain_top<Real>();
   top.orientation = quaternion_about(Vec3<Real>(0, 0, 1), std::numbers::pi_v<Real> / 4);

@@ -60,7 +60,7 @@ TEST_CASE_TEMPLATE("A made body's model is drawn where it was put, and keeps its
 }
 //! [drawn_where_it_was]
 
-TEST_CASE_TEMPLATE("Poses compose like moves, and a pose and its inverse leave all in place", Real,
+TEST_CASE_TEMPLATE("Poses compose like moves, and a pose and its inverse move nothing", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(73);
   for (int trial = 0; trial < 100; ++trial) {
@@ -167,8 +167,8 @@ TEST_CASE_TEMPLATE("A point is refused, or locked about every axis when that is 
   }
 }
 
-TEST_CASE_TEMPLATE("Locking turns no torque into turning, and one axis can be locked alone", Real,
-                   EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("No torque turns a body about a locked axis, and one axis can be locked alone",
+                   Real, EVERY_PRECISION) {
   RigidBody<Real> body = make_rigid_body("brick", brick<Real>(), {}, Vec3<Real>::Zero(),
                                          Vec3<Real>::Zero(), Turning::locked)
                              .body;

@@ -61,7 +61,7 @@ TEST_CASE_TEMPLATE("A rigid body's centre is kicked, hit and drifted as a partic
   CHECK(same_bits(body.top.orientation.imaginary, top.orientation.imaginary));
 }
 
-TEST_CASE_TEMPLATE("Drift first with forces gathered after it is the same walk, to the bit", Real,
+TEST_CASE_TEMPLATE("Drift first with forces gathered after it is the same motion, to the bit", Real,
                    EVERY_PRECISION) {
   const Real time_step = Real(0.1);
   Particle<Real> kick_first = swinging<Real>();

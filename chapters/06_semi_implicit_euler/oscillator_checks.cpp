@@ -237,8 +237,8 @@ TEST_CASE_TEMPLATE("Kick and drift each keep the area of a triangle of starts", 
 }
 
 TEST_CASE_TEMPLATE(
-    "Under a force that is no spring a step keeps areas too, and an explicit step does not", Real,
-    EVERY_PRECISION) {
+    "Under a force other than a spring's a step keeps areas too, and an explicit step does not",
+    Real, EVERY_PRECISION) {
   // F = −4 x − x³. Four neighbours, 2 d apart in place and in velocity; the area of what becomes of
   // them by that of what they were. For one step that is exactly 1, however large d: the kick
   // differs by h (a(x + d) − a(x − d)) and the drift by h times that.

@@ -155,7 +155,7 @@ TEST_CASE_TEMPLATE("A scene turned as a whole turns its bodies as before, to a f
   }
 }
 
-TEST_CASE_TEMPLATE("A turn that no step can answer is refused by name, size and limit", Real,
+TEST_CASE_TEMPLATE("A turn too large for a step is refused by name, size and limit", Real,
                    EVERY_PRECISION) {
   const auto complaint = [](const Vec3<Real>& omega, Real h) {
     return complaint_of([&] { require_turn(omega, h); });
@@ -178,7 +178,7 @@ TEST_CASE_TEMPLATE("A turn that no step can answer is refused by name, size and 
   CHECK(std::isnan(turn_exponential<Real>({}, Vec3<Real>(0, 0, 2 * limit), 1).real));
 }
 
-TEST_CASE_TEMPLATE("Whatever turn is let pass has an answer, to the last bit of the limit", Real,
+TEST_CASE_TEMPLATE("Every turn that is accepted can be made, to the last bit of the limit", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(11);
   const Real limit = 2 * SineCosineConstants<Real>::limit, h = Real(1) / 60;

@@ -8,7 +8,7 @@ int main(int argument_count, char** arguments) {
   support::Notebook notebook(argument_count, arguments);
   const Vec3d omega(0, 0, 6);
   const double h = 1.0 / 60;
-  std::printf(" time    norm      predicted   rim of a wheel of 1 m   normalised\n");
+  std::printf("  time    norm      predicted   rim of a wheel of 1 m   normalised\n");
   Quaterniond never, always;
   for (int n = 1; n <= 600; ++n) {
     //! [never]
@@ -19,7 +19,7 @@ int main(int argument_count, char** arguments) {
     support::expect(std::abs(norm(never) / predicted - 1) < 1e-12, "root of 1 + (omega h/2)^2");
     if (n == 1 || n == 60 || n == 300 || n == 600) {
       const double rim = (never * pure<double>({1, 0, 0}) * conjugate(never)).imaginary.norm();
-      std::printf("%5.2f s   %7.5f   %7.5f   %16.4f m   %10.4f m\n", n * h, norm(never), predicted,
+      std::printf("%6.3f s   %7.5f   %7.5f   %16.4f m   %10.4f m\n", n * h, norm(never), predicted,
                   rim, rotate(always, {1, 0, 0}).norm());
       if (n == 600) {
         notebook.value("rim", support::number("%.1f", rim));

@@ -189,7 +189,7 @@ TEST_CASE_TEMPLATE(
 }
 
 //! [refused]
-TEST_CASE_TEMPLATE("A damping that is negative, NaN, infinite or no fraction is refused by name",
+TEST_CASE_TEMPLATE("A damping that is negative, NaN, infinite or not a fraction is refused by name",
                    Real, EVERY_PRECISION) {
   const Real nan = std::numeric_limits<Real>::quiet_NaN(),
              infinity = std::numeric_limits<Real>::infinity();

@@ -18,7 +18,7 @@ int main(int argument_count, char** arguments) {
   support::Table table = notebook.table(
       "drag", {"time (s)", "drag (m/s)", "damping (m/s)", "drag (m)", "damping (m)"});
   std::printf("c = %.4f kg/m, and a damping rate of %.3f 1/s\n", coefficient, rate);
-  std::printf("  time   speed: drag   damping       way: drag   damping\n");
+  std::printf("  time   speed: drag   damping  distance: drag   damping\n");
   const double kept = fraction_kept(rate, time_step);
   const auto note = [&notebook](const char* name, const Particled& ball) {
     notebook.value(name, number("%.1f m/s", ball.velocity.x()));

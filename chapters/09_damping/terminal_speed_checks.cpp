@@ -187,7 +187,7 @@ TEST_CASE("Quadratic drag as a force overshoots beyond m/(h c) and grows beyond 
   CHECK(std::abs(speed_after(8.1, 8)) > 10);
 }
 
-TEST_CASE_TEMPLATE("A drag coefficient made of what cannot be is refused by name", Real,
+TEST_CASE_TEMPLATE("A drag coefficient of impossible numbers is refused by name", Real,
                    EVERY_PRECISION) {
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   const auto complaint = [](Real density, Real shape, Real area) {

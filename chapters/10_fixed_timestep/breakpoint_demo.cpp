@@ -12,7 +12,7 @@ int main(int argument_count, char** arguments) {
   StepClock clock = make_step_clock(steps_per_second(60));
   for (const std::int64_t frame : {17, 16, 5000, 17, 17}) {
     const std::int64_t due = steps_due(clock, frame * millisecond);
-    std::printf("a frame of %4d ms: %d steps\n", int(frame), int(due));
+    std::printf("a frame of %4d ms: steps due %d\n", int(frame), int(due));
   }
   //! [breakpoint]
   std::printf("\ntime in           %12lld ns\n", static_cast<long long>(clock.time_in));

@@ -62,7 +62,7 @@ Quaternion<Real> conjugate(const Quaternion<Real>& q) {
 }
 //! [conjugate]
 
-/// The length √(w² + x² + y² + z²). It is that of the product that multiplies: |pq| = |p| |q|.
+/// The length √(w² + x² + y² + z²). That of a product is the product of both: |pq| = |p| |q|.
 //! [norm]
 template <class Real>
 Real norm(const Quaternion<Real>& q) {

@@ -76,7 +76,7 @@ EXERCISE_CHECK("Roll, pull, roll back: the nose has gone sideways") {
   // right.
   Found("the nose after a roll to the right, a pull and the roll back", "", nose(aeroplane))
       .mistake(Vec3<Real>(std::cos(pull), std::sin(pull), 0),
-               "it went to the left. Each turn was made about the world's axes, or backwards")
+               "it went to the left. Each turn was made about the world's axes")
       .mistake(Vec3<Real>(std::cos(pull), 0, std::sin(pull)),
                "it rose, as if the roll had not been there")
       .must_be(Vec3<Real>(std::cos(pull), -std::sin(pull), 0), roundings<Real>);

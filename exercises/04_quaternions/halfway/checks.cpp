@@ -38,7 +38,7 @@ Real by_straight_line(Same<Real> whole, Same<Real> part) {
 EXERCISE_CHECK("The way begins at the one and ends at the other") {
   const auto p = turned<Real>(Real(0.4), -1, Real(0.3)), q = turned<Real>(-1, Real(0.2), 1);
   Found("the angle between p and the way's beginning", "rad", angle(p, between(p, q, 0)))
-      .mistake(angle(p, q), "the way begins at q. 0 shall be p, and 1 q")
+      .mistake(angle(p, q), "the way begins at q. 0 must give p, and 1 must give q")
       .mistake(angle(p, Quaternion<Real>{}), "the way begins at no turn at all. Where is p?")
       .must_be(0, roundings<Real>);
   const auto end = between(p, q, 1);
@@ -67,7 +67,8 @@ EXERCISE_CHECK("It runs steadily: a part of the way is that part of the angle") 
           .mistake(by_straight_line<Real>(whole, Real(part)),
                    "that is where the straight line from p to q gets, normalised. It runs fast in "
                    "the middle. The angle must grow in proportion")
-          .mistake(Real(1 - part) * whole, "that is the angle left to q. 0 shall be p, and 1 q")
+          .mistake(Real(1 - part) * whole,
+                   "that is the angle left to q. 0 must give p, and 1 must give q")
           .mistake(Real(part) * whole / 2,
                    "half of what it should be. The quaternion holds half the angle already")
           .must_be(Real(part) * whole, 4 * roundings<Real>);

@@ -125,16 +125,17 @@ EXERCISE_CHECK(
   RigidBody<Real> wall;
   const Vec3<Real> rim(0, Real(0.5), 0), up(0, 0, 1), along(1, 0, 0);
   const Real found = felt(wall, rim, up);
-  require(!std::isnan(found),
-          "a wall feels like no number at all. Is something divided by its inverse mass, 0, or by "
-          "its inverse moments?");
+  require(
+      !std::isnan(found),
+      "what a wall feels like is not a number. Is something divided by its inverse mass, 0, or by "
+      "its inverse moments?");
   require(std::isinf(found) && found > 0, "a wall, whose inverses are all 0, feels like " +
                                               shown(found) + " kg; it must feel infinitely heavy");
   RigidBody<Real> wheel;
   wheel.top.inverse_moments = Vec3<Real>(4, 0, 0);
   Found("the mass felt at the rim of a wheel on a fixed axle, 0.25 kg m² and 0.5 m", "kg",
         felt(wheel, rim, up))
-      .not_a_number("no number: is something divided by the axle's inverse mass, 0?")
+      .not_a_number("not a number: is something divided by the axle's inverse mass, 0?")
       .mistake(0, "the mass was computed as 1 / inverse_mass and then used")
       .must_be(1, roundings<Real>);
   require(std::isinf(felt(wheel, rim, along)),

@@ -115,8 +115,8 @@ EXERCISE_CHECK(
   auto body = weight<Real>(Vec3<Real>(1, 0, Real(-0.5)), Vec3<Real>(0, 2, 1));
   const Real at_zero = kept(body, 0);
   Found("what is kept, for a step of no length", "J", at_zero)
-      .mistake(energy(body) / 2, "half of m v² + k x²: one half is too many")
-      .mistake(energy(body) * 2, "the half of ½ m is missing")
+      .mistake(energy(body) / 2, "a quarter of m v² + k x²: one half is too many")
+      .mistake(energy(body) * 2, "that is m v² + k x²: the factor ½ is missing")
       .mistake(energy(body) / 4, "the mass, 4 kg, is missing")
       .must_be(energy(body), 16 * energy(body) * unit_roundoff<Real>);
   const Real h = Real(0.25);  // w h = 1/2

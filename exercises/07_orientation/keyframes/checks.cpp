@@ -51,11 +51,11 @@ EXERCISE_CHECK("Stepped by the exponential, the platform arrives at the next key
                  "half of what it should be: rotation_vector_of doubles the half angle already")
         .mistake(truth * 2,
                  "twice what it should be: rotation_vector_of doubles the half angle already")
-        .mistake(-truth, "it leads back: the turn that leads there is to from*")
+        .mistake(-truth, "it leads back: the turn that leads there is to · from*")
         .mistake(
             rotate_back(from, truth),
-            "that is the angular velocity in body axes, of from* to. In world axes the turn is "
-            "to from*")
+            "that is the angular velocity in body axes, of from* · to. In world axes the turn is "
+            "to · from*")
         .mistake(Real(2 * std::sin(angle / 2)) / h * axis<Real>,
                  "the size is that of the difference of the two quaternions, a sine. The angle "
                  "itself is wanted")
@@ -101,7 +101,7 @@ EXERCISE_CHECK("Stepped by the first-order rule, it arrives too, if it is given 
                  "rule normalises: divide by the real part")
         .mistake(truth / 2, "half of what it should be: the quotient is h/2 ω")
         .mistake(truth * h, "it is not per second yet: divide by h")
-        .mistake(rotate_back(from, truth), "that is in body axes, of from* to")
+        .mistake(rotate_back(from, truth), "that is in body axes, of from* · to")
         .must_be(truth, roundings<Real>(8) * steep * 4);
     Found("the angle between the key frame and where turn_first_order arrives", "rad",
           angle_between(to, turn_first_order<Real>(from, found, h)))
@@ -118,14 +118,14 @@ EXERCISE_CHECK("Between key frames that are nearly the same no digit is lost") {
   const std::string flat = "an arc cosine has no digits left near zero; ask for sine and cosine";
   Found("the angular velocity between key frames " + shown(angle) + " rad apart", "rad/s",
         exact(from, to, h))
-      .not_a_number("no number: the turn is too small to divide by")
+      .not_a_number("not a number: the turn is too small to divide by")
       .mistake(Vec3<Real>::Zero(), flat)
       .must_be(truth, tolerance);
   Found("the one for the first-order rule", "rad/s", first_order(from, to, h))
-      .not_a_number("no number: the turn is too small to divide by")
+      .not_a_number("not a number: the turn is too small to divide by")
       .must_be(truth, tolerance);
   Found("the angular velocity between a key frame and itself", "rad/s", exact(from, from, h))
-      .not_a_number("no number: a turn by nothing has no axis to divide by")
+      .not_a_number("not a number: a turn by nothing has no axis to divide by")
       .must_be(Vec3<Real>::Zero(), tolerance);
 }
 

@@ -89,10 +89,10 @@ EXERCISE_CHECK("While the rate grows evenly about one axis, the angle is exact")
             " rad/s in 0.5 s",
         "rad", angle_between(Quaternion<Real>{}, found))
       .mistake(truth - step,
-               "too little, by half of the growth of an interval: each turn took the reading at "
+               "too little: each turn took the reading at "
                "the interval's beginning. You also know the one at its end")
       .mistake(truth + step,
-               "too much, by half of the growth of an interval: each turn took the reading at the "
+               "too much: each turn took the reading at the "
                "interval's end. You also know the one at its beginning")
       .mistake(2 * truth, "twice the angle: the two readings were added. Take their mean")
       .must_be(truth, roundings<Real>(intervals));

@@ -123,11 +123,11 @@ EXERCISE_CHECK("A ball has one turn only, and without time nothing turns") {
   const double rounding = 3 * (24 + 8 * 4) * double(unit_roundoff<Real>);
   const auto found = after(ball, Real(0.5));
   Found("the norm of a ball's orientation after half a second", "", norm(found))
-      .not_a_number("no number: for a ball the moments' difference is zero. Is it divided by?")
+      .not_a_number("not a number: for a ball the moments' difference is zero. Is it divided by?")
       .must_be(1, rounding);
   Found("the angle by which a ball is off after half a second", "rad",
         angle_between(turned.orientation, found))
-      .not_a_number("no number: for a ball the moments' difference is zero. Is it divided by?")
+      .not_a_number("not a number: for a ball the moments' difference is zero. Is it divided by?")
       .must_be(0, rounding);
   const auto plate = thrown<Real>(Real(0.5), 1, Vec3<Real>(1, Real(-0.5), 3));
   Found("the angle turned in no time", "rad", angle_between(plate.orientation, after(plate, 0)))

@@ -110,7 +110,7 @@ EXERCISE_CHECK("What moves with the wind keeps its velocity, and what rests is b
   Found("and of one that rests on the ground at first", "m/s",
         slowed<Real>(Vector::Zero(), wind, 1))
       .mistake(Vector(-wind * Real(left)),
-               "right as seen from the air. Seen from the ground, the wind comes to it")
+               "right as seen from the air. Seen from the ground, the wind is added to it")
       .mistake(Vector::Zero(), "the wind does nothing to it")
       .mistake(Vector(wind * Real(left)), "what fades is the motion through the air, wind and all")
       .must_be(Vector(wind * Real(1 - left)), few_roundings<Real> * 5);

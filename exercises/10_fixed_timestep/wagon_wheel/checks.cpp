@@ -35,7 +35,7 @@ std::string wheel() {
 EXERCISE_CHECK("A small turn is seen as it is, forward and backward") {
   for (const double part : {0.0, 0.125, 0.375, -0.25, -0.4375}) {
     const double turn = double(Real(part * gap()));
-    Found("of a turn of " + wheel() + " by " + shown(turn) + " rad is seen a turn that", "rad",
+    Found("the turn that is seen of " + wheel() + " that turns by " + shown(turn) + " rad", "rad",
           seen_turn<Real>(turn, spokes()))
         .mistake(turn + gap(),
                  "it went backward by less than half a gap, and it is seen so. Take the smallest "
@@ -45,7 +45,7 @@ EXERCISE_CHECK("A small turn is seen as it is, forward and backward") {
                  "that is in degrees; all angles here are in radians")
         .must_be(turn, tolerance<Real>(turn));
     const double more = double(Real(turn + 2 * std::numbers::pi));
-    Found("and of a whole turn more, a turn that", "rad", seen_turn<Real>(more, spokes()))
+    Found("and the turn that is seen of a whole turn more", "rad", seen_turn<Real>(more, spokes()))
         .mistake(more, "after a whole turn the wheel looks as it did before")
         .mistake(turn + gap(),
                  "it went backward by less than half a gap, and it is seen so. Take the smallest "
@@ -57,8 +57,9 @@ EXERCISE_CHECK("A small turn is seen as it is, forward and backward") {
 EXERCISE_CHECK("A turn that lacks little of whole gaps is seen as a small turn backward") {
   for (const int gaps : {2, 7, 1}) {
     const double back = 0.125 * gap(), turn = double(Real(gaps * gap() - back));
-    Found("of a turn of " + wheel() + " by " + shown(turn) + " rad, an eighth short of " +
-              std::to_string(gaps) + (gaps == 1 ? " gap" : " gaps") + ", is seen a turn that",
+    Found("the turn that is seen of " + wheel() + " that turns by " + shown(turn) +
+              " rad, an eighth of a gap short of " + std::to_string(gaps) +
+              (gaps == 1 ? " gap," : " gaps,"),
           "rad", seen_turn<Real>(turn, spokes()))
         .mistake(
             gap() - back,
@@ -84,9 +85,9 @@ EXERCISE_CHECK("With a single spoke it is what the chapter draws between two sta
     const double drawn = 8 * double(rotation_vector_of(part.orientation).y());
     // Turn to quaternion and back, multiplied by eight: more than there is is sixteen roundings of
     // a full turn.
-    Found(
-        "of a wheel with a single spoke that turned by " + shown(turn) + " rad is seen a turn that",
-        "rad", seen_turn<Real>(turn, 1))
+    Found("the turn that is seen of a wheel with a single spoke that turns by " + shown(turn) +
+              " rad",
+          "rad", seen_turn<Real>(turn, 1))
         .mistake(turn, "the chapter draws the shortest arc, which is never longer than half a turn")
         .must_be(drawn, 8 * 16 * unit_roundoff<Real> * 2 * std::numbers::pi);
   }
@@ -99,8 +100,8 @@ EXERCISE_CHECK(
   const double standing = double(ask<Real>("standing_rate", spokes(), Real(pictures)));
   Found("the standing rate of " + wheel() + " at 16 pictures a second", "rad/s", standing)
       .mistake(gap() / pictures,
-               "that is a gap divided by the pictures a second. In a second there are "
-               "sixteen times a gap")
+               "that is a gap divided by the pictures a second. In a second it turns by "
+               "sixteen gaps")
       .mistake(
           2 * std::numbers::pi * pictures,
           "that is a whole turn in each picture. It stands still long before, since the spokes "

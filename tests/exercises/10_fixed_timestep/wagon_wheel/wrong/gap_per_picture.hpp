@@ -1,5 +1,5 @@
 // caught by: A wheel that speeds up seems to stand still at every multiple of the standing rate,
-// and there alone message: In a second there are sixteen times a gap
+// and there alone message: it turns by sixteen gaps
 #pragma once
 
 #include <cmath>
