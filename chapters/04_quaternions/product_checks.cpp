@@ -68,7 +68,7 @@ TEST_CASE_TEMPLATE(
                                  1 * 17 + 2 * 13 - 3 * 11 + 5 * 7}}));
 }
 
-TEST_CASE_TEMPLATE("It does not matter which of two products is taken first", Real,
+TEST_CASE_TEMPLATE("A product of three does not depend on which two are multiplied first", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(4);
   for (int trial = 0; trial < 1000; ++trial) {

@@ -61,8 +61,8 @@ TEST_CASE_TEMPLATE("Axis and angle turn a vector as Rodrigues' formula does, wit
   }
 }
 
-TEST_CASE_TEMPLATE("A turn keeps lengths and the angles between vectors, and which hand is right",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("A turn keeps lengths, the angles between vectors, and handedness", Real,
+                   EVERY_PRECISION) {
   std::mt19937_64 generator(13);
   for (int trial = 0; trial < 1000; ++trial) {
     const Quaternion<Real> q = random_orientation<Real>(generator);

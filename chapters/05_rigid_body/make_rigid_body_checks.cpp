@@ -311,7 +311,7 @@ TEST_CASE_TEMPLATE("Whether an axis is thin depends on its moments' ratio, not o
 }
 
 TEST_CASE_TEMPLATE(
-    "A moment whose inverse is no normal number is refused where thin axes are locked", Real,
+    "A moment whose inverse is not a normal number is refused where thin axes are locked", Real,
     EVERY_PRECISION) {
   const Real smallest = std::numeric_limits<Real>::min();
   const auto complaint = [&](Real moment) {

@@ -60,7 +60,7 @@ int main(int argument_count, char** arguments) {
   }
   std::printf("largest relative error in 1000 orientations, float\n\n");
   std::printf("small moment of the tensor R I R^T           %8.1e\n", small_moment);
-  std::printf("answer to a world vector across the needle\n");
+  std::printf("answer to a world vector perpendicular to the needle\n");
   std::printf("  by the tensor R I^-1 R^T                   %8.1e\n", tensor);
   std::printf("  rotated in, divided, rotated out           %8.1e\n", in_and_out);
   std::printf("angular velocity from body-frame momentum    %8.1e\n", stored_in_body);

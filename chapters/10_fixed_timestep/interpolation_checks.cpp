@@ -23,7 +23,7 @@ Pose<Real> random_pose(std::mt19937_64& generator) {
 }  // namespace
 
 //! [interpolated]
-TEST_CASE_TEMPLATE("Between two poses the place moves evenly and the turn goes on evenly", Real,
+TEST_CASE_TEMPLATE("Between two poses both the position and the turn advance evenly", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(12);
   for (int n = 0; n < 200; ++n) {

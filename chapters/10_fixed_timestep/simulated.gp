@@ -1,5 +1,5 @@
 set title "With the cap the world slows down; without it, it stands still and leaps"
-set xlabel "time on the wall (s)"
+set xlabel "wall-clock time (s)"
 set ylabel "simulated time (s)"
 set xrange [0:10]
 set yrange [0:10]

@@ -1,5 +1,5 @@
 set title "Without a cap each frame makes the next one longer"
-set xlabel "time on the wall (s)"
+set xlabel "wall-clock time (s)"
 set ylabel "duration of a frame (ms)"
 set logscale y
 set yrange [10:5000]

@@ -1,6 +1,6 @@
 set title "Drawing the last state stutters; drawing between two states does not"
 set xlabel "frame"
-set ylabel "place (cm)"
+set ylabel "position (cm)"
 set xtics 4
 plot "stutter.tsv" using 1:2 with linespoints linestyle 2 title "last state", \
      "stutter.tsv" using 1:3 with linespoints linestyle 1 title "between the last two"

@@ -258,8 +258,9 @@ TEST_CASE_TEMPLATE("A world in packs can be stepped by reference, and a part of 
   }
 }
 
-TEST_CASE_TEMPLATE("From a world in packs that was stepped by reference a body goes as from others",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "A body leaves a world in packs that was stepped by reference as it leaves others", Real,
+    EVERY_PRECISION) {
   const auto left = []<class AnyWorld>(AnyWorld world) {
     world = bricks(std::move(world));
     world.step_by_reference();

@@ -230,7 +230,7 @@ struct RefusalByPlace {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("Of all that effects throw in a step of one thread the first is told", Real,
+TEST_CASE_TEMPLATE("Of all that effects throw in a step of one thread the first is reported", Real,
                    EVERY_PRECISION) {
   const auto refused = []<class AnyWorld>(AnyWorld world) {
     const int three_blocks =

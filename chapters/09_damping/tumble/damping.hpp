@@ -22,7 +22,7 @@ Real fraction_kept(Real rate, Same<Real> time) {
 /// number, 9.3e-10 in float and 1.3e-144 in double. At 9.3e-10 m/s a millimetre takes 12 days.
 ///
 /// A step multiplies such speeds by each other, by the time step and by moments. From there on what
-/// comes out is no normal number any more, loses its digits and is slow.
+/// comes out is not a normal number any more, loses its digits and is slow.
 //! [slowest_speed]
 template <class Real>
 constexpr Real slowest_speed = [] {

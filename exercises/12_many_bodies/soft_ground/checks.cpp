@@ -21,8 +21,9 @@ EXERCISE_CHECK("At rest below the ground it is 4000 times the depth to the power
     Found("the push on a ball at rest " + shown(d) + " m below the ground", "N",
           double(push<Real>(-d, 0)))
         .mistake(-truth, "it is pulled down. Upward is positive")
-        .mistake(4000 * std::sqrt(d), "that is the root of the depth alone; 3/2 is once and a half")
-        .mistake(4000 * d, "that is a spring, straight with the depth. Where is the root?")
+        .mistake(4000 * std::sqrt(d),
+                 "that is the root of the depth alone; d^(3/2) is d times its root")
+        .mistake(4000 * d, "that is a spring, in proportion to the depth. Where is the root?")
         .mistake(4000 * d * d, "that is the depth squared")
         .mistake(
             0, "it is as if the ball were above the ground. Which side does the condition choose?")
@@ -60,7 +61,7 @@ EXERCISE_CHECK("What comes is braked, what goes is pushed less, and nothing is e
                                                   "the ground would give energy. The sign "
                                                   "of the speed is turned round")
         .mistake(at_rest * (1 - speed / 2), "the ground holds on to it. A push can't be negative")
-        .mistake(at_rest * (1 - speed), "the speed counts in half: 1 - s/2")
+        .mistake(at_rest * (1 - speed), "only half of the speed counts: 1 - s/2")
         .must_be(at_rest * factor, few_roundings<Real> * at_rest * 2);
   };
   look("comes with 1 m/s", -1, 1.5);
