@@ -154,7 +154,7 @@ TEST_CASE_TEMPLATE("Torques that are finite each and infinite together are blame
   CHECK(std::string(error.what()).find("it would turn by ") != std::string::npos);
 }
 
-TEST_CASE_TEMPLATE("Who is lost from its place is named before who is lost from its orientation",
+TEST_CASE_TEMPLATE("A body whose position is lost is named before one whose orientation is lost",
                    Real, EVERY_PRECISION) {
   World<Real> world(steps_per_second(1));
   world.add("first", box_body<Real>({0, 0, 0}));
