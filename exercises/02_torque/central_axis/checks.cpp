@@ -51,7 +51,7 @@ EXERCISE_CHECK(
           "force");
 }
 
-EXERCISE_CHECK("For one single force it is a point on the line of that force") {
+EXERCISE_CHECK("For a single force it is a point on the line of that force") {
   const Vec3<Real> force(0, 3, 4), hit(2, 0, 1);
   Wrench<Real> wrench{.about = Vec3<Real>(-1, 2, 0.5)};
   add_force_at(wrench, force, hit);

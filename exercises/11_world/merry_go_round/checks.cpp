@@ -68,7 +68,8 @@ EXERCISE_CHECK(
 }
 
 EXERCISE_CHECK(
-    "What rests on the ground is seen to go round in a circle, and this force bends it just so") {
+    "What rests on the ground is seen to go round in a circle, and this force holds it on that "
+    "circle") {
   using Vector = Vec3<Real>;
   const Vector spin(Real(0.5), -1, 2), place(1, 2, -1);
   // Seen from on board the ground turns backwards: x' = -Ω × x, and so x'' = Ω × (Ω × x).
@@ -89,7 +90,7 @@ EXERCISE_CHECK(
   }
 }
 
-EXERCISE_CHECK("The outward force is how the potential energy falls") {
+EXERCISE_CHECK("The outward force is the downhill slope of the potential energy") {
   using Vector = Vec3<Real>;
   const Vector spin(Real(0.5), -1, 2), place(1, 2, -1);
   for (const int mass : two_masses) {
@@ -114,7 +115,7 @@ EXERCISE_CHECK("The outward force is how the potential energy falls") {
   Found("the energy on the axis", "J", energy_at<Real>(spin, spin, 2)).must_be(0, tolerance<Real>);
 }
 
-EXERCISE_CHECK("A plan leaves it out when it stands still, and never else") {
+EXERCISE_CHECK("A plan leaves it out when it stands still, and only then") {
   const auto skipped = [](const Vec3<Real>& spin) { return ask<int>("is_skipped", spin) != 0; };
   require(
       !skipped({0, 0, 1}),
