@@ -37,8 +37,8 @@ EXERCISE_CHECK(
                "it pulls inward. That is what holds a rider; what he feels is the opposite")
       .mistake(Vector(truth / 2),
                "half of it: is the mass of 2 kg missing, or one of the two crosses?")
-      .mistake(Vector(truth / 4), "a quarter of it: the rate counts with its square")
-      .mistake(Vector(2 * truth), "twice of it. The 2 belongs to the other force, Coriolis's")
+      .mistake(Vector(truth / 4), "a quarter of it: where is the rate? It counts with its square")
+      .mistake(Vector(2 * truth), "twice as much. The 2 belongs to the other force, Coriolis's")
       .mistake(Vector(24, -32, 40),
                "it has a part along the axis. Ω × (Ω × x) has none: take both "
                "cross products, not Ω² x")
@@ -120,7 +120,7 @@ EXERCISE_CHECK("A plan leaves it out when it stands still, and only then") {
   require(
       !skipped({0, 0, 1}),
       "it turns with 1 rad/s, and the plan leaves it out: the balls would fly straight on board. "
-      "A predicate returns a reason only where nothing is to do");
+      "A predicate returns a reason only where there is nothing to do");
   require(!skipped({-1, 0, 0}), "with -1 rad/s about x the plan leaves it out. Look at all of Ω");
   require(!skipped({0, Real(0x1p-10), 0}),
           "with a thousandth of a rad/s about y the plan leaves it out. However slowly it turns, "
