@@ -26,7 +26,7 @@ Real torque_bound(const Vec3<Real>& arm, const Vec3<Real>& force) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("A push along y on a point at x turns the body about plus z", Real,
+TEST_CASE_TEMPLATE("A push along y at a point on the x axis turns the body about plus z", Real,
                    EVERY_PRECISION) {
   const Vec3<Real> centre(5, 6, 7);
   const Vec3<Real> x(1, 0, 0), y(0, 1, 0), z(0, 0, 1);

@@ -5,8 +5,9 @@ using namespace tumble;
 using namespace tumble::support;
 
 TEST_CASE_TEMPLATE(
-    "In a mirror the torque keeps its sign along the mirrored axis and turns the other two", Real,
-    EVERY_PRECISION) {
+    "In a mirror the torque keeps its sign along the mirrored axis and changes it along the other "
+    "two",
+    Real, EVERY_PRECISION) {
   const Vec3<Real> centre(Real(0.1), Real(0.2), Real(0.3)), point(Real(1.7), Real(-2.9), Real(0.4)),
       force(Real(3.3), Real(0.7), Real(-5.1));
   const Vec3<Real> torque = torque_about(centre, point, force);
@@ -31,8 +32,8 @@ TEST_CASE_TEMPLATE("Turning the whole scene by 90 degrees turns the torque with 
 
 //! [far_away]
 TEST_CASE_TEMPLATE(
-    "Far from the origin a force at an exact place has the torque it has near it, to the bit", Real,
-    float, double) {
+    "A force at an exact place has the same torque far from the origin as near it, to the bit",
+    Real, float, double) {
   // Coordinates are multiples of 1/64, exact here and there: only the formula can lose digits.
   const Vec3<Real> centre(Real(0.25), Real(-0.5), 1), arm(Real(0.5), Real(0.25), Real(-0.125)),
       force(Real(0.1), Real(-0.7), Real(0.3));

@@ -221,8 +221,8 @@ TEST_CASE_TEMPLATE(
 }
 
 TEST_CASE_TEMPLATE(
-    "Whether a tetrahedron is flat, and a mesh's moments, depend on no length's powers", Real,
-    EVERY_PRECISION) {
+    "Lengths whose powers leave the range spoil neither the test for flatness nor a mesh's moments",
+    Real, EVERY_PRECISION) {
   // So far that the product of three edges, or of four, leaves the range.
   const int most = std::numeric_limits<Real>::max_exponent * 2 / 5;
   for (const int power : {-most, 0, most}) {

@@ -97,8 +97,8 @@ TEST_CASE_TEMPLATE("The slack is a few roundings of the moments: a little more i
   }
 }
 
-TEST_CASE_TEMPLATE("Negative moments, lopsided and unfinished tensors are refused", Real,
-                   EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("Negative moments, and tensors that are lopsided or not finite, are refused",
+                   Real, EVERY_PRECISION) {
   CHECK(complaint_about(diagonal<Real>(2, -1, 2)) ==
         "hammer: the principal moments are (-1, 2, 2) kg m^2; none can be negative");
   Mat3<Real> lopsided = diagonal<Real>(1, 1, 1);

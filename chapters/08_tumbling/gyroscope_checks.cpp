@@ -71,8 +71,9 @@ TEST_CASE_TEMPLATE("At both steady precessions the weight turns L as fast as the
 }
 //! [steady]
 
-TEST_CASE_TEMPLATE("A fast top goes round at M g l/(I3 w3), and the other way round if spun so",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "A fast top goes round at M g l/(I3 w3), and the other way if spun the other way", Real,
+    EVERY_PRECISION) {
   const auto gyroscope = toy_gyroscope<Real>();
   for (const Real cosine : {Real(-0.9), Real(0.2), Real(1)})
     for (const Real spin : {Real(240), Real(500), Real(2000), Real(1e5), Real(1e7)}) {
@@ -108,8 +109,9 @@ TEST_CASE_TEMPLATE("Let go, a top dips as far as the elliptic solution says, and
 }
 //! [let_go]
 
-TEST_CASE_TEMPLATE("Of the lowest point no digits are lost, near upright nor for the fastest spin",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "The lowest point loses no digits, neither near upright nor for the fastest spin", Real,
+    EVERY_PRECISION) {
   const auto gyroscope = toy_gyroscope<Real>();
   const Real least = least_sleeping_spin(gyroscope);
   for (const int upright : {1, 4, 10, 20})
@@ -171,8 +173,8 @@ TEST_CASE(
 
 //! [sleeps]
 TEST_CASE_TEMPLATE(
-    "Nudged, the upright top stands above its least spin, and below it falls as far as "
-    "said",
+    "Nudged, the upright top stands above its least spin, and below it falls as far as the formula "
+    "says",
     Real, EVERY_PRECISION) {
   const auto gyroscope = toy_gyroscope<Real>();
   const auto wide = widened(gyroscope);
@@ -203,7 +205,7 @@ TEST_CASE_TEMPLATE(
 //! [sleeps]
 
 //! [first_order]
-TEST_CASE("Half the step: kick and drift comes twice as near to the exact top") {
+TEST_CASE("Half the step: kick and drift come twice as near to the exact top") {
   const auto gyroscope = toy_gyroscope<Exact>();
   const Top<Exact> start = set_spinning<Exact>(gyroscope, 1, 200);
   const auto exact = exactly_spinning(start, gyroscope);

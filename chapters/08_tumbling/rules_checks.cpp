@@ -247,7 +247,7 @@ TEST_CASE(
 
 //! [without_sine]
 TEST_CASE(
-    "Without a sine the splitting still is exact in L, bounded in energy and of second order") {
+    "Without a sine the splitting is still exact in L, bounded in energy and of second order") {
   for (const TumblingProblem* problem : {&A, &B, &C}) {
     const Motion motion = watched<double>(*problem, turn_by_splitting_without_sine<double>);
     CHECK(motion.diverged == 0);

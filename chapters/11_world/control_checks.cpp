@@ -152,7 +152,7 @@ double growth(World<double> world, int steps) {
 }  // namespace
 
 TEST_CASE(
-    "A loop that holds an attitude is stable below its limit, and by few times that it grows") {
+    "A loop that holds an attitude is stable below its limit, and grows at a few times that") {
   int sharp = 0;
   for (std::uint64_t seed = 1; seed <= 120; ++seed) {
     CAPTURE(seed);
@@ -339,7 +339,7 @@ struct Finder {
 }  // namespace
 
 TEST_CASE(
-    "An effect that reads how a body moves and does not say how it answers is told in the plan") {
+    "An effect that reads how a body moves and does not say how it answers is named in the plan") {
   World<double> world;
   const BodyHandle body = world.add("body", make_particle<double>(1));
   const BodyHandle post = world.add("post", make_static_particle<double>({1, 0, 0}));

@@ -60,7 +60,7 @@ TEST_CASE_TEMPLATE("A model is drawn by its handle, on the way between the last 
   }
 }
 
-TEST_CASE("Who is put elsewhere is not drawn on the way, and a slot's new body starts anew") {
+TEST_CASE("A body put elsewhere is not drawn on the way there, and a slot's new body starts anew") {
   World<double> world(steps_per_second(1));
   Drawing<double> drawing;
   const BodyHandle ball = world.add("ball", make_particle<double>(1, {0, 0, 0}, {1, 0, 0}));

@@ -53,7 +53,7 @@ TEST_CASE_TEMPLATE("Each value of each effect is refused where it is no number",
   CHECK(complaint_of([] { Thruster<Real>{.from = 2, .until = 2}.check(); }) == "nothing thrown");
 }
 
-TEST_CASE_TEMPLATE("A body that moves and turns needs an effect unless a value of that is zero",
+TEST_CASE_TEMPLATE("A body that moves and turns needs every effect whose strength is not zero",
                    Real, EVERY_PRECISION) {
   const Facts facts{.moves = true, .turns = true};
   const auto needed = [&](const auto& effect) { return effect.why_skipped(facts).empty(); };
@@ -137,7 +137,7 @@ TEST_CASE_TEMPLATE("A tether pulls as soon as it is taut, however weakly, and st
   CHECK(same_bits(spring_force<Real>(slack, {Real(0.5), 0, 0}, {4, 0, 0}), Vec3<Real>(0, 0, 0)));
 }
 
-TEST_CASE_TEMPLATE("A body is whole only if each of its numbers is", Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("A body is whole only if each of its numbers is finite", Real, EVERY_PRECISION) {
   for (const Real bad : {nan_of<Real>, std::numeric_limits<Real>::infinity()}) {
     for (int axis = 0; axis < 3; ++axis) {
       Particle<Real> lost = make_particle<Real>(1), racing = lost;
@@ -170,7 +170,7 @@ TEST_CASE_TEMPLATE("The turn that was too far is told as |ω| h", Real, EVERY_PR
 }
 
 TEST_CASE_TEMPLATE(
-    "What is not said of an effect is nothing, but for water, the Earth and air at rest", Real,
+    "Values that an effect is not given are those of water, the Earth and still air, or zero", Real,
     EVERY_PRECISION) {
   CHECK(Buoyancy<Real>{}.density == 1000);
   CHECK(Buoyancy<Real>{}.surface == 0);

@@ -194,7 +194,7 @@ TEST_CASE_TEMPLATE("A thruster turns with its body: it spins up as τ t/I and pu
 //! [thruster_spins]
 
 TEST_CASE_TEMPLATE(
-    "A thruster burns in the steps that begin while it burns: one between two, never", Real,
+    "A thruster acts in the steps that begin while it burns, and if none begins, in none", Real,
     EVERY_PRECISION) {
   const auto speed_after = [](Real from, Real until) {
     World<Real> world(steps_per_second(64));
@@ -210,7 +210,7 @@ TEST_CASE_TEMPLATE(
 }
 
 TEST_CASE_TEMPLATE(
-    "By Verlet a thruster burns in the steps in whose middle it burns, and by Suzuki in each kick "
+    "By Verlet a thruster acts in the steps in whose middle it burns, and by Suzuki in each kick "
     "by itself, the backward one too",
     Real, EVERY_PRECISION) {
   const auto steps_burnt = [](Scheme scheme, Real from, Real until) {

@@ -154,7 +154,7 @@ TEST_CASE_TEMPLATE("Torques that are finite each and infinite together are blame
   CHECK(std::string(error.what()).find("it would turn by ") != std::string::npos);
 }
 
-TEST_CASE_TEMPLATE("A body whose position is lost is named before one whose orientation is lost",
+TEST_CASE_TEMPLATE("A body that loses its place is named before one that loses its orientation",
                    Real, EVERY_PRECISION) {
   World<Real> world(steps_per_second(1));
   world.add("first", box_body<Real>({0, 0, 0}));
@@ -178,7 +178,7 @@ TEST_CASE_TEMPLATE("A push of one step that is too strong is told by the speed t
                   "m/s the step would lead to no finite position") == 0);
 }
 
-TEST_CASE_TEMPLATE("Of two effects that give no number the one is blamed that acts first", Real,
+TEST_CASE_TEMPLATE("Of two effects that give no number, the one that acts first is blamed", Real,
                    EVERY_PRECISION) {
   World<Real> world;
   world.add("bystander", make_static_particle<Real>({0, 0, 0}));

@@ -61,7 +61,8 @@ TEST_CASE("A group is a set, whatever comes, goes and takes the place of another
   }
 }
 
-TEST_CASE("A group of the first so many is a number: who comes and goes at its end lists nobody") {
+TEST_CASE(
+    "A group of the first so many bodies is a number: coming and going at its end lists nobody") {
   Group group;
   for (BodyIndex i = 0; i < 100; ++i) group.insert(i);
   group.replace_by_last(7, 99);

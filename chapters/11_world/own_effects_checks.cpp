@@ -95,7 +95,8 @@ struct OneSided : Named {
 }  // namespace
 
 TEST_CASE(
-    "A force, a torque or a blow can't name its phase, nor one that finds its pairs its bodies") {
+    "A force, a torque or a blow can't name its phase, nor an effect that finds its pairs its "
+    "bodies") {
   CHECK(!ActsInItsPhase<LateForce, double>);
   CHECK(!ActsInItsPhase<EarlyBlow, double>);
   CHECK(ActsInItsPhase<Elsewhere<double>, double>);

@@ -142,8 +142,9 @@ TEST_CASE_TEMPLATE("An effect that nobody needs any more is in no phase", Real, 
   CHECK(runs(alone, Phase::force) == 0);
 }
 
-TEST_CASE_TEMPLATE("Who is taken back to rest is visited no more, and who moved then is again",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "A body taken back to rest is visited no more, and one taken back to motion is visited again",
+    Real, EVERY_PRECISION) {
   World<Real> world;
   const BodyHandle mover = world.add("mover", box_body<Real>({0, 0, 0}));
   const BodyHandle spinner = world.add("spinner", box_body<Real>({5, 0, 0}));
@@ -249,7 +250,7 @@ TEST_CASE_TEMPLATE("Whatever may change the work of a step gives it a new number
   CHECK(is_new());
 }
 
-TEST_CASE_TEMPLATE("A body of a copy that has more of them is nobody in the original", Real,
+TEST_CASE_TEMPLATE("A body that only a copy has is unknown to the original", Real,
                    EVERY_PRECISION) {
   World<Real> world;
   world.add("a", make_particle<Real>(1));

@@ -145,7 +145,7 @@ TEST_CASE_TEMPLATE("A mark of a point is refused where a body with a top has tak
   CHECK_THROWS_AS(world.restore(mark), std::invalid_argument);
 }
 
-TEST_CASE_TEMPLATE("A body that an effect has put somewhere and then left is marked there", Real,
+TEST_CASE_TEMPLATE("A mark holds the place where an effect, since removed, has put a body", Real,
                    EVERY_PRECISION) {
   World<Real> world;
   const BodyHandle body = world.add("body", make_particle<Real>(1));

@@ -286,7 +286,7 @@ TEST_CASE("What resists a small turn is the change of the torque") {
   CHECK(both == Mat3d::Zero());
 }
 
-TEST_CASE("One spring is stable up to its limit in every direction, and unstable above in one") {
+TEST_CASE("One spring is stable up to its limit in every direction, and unstable above it in one") {
   Dice dice(8);
   for (int n = 0; n < 40; ++n) {
     const RigidBody<double> body = random_body<double>(dice);

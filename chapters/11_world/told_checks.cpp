@@ -51,8 +51,9 @@ std::string said_to_standard_error(const Action& action) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("News name the pass, whom it visits of those it is meant for, and the cause",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "News names the pass, how many it visits of those it is meant for, and the cause", Real,
+    EVERY_PRECISION) {
   World<Real> world;
   std::vector<BodyHandle> bodies;
   for (const char* name : {"a", "b", "c", "d"})
@@ -97,8 +98,9 @@ TEST_CASE_TEMPLATE("News name the pass, whom it visits of those it is meant for,
   CHECK(world.news().back().find("('gravity' was removed, 'd' was removed)") != std::string::npos);
 }
 
-TEST_CASE_TEMPLATE("Whatever changes a spring or the scheme is warned of anew, and nothing else is",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "A change of a spring or of the scheme brings the warning anew, and nothing else does", Real,
+    EVERY_PRECISION) {
   World<Real> world(steps_per_second(1));
   std::vector<std::string> told;
   world.on_warning([&](const std::string& warning) { told.push_back(warning); });
@@ -221,7 +223,7 @@ TEST_CASE_TEMPLATE("An effect that needs a top is refused a point, at first and 
   CHECK(world.effects()[0].targets.size() == 2);
 }
 
-TEST_CASE_TEMPLATE("The news name three causes and count the others", Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("The news names three causes and counts the others", Real, EVERY_PRECISION) {
   const auto news_after = [](int changes) {
     World<Real> world;
     const BodyHandle box = world.add("box", box_body<Real>({0, 0, 0}));

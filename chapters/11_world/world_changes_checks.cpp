@@ -194,7 +194,7 @@ struct Hand {
 }  // namespace
 
 //! [input]
-TEST_CASE_TEMPLATE("A push at a point acts in one step alone, like an effect that acts so long",
+TEST_CASE_TEMPLATE("A push at a point acts in one step alone, like an effect that lasts one step",
                    Real, EVERY_PRECISION) {
   const auto after = [](bool by_hand) {
     World<Real> world(steps_per_second(64));
@@ -262,7 +262,7 @@ TEST_CASE_TEMPLATE("A push that is given before a step that fails is given again
   CHECK(same_bits(world.body(ball).centre.velocity, Vec3<Real>(3, 0, -8)));
 }
 
-TEST_CASE_TEMPLATE("An effect can be changed, and visits then whom it needs", Real,
+TEST_CASE_TEMPLATE("An effect can be changed, and then visits the bodies that need it", Real,
                    EVERY_PRECISION) {
   World<Real> world(steps_per_second(1));
   const BodyHandle ball = world.add("ball", make_particle<Real>(1));

@@ -64,8 +64,9 @@ TEST_CASE_TEMPLATE("A stale handle says so, and its slot's next body is another 
 //! [stale]
 
 //! [foreign]
-TEST_CASE_TEMPLATE("A handle that nobody gave out, or another world, is refused; a copy knows it",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "A handle from no world or from another is refused; a copy knows those of its original", Real,
+    EVERY_PRECISION) {
   World<Real> world, other;
   const BodyHandle body = world.add("body", make_particle<Real>(1));
   const BodyHandle foreign = other.add("foreign", make_particle<Real>(1));

@@ -122,8 +122,9 @@ EXERCISE_CHECK(
                                      " m from where another began; it must be there by then");
   }
   // First order: half the step, half the miss. The next order changes the ratio by some percent.
-  require(fine < Real(0.1), "after one period a body is " + shown(fine) +
-                                " m from where it began: they don't follow the figure of eight");
+  require(fine < Real(0.1),
+          "after one period a body is " + shown(fine) +
+              " m from where it began: the three don't follow the figure of eight");
   require(coarse > Real(1.8) * fine, "with half the step the miss went from " + shown(coarse) +
                                          " to " + shown(fine) + " m; it must be half or less");
 }

@@ -33,8 +33,8 @@ EXERCISE_CHECK("About the point found the torque is parallel to the force") {
         "cross product");
   if (farthest(point, d) <= tolerance)
     fail(
-        "the point is right as seen from the point that the wrench is taken about, and is not in "
-        "world axes. Where does it begin?");
+        "that is the way from the point that the wrench is taken about, and not yet a place in the "
+        "world. Where does it begin?");
   Found("torque about the point, crossed with the force,", "N² m", across)
       .not_a_number("the point that came back is not a number")
       .must_be(Vec3<Real>::Zero(), tolerance);
@@ -51,7 +51,7 @@ EXERCISE_CHECK(
           "force");
 }
 
-EXERCISE_CHECK("For one single force it is a point on the line of that force") {
+EXERCISE_CHECK("For a single force it is a point on the line of that force") {
   const Vec3<Real> force(0, 3, 4), hit(2, 0, 1);
   Wrench<Real> wrench{.about = Vec3<Real>(-1, 2, 0.5)};
   add_force_at(wrench, force, hit);
@@ -76,8 +76,9 @@ EXERCISE_CHECK("Twice the force with twice the torque has the same axis") {
       .mistake(2 * way,
                "it doubled. The denominator is |F| where it should be |F|²: force and torque both "
                "doubled in the numerator")
-      .mistake(4 * way,
-               "it grew by 4. Force and torque are in the numerator, and there is no denominator")
+      .mistake(
+          4 * way,
+          "it grew fourfold. Force and torque are in the numerator, and there is no denominator")
       .mistake(way / 2, "it halved. There is one |F| too many in the denominator")
       .must_be(way, 12 * unit_roundoff<Real> * 8);
   // A power of two rounds nothing.
@@ -100,7 +101,7 @@ EXERCISE_CHECK("A couple has no force and no axis, and is refused") {
         .must_be(Vec3<Real>::Zero(), 12 * 4 * unit_roundoff<Real>);
   }
   ask_refusal(
-      "a couple got the answer of a point. Its torque is the same about every point and parallel "
+      "a couple was given a point. Its torque is the same about every point and parallel "
       "to no force: "
       "throw std::invalid_argument",
       "point_on_central_axis", couple);

@@ -85,10 +85,10 @@ EXERCISE_CHECK("Twice the head adds twice as much to the moment about the grip")
     require(once > 0, "a head of " + shown(light.M) + " kg adds " + shown(once) +
                           " kg m² to the moment; it must add more than nothing");
     Found("with a head twice as heavy, the head's share grew by a factor that", "", twice / once)
-        .mistake(
-            4,
-            "the head is twice as heavy, so its share should double; yours grew by 4. Is a mass "
-            "squared?")
+        .mistake(4,
+                 "the head is twice as heavy, so its share should double; yours grew fourfold. Is "
+                 "a mass "
+                 "squared?")
         .mistake(
             1,
             "the head is twice as heavy, so its share should double; yours stayed. Is its mass "

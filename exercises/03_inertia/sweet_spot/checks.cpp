@@ -41,7 +41,7 @@ EXERCISE_CHECK("A blow at the centre of mass moves every point alike") {
         .must_be(Vec3<Real>(blow / 8), some_roundings<Real>);
 }
 
-EXERCISE_CHECK("What b feels along u of a blow w at a, a feels along w of a blow u at b") {
+EXERCISE_CHECK("What a blow w at a does to b along u, a blow u at b does to a along w") {
   // Maxwell's reciprocity, which holds because the tensor is symmetric: u·v_b of a blow w at a is
   // w·v_a of a blow u at b.
   const auto body = odd_body<Real>();

@@ -79,7 +79,7 @@ EXERCISE_CHECK("A small wobble grows about the middle axis, and about no other")
   }
   const Vec3<Real> coin(1, 1, 2);
   require(growth(coin, 0, spin) == 0 && wobble(coin, 0, spin) == 0,
-          "about the edge of a coin, with moments 1, 1 and 2, a wobble neither grows nor goes "
+          "about a diameter of a coin, with moments 1, 1 and 2, a wobble neither grows nor goes "
           "round: both rates are 0");
 }
 

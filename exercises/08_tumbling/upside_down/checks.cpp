@@ -122,7 +122,7 @@ EXERCISE_CHECK("When the masses move, the angular momentum stays and the spin gi
           "the satellite has turned. The masses move in no time; turning comes later");
 }
 
-EXERCISE_CHECK("The booms stay out until the satellite is upside down as far as it gets") {
+EXERCISE_CHECK("The booms stay out until the satellite is as far upside down as it gets") {
   const auto asked = [](Real x, Real y, Real z, bool out) {
     auto top = satellite<Real>(Vec3<Real>(x, y, z));
     if (out) top.inverse_moments.tail(2) = (hull<Real>.tail(2).array() + Real(0.8)).inverse();

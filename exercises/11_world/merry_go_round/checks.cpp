@@ -37,8 +37,8 @@ EXERCISE_CHECK(
                "it pulls inward. That is what holds a rider; what he feels is the opposite")
       .mistake(Vector(truth / 2),
                "half of it: is the mass of 2 kg missing, or one of the two crosses?")
-      .mistake(Vector(truth / 4), "a quarter of it: the rate counts with its square")
-      .mistake(Vector(2 * truth), "twice of it. The 2 belongs to the other force, Coriolis's")
+      .mistake(Vector(truth / 4), "a quarter of it: where is the rate? It counts with its square")
+      .mistake(Vector(2 * truth), "twice as much. The 2 belongs to the other force, Coriolis's")
       .mistake(Vector(24, -32, 40),
                "it has a part along the axis. Ω × (Ω × x) has none: take both "
                "cross products, not Ω² x")
@@ -68,7 +68,8 @@ EXERCISE_CHECK(
 }
 
 EXERCISE_CHECK(
-    "What rests on the ground is seen to go round in a circle, and this force bends it just so") {
+    "What rests on the ground is seen to go round in a circle, and this force holds it on that "
+    "circle") {
   using Vector = Vec3<Real>;
   const Vector spin(Real(0.5), -1, 2), place(1, 2, -1);
   // Seen from on board the ground turns backwards: x' = -Ω × x, and so x'' = Ω × (Ω × x).
@@ -89,7 +90,7 @@ EXERCISE_CHECK(
   }
 }
 
-EXERCISE_CHECK("The outward force is how the potential energy falls") {
+EXERCISE_CHECK("The outward force is the downhill slope of the potential energy") {
   using Vector = Vec3<Real>;
   const Vector spin(Real(0.5), -1, 2), place(1, 2, -1);
   for (const int mass : two_masses) {
@@ -114,12 +115,12 @@ EXERCISE_CHECK("The outward force is how the potential energy falls") {
   Found("the energy on the axis", "J", energy_at<Real>(spin, spin, 2)).must_be(0, tolerance<Real>);
 }
 
-EXERCISE_CHECK("A plan leaves it out when it stands still, and never else") {
+EXERCISE_CHECK("A plan leaves it out when it stands still, and only then") {
   const auto skipped = [](const Vec3<Real>& spin) { return ask<int>("is_skipped", spin) != 0; };
   require(
       !skipped({0, 0, 1}),
       "it turns with 1 rad/s, and the plan leaves it out: the balls would fly straight on board. "
-      "A predicate returns a reason only where nothing is to do");
+      "A predicate returns a reason only where there is nothing to do");
   require(!skipped({-1, 0, 0}), "with -1 rad/s about x the plan leaves it out. Look at all of Ω");
   require(!skipped({0, Real(0x1p-10), 0}),
           "with a thousandth of a rad/s about y the plan leaves it out. However slowly it turns, "

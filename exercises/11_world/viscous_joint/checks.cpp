@@ -106,7 +106,8 @@ EXERCISE_CHECK("A pair gains no angular momentum from its joint") {
       .mistake(
           Vec3<Real>(couple / 2),
           "a pair begins to spin by itself: one of the torques is missing, or has the wrong sign "
-          "twice. The second's arm is opposite, and so is its force: its torque is like the first")
+          "twice. The second's arm is opposite, and so is its force: its torque is the same as the "
+          "first's")
       .mistake(Vec3<Real>(2 * couple),
                "the torques add to it, where they must take it away: is arm × force turned round?")
       .must_be(Vec3<Real>::Zero(), tolerance<Real>);

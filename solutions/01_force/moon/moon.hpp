@@ -16,7 +16,7 @@ tumble::Vec3<Real> gravity() {
 }
 
 /// How high (m) a ball rises that is thrown straight up with `speed` m/s, in steps of `time_step`
-/// seconds. What is a kilometre high by then has been lost.
+/// seconds. A ball that gets a kilometre high counts as lost.
 template <class Real>
 Real highest_point(Real speed, Real time_step) {
   using namespace tumble;

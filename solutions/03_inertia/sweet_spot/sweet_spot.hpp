@@ -18,9 +18,9 @@ tumble::Vec3<Real> velocity_after_blow(const tumble::MassProperties<Real>& body,
   //! [end]
 }
 
-/// How far (m) beyond the centre of mass a blow across the bat leaves the grip at rest, which is
-/// `grip` m from the centre of mass on the other side. `moment` (kg m²) is the one about the centre
-/// of mass across bat and blow, `mass` in kg.
+/// How far (m) beyond the centre of mass a blow across the bat must land to leave the grip at rest.
+/// The grip is `grip` m from the centre of mass, on the other side. `moment` (kg m²) is that about
+/// the axis through the centre of mass that is perpendicular to bat and blow; `mass` is in kg.
 template <class Real>
 Real sweet_spot(Real mass, Real moment, Real grip) {
   //! [solution] the distance at which the grip stays at rest

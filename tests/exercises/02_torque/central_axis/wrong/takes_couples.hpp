@@ -1,5 +1,5 @@
 // caught by: A couple has no force and no axis, and is refused
-// message: a couple got the answer of a point
+// message: a couple was given a point
 #pragma once
 #include <tumble/torque.hpp>
 

@@ -1,5 +1,5 @@
 // caught by: Twice the head adds twice as much to the moment about the grip
-// message: yours grew by 4. Is a mass squared?
+// message: yours grew fourfold. Is a mass squared?
 #pragma once
 #include <tumble/mass_properties.hpp>
 

@@ -1,4 +1,4 @@
-// caught by: What b feels along u of a blow w at a, a feels along w of a blow u at b
+// caught by: What a blow w at a does to b along u, a blow u at b does to a along w
 // message: Where is the turn?
 #pragma once
 #include <tumble/mass_properties.hpp>

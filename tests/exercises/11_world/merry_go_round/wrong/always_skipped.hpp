@@ -1,4 +1,4 @@
-// caught by: A plan leaves it out when it stands still, and never else
+// caught by: A plan leaves it out when it stands still, and only then
 // message: the balls would fly straight
 #pragma once
 

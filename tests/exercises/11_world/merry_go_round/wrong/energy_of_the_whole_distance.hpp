@@ -1,4 +1,4 @@
-// caught by: The outward force is how the potential energy falls
+// caught by: The outward force is the downhill slope of the potential energy
 // message: Only the distance from the axis counts
 #pragma once
 
