@@ -48,7 +48,7 @@ TEST_CASE_TEMPLATE("There and back by the parallel axis is no journey", Real, EV
   CHECK((back.inertia - body.inertia).norm() <= 3 * unit_roundoff<Real> * there.norm());
 }
 
-TEST_CASE_TEMPLATE("A rod turns four times as hard about its end as about its middle", Real,
+TEST_CASE_TEMPLATE("A rod is four times as hard to turn about its end as about its middle", Real,
                    EVERY_PRECISION) {
   const MassProperties<Real> rod = mass_properties(ThinRod<Real>{2}, 3);
   const Real about_end = inertia_about(rod, Vec3<Real>(0, 0, 1))(0, 0);

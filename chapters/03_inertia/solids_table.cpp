@@ -30,7 +30,7 @@ int main(int argument_count, char** arguments) {
       mass_properties(Sphere<double>{1}, 1));
   row("hollow sphere, radius r", "2mr²/3", "2mr²/3", "2mr²/3",
       mass_properties(HollowSphere<double>{1}, 1));
-  row("spherical shell, radii a < b", "2m(b⁵−a⁵)/5(b³−a³)", "as I_x", "as I_x",
+  row("spherical shell, radii a < b", "2m(b⁵−a⁵)/(5(b³−a³))", "as I_x", "as I_x",
       mass_properties(SphericalShell<double>{0.5, 1}, 1));
   row("cylinder, radius r, height h", "m(3r²+h²)/12", "as I_x", "mr²/2",
       mass_properties(Cylinder<double>{1, 1}, 1));

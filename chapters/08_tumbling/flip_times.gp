@@ -1,4 +1,4 @@
-set title "With a tenth of the wobble, each flip takes the same time longer"
+set title "Each tenth of the wobble delays the flip by the same time"
 set xlabel "wobble / spin"
 set ylabel "from flip to flip (s)"
 set logscale x

@@ -142,7 +142,7 @@ TEST_CASE_TEMPLATE("A step that fails takes back an orientation that an effect h
   }
 }
 
-TEST_CASE_TEMPLATE("A torque or a spin from an effect that sees the body is the body's", Real,
+TEST_CASE_TEMPLATE("An effect that sees the whole body can give it a torque or a spin", Real,
                    EVERY_PRECISION) {
   World<Real> world(steps_per_second(1));
   const BodyHandle torqued = world.add("torqued", body_at<Real>({0, 0, 0}));
@@ -155,8 +155,8 @@ TEST_CASE_TEMPLATE("A torque or a spin from an effect that sees the body is the 
 }
 
 TEST_CASE_TEMPLATE(
-    "A body that is free about one axis alone is turned about that, by whatever axis", Real,
-    EVERY_PRECISION) {
+    "A body that is free to turn about one axis alone is turned about that one, whichever it is",
+    Real, EVERY_PRECISION) {
   for (int axis = 0; axis < 3; ++axis) {
     CAPTURE(axis);
     World<Real> world(steps_per_second(1));
@@ -170,7 +170,7 @@ TEST_CASE_TEMPLATE(
 }
 
 TEST_CASE_TEMPLATE(
-    "A blow turns both bodies, and pairs that an effect finds are those that it finds", Real,
+    "A blow turns both bodies, and an effect that finds its own pairs acts on those alone", Real,
     EVERY_PRECISION) {
   World<Real> world(steps_per_second(1));
   const BodyHandle first = world.add("first", body_at<Real>({0, 0, 0}));

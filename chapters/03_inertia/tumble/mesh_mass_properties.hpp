@@ -59,8 +59,8 @@ Vec3<Real> sum_of_products(const Vec3<Real>& b, const Vec3<Real>& c) {
 /// the factor r·n dA is a constant, and the integral comes to the one over the tetrahedron from the
 /// origin:
 ///   ∫ dV = Σ D/6,   ∫ r dV = Σ D/24 s,   ∫ r rᵀ dV = Σ D/120 (a aᵀ + b bᵀ + c cᵀ + s sᵀ),
-/// D = a·(b × c), s = a + b + c. A triangle that the origin sees from behind has D < 0 and takes
-/// its tetrahedron away again.
+/// D = a·(b × c), s = a + b + c. A triangle that faces the origin has D < 0 and takes its
+/// tetrahedron away again.
 //! [integrate]
 template <class Real>
 MeshIntegrals<Real> integrate(const Mesh<Real>& mesh, const MeshFrame<Real>& frame,

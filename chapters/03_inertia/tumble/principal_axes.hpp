@@ -24,7 +24,7 @@ struct PrincipalAxes {
 ///
 /// The new axes are p cos φ − q sin φ and p sin φ + q cos φ, and in them I_pq is (cos²φ − sin²φ)
 /// I_pq + sin φ cos φ (I_pp − I_qq). With t = tan φ it is 0 when t² + 2θt − 1 = 0, where θ = (I_qq
-/// − I_pp)/(2 I_pq). Of the two roots the smaller one turns by 45° at most.
+/// − I_pp)/(2 I_pq). The root nearer to 0 turns by 45° at most.
 //! [remove_product]
 template <class Real>
 void remove_product(Mat3<Real>& I, Mat3<Real>& axes, int p, int q) {

@@ -8,8 +8,8 @@
 
 namespace tumble {
 
-/// L × ω (N m, body axes): how fast the body sees its own angular momentum change while none acts
-/// on it. The world's L stands still; the body turns beneath it.
+/// L × ω (N m, body axes): how fast the body sees its own angular momentum change while no torque
+/// acts on it. The world's L stands still; the body turns beneath it.
 //! [gyroscopic_torque]
 template <class Real>
 Vec3<Real> gyroscopic_torque(const Top<Real>& top) {

@@ -7,8 +7,8 @@
 
 namespace tumble {
 
-/// What a body is, whatever acts on it. `before` is what was known of it: who has moved may move,
-/// and a push of this step alone is still to come.
+/// What a body is, whatever acts on it. `before` is what was known of it: a body that has moved
+/// may move, and a push of this step alone is still to come.
 template <class Real>
 Facts facts_alone(const BodyState<Real>& body, bool is_point, const Facts& before = {}) {
   Facts facts;

@@ -1,6 +1,6 @@
 /// @file
-/// How the bodies of a world move at one moment, to come back to it for what those cost that may
-/// have moved.
+/// How the bodies of a world move at one moment, to come back to it at the cost of those alone
+/// that may have moved.
 #pragma once
 
 #include <memory>

@@ -118,8 +118,8 @@ struct Steady {
   }
 };
 
-/// Rules that one can choose from while a program runs. Only what a list names is compiled, so who
-/// wants more rules makes a longer list, and nobody else pays for it.
+/// Rules that one can choose from while a program runs. Only what a list names is compiled, so
+/// whoever wants more rules makes a longer list, and nobody else pays for it.
 //! [turning_rules]
 template <class... Rules>
 struct TurningRules {

@@ -25,8 +25,8 @@ class World : public Scenery<Real, Keeping> {
  public:
   using Base::work;
 
-  /// @throws std::invalid_argument if the step is negative or longer than an hour. In one of no
-  /// time no force, kick or drift moves anything; what effects write by themselves they still
+  /// @throws std::invalid_argument if the step is negative or longer than an hour. In a step
+  /// of 0 s no force, kick or drift moves anything; what effects write by themselves they still
   /// write.
   template <TurningRule<Real> Rule = Splitting>
   explicit World(const StepLength& step = {}, const Rule& rule = {})

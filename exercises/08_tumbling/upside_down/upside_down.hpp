@@ -13,11 +13,11 @@ void set_booms(tumble::Top<Real>& top, const tumble::Vec3<Real>& hull, Real mass
   todo("the inverse moments with the masses out there; what else changes?");
 }
 
-/// Whether the booms shall be out, when they are `out` now. The order is: spin with −x along the
-/// angular momentum, from wherever you are.
+/// Whether the booms should be out; `out` says whether they are now. The order is: spin with −x
+/// along the angular momentum, from wherever you are.
 template <class Real>
 bool booms_out(const tumble::Top<Real>& top, bool out) {
-  todo("out until it is upside down, and in again when it is so as far as it gets");
+  todo("out until it is upside down, and in again when it is as far over as it gets");
 }
 
 /// The satellite after `steps` steps of `time_step` seconds, from a start with the booms in.

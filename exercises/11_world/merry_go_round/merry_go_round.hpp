@@ -23,7 +23,7 @@ struct MerryGoRound {
     todo("the centrifugal force and Coriolis's");
   }
 
-  /// The energy (J) that the outward force takes from when a body goes outward.
+  /// The energy (J) on which the outward force draws when a body goes outward.
   Real potential_energy(const tumble::BodyState<Real>& body) const {
     todo("the potential energy of the centrifugal force");
   }

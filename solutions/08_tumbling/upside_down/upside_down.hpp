@@ -17,11 +17,11 @@ void set_booms(tumble::Top<Real>& top, const tumble::Vec3<Real>& hull, Real mass
   //! [end]
 }
 
-/// Whether the booms shall be out, when they are `out` now. The order is: spin with −x along the
-/// angular momentum, from wherever you are.
+/// Whether the booms should be out; `out` says whether they are now. The order is: spin with −x
+/// along the angular momentum, from wherever you are.
 template <class Real>
 bool booms_out(const tumble::Top<Real>& top, bool out) {
-  //! [solution] out until it is upside down, and in again when it is so as far as it gets
+  //! [solution] out until it is upside down, and in again when it is as far over as it gets
   const bool upside_down = top.angular_momentum_body.x() < 0;
   const bool on_its_way = tumble::gyroscopic_torque(top).x() < 0;
   return !upside_down || (out && on_its_way);

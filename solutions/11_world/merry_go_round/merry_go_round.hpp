@@ -28,7 +28,7 @@ struct MerryGoRound {
     //! [end]
   }
 
-  /// The energy (J) that the outward force takes from when a body goes outward.
+  /// The energy (J) on which the outward force draws when a body goes outward.
   Real potential_energy(const tumble::BodyState<Real>& body) const {
     //! [solution] the potential energy of the centrifugal force
     const tumble::Vec3<Real> carried = spin.cross(body.centre.position);

@@ -1,5 +1,5 @@
-// caught by: What rests on the ground is seen to go round in a circle, and this force bends it just
-// so message: Does the force see the velocity?
+// caught by: What rests on the ground is seen to go round in a circle, and this force holds it on
+// that circle message: Does the force see the velocity?
 #pragma once
 
 #include <string_view>

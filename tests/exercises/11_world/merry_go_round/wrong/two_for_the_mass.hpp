@@ -1,5 +1,5 @@
-// caught by: What rests on the ground is seen to go round in a circle, and this force bends it
-// just so
+// caught by: What rests on the ground is seen to go round in a circle, and this force holds it on
+// that circle
 // message: the force on 5 kg
 #pragma once
 
