@@ -112,7 +112,7 @@ EXERCISE_CHECK("The sum is off by at most half a tick for each value, either way
       .mistake(0, "each lost its digits: a cast cuts them off. Take the nearest, with std::llround")
       .mistake(-75, "nothing was rounded. Then how is the sum one of whole numbers?")
       .must_be(-100, 0);
-  // The last odd number of ticks with a half beside it, in float: half a tick more is rounded.
+  // From 2^23 on a float has no halves: to add one rounds, and here to the next even number.
   const Real odd = Real(0x1p23) + 1;
   Found("the sum of 2^23 + 1 ticks, which is a whole number already,", "ticks",
         sum_on<Real>({odd}, 1, 1))
