@@ -145,7 +145,7 @@ EXERCISE_CHECK("The booms stay out until the satellite is upside down as far as 
       !asked(-12, Real(0.25), Real(0.25), true),
       "it is upside down, and L_x is rising again; the booms are still out, and it will turn back");
   require(!asked(-8, 4, 4, true),
-          "it is upside down by two thirds of L, and L_x is rising again: it gets no farther, and "
+          "four fifths of L are upside down, and L_x is rising again: it gets no farther, and "
           "the booms are still out. How does L_x change?");
   require(!asked(-12, Real(0.25), Real(-0.25), false),
           "it is upside down with its booms in, and they go out again. There they must stay in");
