@@ -105,6 +105,22 @@ EXERCISE_CHECK("A step leaves the momentum of all three together as it was, and 
   Found("what a step adds to the momenta of three bodies of 2, 4 and 1 kg together", "N s",
         Vec3<Real>(total(unequal) - before))
       .must_be(Vec3<Real>::Zero(), 8 * 3 * 8 * unit_roundoff<Real>);
+  // Three is the number of this lab and not of the function.
+  auto four = support::three_suns<Real>();
+  four.push_back(make_particle(Real(2), Vec3<Real>(0, 0, 2)));
+  Vec3<Real> fallen = Vec3<Real>::Zero();
+  for (int n = 0; n < 3; ++n) {
+    const Vec3<Real> way = four[std::size_t(n)].position - four[3].position;
+    fallen += Real(0.0625) * way / (four[std::size_t(n)].inverse_mass * std::pow(way.norm(), 3));
+  }
+  four = ask<std::vector<Particle<Real>>>("step_all", four, Real(0.0625));
+  require(four.size() == 4,
+          "four bodies went in, and " + std::to_string(four.size()) + " came out");
+  // Three pulls below 1/4 m/s² each, with some twenty roundings.
+  Found("the velocity of a fourth body, at rest 2 m above the three, after a step", "m/s",
+        four[3].velocity)
+      .mistake(Vec3<Real>::Zero(), "it feels nothing. How many bodies there are, the vector says")
+      .must_be(fallen, 3 * 20 * unit_roundoff<Real>);
 }
 
 EXERCISE_CHECK(

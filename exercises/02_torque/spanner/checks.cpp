@@ -78,6 +78,11 @@ EXERCISE_CHECK("A pull along the spanner is refused, and so is a spanner of no l
       "a pull at -1 rad, to the other side of the spanner, got an answer. It loosens the bolt; " +
           otherwise,
       "pull_needed", Real(40), Real(0.25), Real(-1));
+  ask_refusal(
+      "a pull at 4 rad, beyond pi and so to the other side of the spanner, got an answer. It "
+      "loosens the bolt; " +
+          otherwise,
+      "pull_needed", Real(40), Real(0.25), Real(4));
   const Real nan = std::numeric_limits<Real>::quiet_NaN();
   ask_refusal(
       "a length that is not a number got an answer: every comparison with NaN is false, so ask "

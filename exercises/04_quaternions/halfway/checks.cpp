@@ -93,6 +93,11 @@ EXERCISE_CHECK(
             "the result is not a number. Does something divide by the sine of an angle that is "
             "zero?")
         .must_be(Real(0.75), 4 * roundings<Real>);
+    Found("and the angle from there to the second", "rad", angle(found, q))
+        .mistake(Real(2.25),
+                 "it turned by as much as it should, but away from the second. With the sign of "
+                 "the real part change those of the others: q and -q are one orientation")
+        .must_be(Real(0.75), 4 * roundings<Real>);
   }
 }
 

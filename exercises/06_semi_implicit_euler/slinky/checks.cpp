@@ -129,6 +129,17 @@ EXERCISE_CHECK("Let go, the slinky's centre falls as a stone does") {
                   " m. Nothing pulls it sideways: gravity is along minus z");
     }
   }
+  const int steps = 96;
+  const auto on_the_moon =
+      ask<Beads<Real>>("dropped", hanging<Real>(), Real(Slinky::stiffness), Real(Slinky::closed),
+                       Real(1.62), Real(1) / steps_a_second, steps);
+  require(!on_the_moon.empty(), "24 beads went in, and none came out");
+  const double t = steps * h, fall = (t * t + h * t) / 2;
+  Found("the height of the centre when it is let go where things fall with 1.62 m/s²", "m",
+        height_of_centre(on_the_moon))
+      .mistake(Real(from - Slinky::gravity * fall),
+               "it falls as on Earth. The step is told how strong gravity is")
+      .must_be(Real(from - 1.62 * fall), double(steps * 16 * 2) * unit_roundoff<Real>);
 }
 
 EXERCISE_CHECK("The lowest coil hovers until the others have come down to it") {

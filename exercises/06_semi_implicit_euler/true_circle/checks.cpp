@@ -140,6 +140,10 @@ EXERCISE_CHECK(
       .must_be(start, (16 * 64 + 16) * rounding);
   // With 4 kg on 16 N/m the mass, w² and the root of the stiffness are one number: so another.
   const auto other = weight<Real>(Vec3<Real>(1, 0, Real(-0.5)), Vec3<Real>(0, 2, 1), 2);
+  const Real other_energy = other.velocity.squaredNorm() + 9 * other.position.squaredNorm();
+  Found("what is kept of 2 kg on 18 N/m, for a step of no length", "J", kept(other, 0, 18))
+      .mistake(other_energy * Real(4.5), "w², which is 9 here, stands where the mass belongs")
+      .must_be(other_energy, 16 * double(other_energy) * unit_roundoff<Real>);
   Found("what is kept of 2 kg on 18 N/m after a step, less what was kept before it,", "J",
         kept(by_matrix(other, h, 18), h, 18) - kept(other, h, 18))
       .must_be(0, (16 + 16) * 4 * double(kept(other, 0, 18)) * unit_roundoff<Real>);

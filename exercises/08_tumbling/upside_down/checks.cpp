@@ -138,9 +138,15 @@ EXERCISE_CHECK("The booms stay out until the satellite is as far upside down as 
       asked(-2, -8, 4, true),
       "it is hardly past the middle, and L_x still falls; the booms come in too early, and leave "
       "it in a tumble. How does L_x change?");
+  require(asked(-12, Real(-0.25), Real(0.25), true),
+          "it is nearly upside down, and L_x still falls: the booms come in before it is so as far "
+          "as it gets. How does L_x change?");
   require(
       !asked(-12, Real(0.25), Real(0.25), true),
       "it is upside down, and L_x is rising again; the booms are still out, and it will turn back");
+  require(!asked(-8, 4, 4, true),
+          "four fifths of L are upside down, and L_x is rising again: it gets no farther, and "
+          "the booms are still out. How does L_x change?");
   require(!asked(-12, Real(0.25), Real(-0.25), false),
           "it is upside down with its booms in, and they go out again. There they must stay in");
   require(!asked(-11, Real(0.25), Real(0.25), false),

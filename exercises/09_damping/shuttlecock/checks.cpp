@@ -135,4 +135,15 @@ EXERCISE_CHECK("It flies where ever shorter steps say, and half the step is half
   require(error > 1.7 * error_of_half && error < 2.4 * error_of_half,
           "with half the step the error went from " + shown(error) + " to " + shown(error_of_half) +
               " m; it must halve");
+  // One long step, whose order shows: kicked, slowed, moved.
+  const double h = 0.5;
+  const auto left = [&](const Vec3d& v) {
+    return Vec3d(wind + (v - wind) / (1 + coefficient() / mass * (v - wind).norm() * h));
+  };
+  const Vec3d start(0, 0, 2), kick(0, 0, -g * h);
+  Found("where a single step of half a second leads", "m", flown<Real>(shot, wind, h, 1))
+      .mistake(start + h * shot, "it was moved with the old velocity. The drift comes last")
+      .mistake(start + h * (left(shot) + kick),
+               "it was slowed first and kicked then. Gravity's kick comes before the drag")
+      .must_be(start + h * left(shot + kick), few_roundings<Real> * 32);
 }

@@ -68,6 +68,12 @@ EXERCISE_CHECK("What comes is braked, what goes is pushed less, and nothing is e
   look("goes with 1 m/s", 1, 0.5);
   look("goes with 1.998 m/s", 2 - 0x1p-9, 0x1p-10);
   look("goes with 4 m/s", 4, 0);
+  // At a quarter of a metre the root of the depth is the half of the speed's factor.
+  for (const auto& [speed, truth] : {std::pair{-1.0, 48000.0}, {1.0, 16000.0}})
+    Found("4 m below the ground, the push at a speed of " + shown(speed) + " m/s", "N",
+          double(push<Real>(-4, speed)))
+        .mistake(32000 * (1 - 2 * speed), "the part that the speed takes must not depend on depth")
+        .must_be(truth, few_roundings<Real> * truth);
 }
 
 EXERCISE_CHECK(

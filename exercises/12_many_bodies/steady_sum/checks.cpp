@@ -112,6 +112,12 @@ EXERCISE_CHECK("The sum is off by at most half a tick for each value, either way
       .mistake(0, "each lost its digits: a cast cuts them off. Take the nearest, with std::llround")
       .mistake(-75, "nothing was rounded. Then how is the sum one of whole numbers?")
       .must_be(-100, 0);
+  // From 2^23 on a float has no halves: to add one rounds, and here to the next even number.
+  const Real odd = Real(0x1p23) + 1;
+  Found("the sum of 2^23 + 1 ticks, which is a whole number already,", "ticks",
+        sum_on<Real>({odd}, 1, 1))
+      .mistake(odd + 1, "adding a half before cutting off rounds in that sum. std::llround doesn't")
+      .must_be(odd, 0);
   const auto values = momenta<Real>(2000);
   const double truth = exact_sum(values), found = double(sum_on<Real>(values, fine_tick, 4));
   // Half a tick a value, and the one rounding of the result.
@@ -133,6 +139,7 @@ EXERCISE_CHECK("What is not a number or beyond 2^40 ticks is refused, what is ju
   };
   const Real most = std::ldexp(Real(1), 40);
   refused(std::numeric_limits<Real>::infinity(), "infinity");
+  refused(most + std::ldexp(Real(1), 18), "2^40 + 2^18 ticks");
   refused(std::ldexp(Real(1), 41), "2^41 ticks");
   refused(-std::ldexp(Real(1), 70), "-2^70 ticks");
   refused(std::numeric_limits<Real>::quiet_NaN(), "NaN");

@@ -1,0 +1,36 @@
+// caught by: What is not a number or beyond 2^40 ticks is refused, what is just within is not
+// message: 2^40 + 2^18 ticks
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <tumble/require.hpp>
+#include <vector>
+
+template <class Real>
+std::int64_t ticks_of(Real value, Real tick) {
+  const Real ticks = value / tick;
+  const Real most = std::ldexp(Real(1), 41);
+  if (!(std::abs(ticks) < most))
+    tumble::reject("summand", value, "kg m/s", "it must be finite, and at most 2^40 ticks");
+  return std::llround(ticks);
+}
+
+template <class Real>
+std::int64_t sum_of_share(const std::vector<Real>& values, std::size_t first, std::size_t last,
+                          Real tick) {
+  std::int64_t sum = 0;
+  for (std::size_t i = first; i < last; ++i) sum += ticks_of(values[i], tick);
+  return sum;
+}
+
+template <class Real>
+Real sum_on(const std::vector<Real>& values, Real tick, int workers) {
+  const auto count = static_cast<std::size_t>(workers);
+  std::int64_t sum = 0;
+  for (std::size_t worker = count; worker-- > 0;)
+    sum += sum_of_share<Real>(values, values.size() * worker / count,
+                              values.size() * (worker + 1) / count, tick);
+  return static_cast<Real>(sum) * tick;
+}
