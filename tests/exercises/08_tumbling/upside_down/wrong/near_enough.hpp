@@ -1,4 +1,4 @@
-// caught by: The booms stay out until the satellite is upside down as far as it gets
+// caught by: The booms stay out until the satellite is as far upside down as it gets
 // message: L_x still falls: the booms come in before
 #pragma once
 
