@@ -13,7 +13,8 @@ bits_packages="nodejs:node libc++-dev libc++abi-dev qemu-user:qemu-aarch64 g++-a
   g++-riscv64-linux-gnu:riscv64-linux-gnu-g++ g++-s390x-linux-gnu:s390x-linux-gnu-g++ g++-i686-linux-gnu:i686-linux-gnu-g++"
 # The tests read the book's pages, judge scene files and spell what is written with them.
 test_packages="node-parse5 python3-jsonschema hunspell:hunspell hunspell-en-gb"
-browser_packages="chromium:chromium npm:npm"
+browser_packages="chromium:chromium"
+npm_packages="npm:npm" # fetches what drives the browser in the slow tests
 peer_packages="libbenchmark-dev libbullet-dev libode-dev libsimbody-dev" # bench measures, and measures with, these
 all_packages="clang:clang++ libclang-rt-dev clang-format:clang-format clang-tidy:clang-tidy shellcheck:shellcheck
   valgrind:valgrind slurm-wlm:slurmctld munge:munged"
