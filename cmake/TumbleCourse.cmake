@@ -141,8 +141,19 @@ function(tumble_add_tool name chapter)
   set_property(GLOBAL APPEND PROPERTY TUMBLE_TOOLS_FOLDERS ${CMAKE_CURRENT_SOURCE_DIR})
 endfunction()
 
-# tumble_add_checks(CHAPTER FILE...): one program with the chapter's checks, one CTest, one checks.xml. For whoever works
-# on one header, NAME_checks.cpp alone makes a program too, CHAPTER.NAME, built only when asked for.
+# tumble_label(TEST LABEL CHAPTER): what the book runs and shows is labelled in_book too: whoever has made the book knows its
+# verdict already.
+function(tumble_label test label chapter)
+  if(chapter MATCHES "^[0-9][0-9]_")
+    list(APPEND label in_book)
+  endif()
+  set_tests_properties(${test} PROPERTIES LABELS "${label}")
+endfunction()
+
+# tumble_add_checks(CHAPTER FILE...): one program with the chapter's checks, one CTest, one checks.xml. Five files are compiled as
+# one, which spares what each would parse and instantiate anew; so no two files of a chapter may give one name to two things.
+# For whoever works on one header, NAME_checks.cpp alone makes a program too, CHAPTER.NAME, built only when asked for; with
+# sanitizers, which take more memory, the chapter's program is made of those.
 function(tumble_add_checks chapter)
   set(program ${chapter}_checks)
   add_executable(${program})
@@ -150,18 +161,27 @@ function(tumble_add_checks chapter)
   set_target_properties(${program} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/checks)
   foreach(file IN LISTS ARGN)
     string(REGEX REPLACE "^.*/|_checks\\.cpp$" "" name ${file})
-    add_library(checks_${chapter}_${name} OBJECT ${file})
+    add_library(checks_${chapter}_${name} OBJECT EXCLUDE_FROM_ALL ${file})
     target_link_libraries(checks_${chapter}_${name} PUBLIC tumble_${chapter} tumble_check_flags)
     tumble_link_compiled(checks_${chapter}_${name} PUBLIC)
     tumble_use_precompiled(checks_${chapter}_${name} check ${chapter})
-    target_link_libraries(${program} PRIVATE checks_${chapter}_${name})
     add_executable(${chapter}.${name} EXCLUDE_FROM_ALL)
     target_link_libraries(${chapter}.${name} PRIVATE tumble_check_main checks_${chapter}_${name})
     set_target_properties(${chapter}.${name} PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/checks)
+    if(TUMBLE_SANITIZE)
+      target_link_libraries(${program} PRIVATE checks_${chapter}_${name})
+    else()
+      target_link_libraries(${program} PRIVATE $<TARGET_PROPERTY:checks_${chapter}_${name},LINK_LIBRARIES>)
+    endif()
   endforeach()
+  if(NOT TUMBLE_SANITIZE)
+    target_sources(${program} PRIVATE ${ARGN})
+    tumble_use_precompiled(${program} check ${chapter})
+    set_target_properties(${program} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 5)
+  endif()
   add_dependencies(all_checks ${program})
   add_test(NAME checks.${chapter} COMMAND ${program})
-  set_tests_properties(checks.${chapter} PROPERTIES LABELS checks)
+  tumble_label(checks.${chapter} checks ${chapter})
 
   set(result ${TUMBLE_RESULTS}/${chapter}/checks.xml)
   # A failed check must reach the page, so it does not stop the build here: the book prints it in red and says so.
@@ -227,7 +247,7 @@ function(tumble_add_program chapter name)
   tumble_chapter_target(programs ${chapter})
   add_dependencies(programs_${chapter} ${name})
   add_test(NAME programs.${name} COMMAND ${name} ${PROJECT_BINARY_DIR}/scratch/${name})
-  set_tests_properties(programs.${name} PROPERTIES LABELS programs)
+  tumble_label(programs.${name} programs ${chapter})
 
   set(folder ${TUMBLE_RESULTS}/${chapter})
   if(NOT measured)

@@ -19,7 +19,7 @@ Top<Real> top_with(const Vec3<Real>& moments, const Vec3<Real>& spin) {
 
 /// What FreeTop may err by after so long; the energy allows no faster spin than this.
 template <class Real>
-long double claimed(const Top<Real>& top, long double time) {
+long double claimed_error(const Top<Real>& top, long double time) {
   const auto& i = top.inverse_moments;
   const Real fastest = std::sqrt(2 * kinetic_energy(top) * std::max({i.x(), i.y(), i.z()}));
   return rounding_of_free_top<Real>(fastest * static_cast<Real>(std::abs(time)));
@@ -44,8 +44,8 @@ TEST_CASE("The free top agrees with Fehlberg's rule, whatever the signs and the 
         const auto witness = in_long_double(start);
         const auto truth = integrated_free_top(witness, time, steps);
         const long double truth_error = eighth_order_error(3.1L, time, steps);
-        CHECK(difference(FreeTop(witness).at(time), truth) <= claimed(witness, time) + truth_error);
-        CHECK(difference(FreeTop(start).at(time), truth) <= claimed(start, time));
+        CHECK(difference(FreeTop(witness).at(time), truth) <= claimed_error(witness, time) + truth_error);
+        CHECK(difference(FreeTop(start).at(time), truth) <= claimed_error(start, time));
       }
 }
 //! [second_method]
@@ -60,8 +60,8 @@ TEST_CASE("The free top agrees with Fehlberg's rule on the problems A to D") {
     const auto truth = integrated_free_top(witness, time, steps);
     const long double rate = 2 * angular_velocity_body(witness).norm();
     CHECK(difference(FreeTop(witness).at(time), truth) <=
-          claimed(witness, time) + eighth_order_error(rate, time, steps));
-    CHECK(difference(FreeTop(start).at(time), truth) <= claimed(start, time));
+          claimed_error(witness, time) + eighth_order_error(rate, time, steps));
+    CHECK(difference(FreeTop(start).at(time), truth) <= claimed_error(start, time));
   }
 }
 
@@ -75,7 +75,7 @@ TEST_CASE_TEMPLATE(
     const FreeTop<long double> truth(in_long_double(start));
     for (const double seconds : {0.0, 1e-6, 0.01, 1.0, 7.7, 60.0, 600.0}) {
       const auto time = static_cast<Real>(seconds);
-      CHECK(difference(exact.at(time), truth.at(time)) <= claimed(start, time));
+      CHECK(difference(exact.at(time), truth.at(time)) <= claimed_error(start, time));
     }
   }
 }
@@ -89,7 +89,7 @@ TEST_CASE_TEMPLATE("The free top returns after the periods that tables give", Re
   CHECK(std::abs(ordinary.parameter() - 0.95L) <= 4 * unit_roundoff<Real>);
   // Relative to |L|, which is 4.5; an angular velocity is L by 1 at least.
   const auto allowed =
-      4.5L * claimed(top_with<Real>({1, 2, 3}, {1, 2, Real(0.5)}), ordinary.period());
+      4.5L * claimed_error(top_with<Real>({1, 2, 3}, {1, 2, Real(0.5)}), ordinary.period());
   CHECK((angular_velocity_body(ordinary.at(ordinary.period())) - Vec3<Real>(1, 2, Real(0.5)))
             .norm() <= allowed);
   CHECK((angular_velocity_body(ordinary.at(ordinary.period() / 2)) - Vec3<Real>(1, -2, -Real(0.5)))
@@ -128,7 +128,7 @@ TEST_CASE_TEMPLATE("To go on from where the free top is at some time changes not
       for (const Real second : {-5.0, 0.01, 8.0}) {
         const auto in_two = FreeTop<Real>(exact.at(first)).at(second);
         CHECK(difference(in_two, in_long_double(exact.at(first + second))) <=
-              claimed(start, std::abs(first) + std::abs(second)) * 2);
+              claimed_error(start, std::abs(first) + std::abs(second)) * 2);
       }
   }
 }

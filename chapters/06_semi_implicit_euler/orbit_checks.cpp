@@ -21,7 +21,7 @@ void gather_pull(Particle<Real>& body) {
 }
 
 template <class Real>
-Real energy(const Particle<Real>& body) {
+Real orbit_energy(const Particle<Real>& body) {
   return body.velocity.squaredNorm() / 2 - 1 / body.position.norm();
 }
 
@@ -33,12 +33,12 @@ Real angular_momentum(const Particle<Real>& body) {
 /// The largest error of the energy while the satellite goes round from step `first` to step `last`.
 double energy_error(int steps_per_radian, int first, int last) {
   Particled body = satellite(0.5);
-  const double start = energy(body);
+  const double start = orbit_energy(body);
   double largest = 0;
   for (int n = 1; n <= last; ++n) {
     gather_pull(body);
     step(body, 1.0 / steps_per_radian);
-    if (n >= first) largest = std::max(largest, std::abs(energy(body) - start));
+    if (n >= first) largest = std::max(largest, std::abs(orbit_energy(body) - start));
   }
   return largest;
 }
@@ -97,10 +97,10 @@ TEST_CASE("On an orbit the energy of kick and drift swings and does not drift") 
 TEST_CASE("On an orbit of eccentricity 0.5 explicit Euler gains energy in every step") {
   Particled body = satellite(0.5);
   for (int n = 0; n < 2000; ++n) {
-    const double before = energy(body);
+    const double before = orbit_energy(body);
     gather_pull(body);
     explicit_step(body, 0.02);
-    REQUIRE(energy(body) > before);
+    REQUIRE(orbit_energy(body) > before);
   }
 }
 //! [orbit_energy]

@@ -1,14 +1,12 @@
 #include <support/body_bounds.hpp>
 #include <support/rules.hpp>
+#include <span>
 #include <vector>
 
 using namespace tumble;
 using namespace tumble::support;
 
 namespace {
-
-const TumblingProblem &A = tumbling_problems[0], &B = tumbling_problems[1],
-                      &C = tumbling_problems[2], &D = tumbling_problems[3];
 
 /// The rule that the chapter chose.
 template <class Real>
@@ -23,12 +21,12 @@ constexpr Real turn_error = 40 * unit_roundoff<Real>;
 //! [thin_rod]
 TEST_CASE(
     "The thin rod at 60 steps a second: energy within 1e-4, L within 1e-10, phase within 1e-3") {
-  const Motion motion = watched<double>(C, chosen_rule<double>);
+  const Motion motion = watched<double>(tumbling_problems[2], chosen_rule<double>);
   CHECK(motion.diverged == 0);
   CHECK(motion.energy_error < 1e-4);
   CHECK(motion.momentum_error < 1e-10);
   CHECK(motion.angle < 1e-3);
-  const Motion in_float = watched<float>(C, chosen_rule<float>);
+  const Motion in_float = watched<float>(tumbling_problems[2], chosen_rule<float>);
   CHECK(in_float.diverged == 0);
   CHECK(in_float.energy_error < 1e-4);
   CHECK(in_float.momentum_error < 1e-4);
@@ -39,7 +37,7 @@ TEST_CASE(
 TEST_CASE_TEMPLATE(
     "The needle of 1 to a million: finite, and the energy within 1e-4 for 3600 steps", Real, float,
     double) {
-  const Motion motion = watched<Real>(D, chosen_rule<Real>);
+  const Motion motion = watched<Real>(tumbling_problems[3], chosen_rule<Real>);
   CHECK(motion.diverged == 0);
   CHECK(motion.energy_error < 1e-4);
 }
@@ -256,13 +254,13 @@ TEST_CASE_TEMPLATE("Moments and momentum scaled by the same power of two turn th
     CHECK(L.minCoeff() > std::ldexp(Real(1), -13));
     CHECK(L.maxCoeff() <= 9);
   }
-  for (const TumblingProblem* problem : {&A, &B, &C})
+  for (const TumblingProblem& problem : std::span(tumbling_problems).first(3))
     for (const Rule<Real>& rule : rules<Real>)
       for (const int exponent : {-40, -13, 7, 40}) {
         CAPTURE(std::string(rule.name));
         CAPTURE(exponent);
-        const Top<Real> plain = flown(*problem, rule, 1);
-        const Top<Real> scaled = flown(*problem, rule, std::ldexp(Real(1), exponent));
+        const Top<Real> plain = flown(problem, rule, 1);
+        const Top<Real> scaled = flown(problem, rule, std::ldexp(Real(1), exponent));
         CHECK(same_bits(scaled.orientation, plain.orientation));
         CHECK(same_bits(scaled.angular_momentum_body, plain.angular_momentum_body));
       }
@@ -297,10 +295,10 @@ TEST_CASE_TEMPLATE("A top seen in a mirror turns the mirrored way, to the bit", 
 
 //! [reversal]
 TEST_CASE_TEMPLATE("Turn L around, and the splittings retrace their steps", Real, EVERY_PRECISION) {
-  for (const TumblingProblem* problem : {&A, &B, &C})
+  for (const TumblingProblem& problem : std::span(tumbling_problems).first(3))
     for (const auto turn :
          {turn_by_splitting<Real>, turn_by_splitting_without_sine<Real>, turn_axis_by_axis<Real>}) {
-      const Top<Real> start = top_of<Real>(*problem);
+      const Top<Real> start = top_of<Real>(problem);
       Top<Real> top = start;
       const int steps = 10;
       for (int n = 0; n < steps; ++n) turn(top, Real(1) / 60);
@@ -327,7 +325,7 @@ TEST_CASE_TEMPLATE("Turn L around, and the splittings retrace their steps", Real
 TEST_CASE(
     "After a million steps in float the quaternion is unit, |L| has its length, and the energy "
     "holds") {
-  Topf top = top_of<float>(A);
+  Topf top = top_of<float>(tumbling_problems[0]);
   const Top<long double> start = exactly(top);
   for (int n = 0; n < 1'000'000; ++n) turn_by_splitting(top, 1.0f / 60);
   CHECK(std::abs(norm(top.orientation) - 1) <=
@@ -362,7 +360,7 @@ TEST_CASE_TEMPLATE("A length that is off by roundings is put right, and what is 
 //! [length]
 
 TEST_CASE("A needle's |L| doesn't drift in float: ten minutes leave a random walk of roundings") {
-  Topf top = top_of<float>(D);
+  Topf top = top_of<float>(tumbling_problems[3]);
   const long double start = exactly(top).angular_momentum_body.norm();
   const int steps = 36'000;
   for (int n = 0; n < steps; ++n) turn_by_splitting(top, 1.0f / 60);
@@ -406,7 +404,7 @@ TEST_CASE_TEMPLATE("A top at rest stays at rest, without a NaN, and so does one 
     rule.turn(top, Real(1) / 60);
     CHECK(top.orientation.real == 1);
     CHECK(top.angular_momentum_body.allFinite());
-    const Top<Real> before = top_of<Real>(A);
+    const Top<Real> before = top_of<Real>(tumbling_problems[0]);
     top = before;
     rule.turn(top, Real(0));
     CHECK(same_bits(top.orientation.imaginary, before.orientation.imaginary));

@@ -11,7 +11,7 @@ using Pair = DormandPrinceNystrom86;
 
 /// A push along one line that depends on the time alone, and what follows from it for a kilogram
 /// that stands still at the origin when the time is 0: x'' = t^power.
-struct PushInTime {
+struct PointPushInTime {
   int power;
   void operator()(Particled& particle, double time) const {
     const double push = std::pow(time, power);
@@ -19,7 +19,7 @@ struct PushInTime {
   }
 };
 
-Particled at(const PushInTime& push, double time) {
+Particled at(const PointPushInTime& push, double time) {
   const double v = std::pow(time, push.power + 1) / (push.power + 1),
                x = v * time / (push.power + 2);
   return make_particle<double>(1, {x, 2 * x, -2 * x}, {v, 2 * v, -2 * v});
@@ -34,9 +34,9 @@ void check_is(const Particled& found, const Particled& truth) {
 
 TEST_CASE(
     "Under a push that is a polynomial of time Nyström's pair steps exactly, whenever it begins") {
-  const PushInTime push{6};  // positions of the eighth power of the time
+  const PointPushInTime push{6};  // positions of the eighth power of the time
   for (const double begin : {0.0, 1.0, -0.5}) {
-    NystromSteps<Pair, PushInTime, double> steps(at(push, begin), push, begin, 1e-3);
+    NystromSteps<Pair, PointPushInTime, double> steps(at(push, begin), push, begin, 1e-3);
     double time = begin;
     for (const double h : {0.5, 0.25, 0.375}) {
       steps.attempt(2 * h);  // not accepted: leaves no trace
@@ -61,8 +61,8 @@ TEST_CASE(
         1e5 * unit_roundoff<double>);
 
   // x'' = t from 3 s on: the rates (v, 3), 4.5 and 3, change at the rates 3 and 1, on three axes.
-  const PushInTime push{1};
-  NystromSteps<Pair, PushInTime, double> pushed(at(push, 3), push, 3.0, 1e-3);
+  const PointPushInTime push{1};
+  NystromSteps<Pair, PointPushInTime, double> pushed(at(push, 3), push, 3.0, 1e-3);
   const double expected = first_step_of(3 * std::hypot(4.5, 3) / 1e-3,
                                         3 * std::hypot(3.0, 1.0) / 1e-3, Steps::power, 10.0);
   CHECK(std::abs(pushed.first_step(10) / expected - 1) <= 1e-3);
@@ -79,7 +79,7 @@ TEST_CASE(
 
 TEST_CASE(
     "A Nyström journey leaves the push of the moment that it reaches, and refuses what is none") {
-  const PushInTime push{2};
+  const PointPushInTime push{2};
   auto body = at(push, 1);
   const Journey journey = carry_by_nystrom<Pair>(body, push, 1.0, 2, 1e-6);
   CHECK(journey.steps > 0);
@@ -109,10 +109,10 @@ TEST_CASE(
     "Where the tolerance is nothing an error counts as a part of the place or the velocity "
     "at the start") {
   // Far beyond the order of the pair: the errors of place and velocity are of h^11 and h^10.
-  const PushInTime push{9};
+  const PointPushInTime push{9};
   const auto exponent = [&](double place, double velocity) {
     const auto error = [&](double h) {
-      NystromSteps<Pair, PushInTime, double> steps(
+      NystromSteps<Pair, PointPushInTime, double> steps(
           make_particle<double>(1, {place, 0, 0}, {velocity, 0, 0}), push, 0.0, 1e-40);
       return std::sqrt(steps.attempt(h));
     };

@@ -50,17 +50,17 @@ std::vector<std::vector<Shared>> trees_up_to(int largest) {
   return of_size;
 }
 
-using Row = std::vector<Wide>;
+using Weights = std::vector<Wide>;
 
 /// Stages as rows of any length, so that stages beyond the step count too.
 struct Stages {
-  std::vector<Row> rows;
+  std::vector<Weights> rows;
 
   /// For each stage, the product over the branches of what the stages before it make of them.
-  Row weights_of(const Tree& tree) const {
-    Row product(rows.size(), 1);
+  Weights weights_of(const Tree& tree) const {
+    Weights product(rows.size(), 1);
     for (const Shared& branch : tree.branches) {
-      const Row there = weights_of(*branch);
+      const Weights there = weights_of(*branch);
       for (std::size_t i = 0; i < rows.size(); ++i) {
         Wide sum = 0;
         for (std::size_t j = 0; j < rows[i].size(); ++j) sum += rows[i][j] * there[j];
@@ -71,7 +71,7 @@ struct Stages {
   }
 };
 
-Wide sum_of(const Row& weights, const Row& values) {
+Wide sum_of(const Weights& weights, const Weights& values) {
   Wide sum = 0;
   for (std::size_t j = 0; j < weights.size(); ++j) sum += weights[j] * values[j];
   return sum;
@@ -79,7 +79,7 @@ Wide sum_of(const Row& weights, const Row& values) {
 
 /// The largest miss of a condition over all trees of a size, for weights that lead to `part` of the
 /// step.
-Wide missed(const Stages& stages, const Row& weights, const std::vector<Shared>& trees,
+Wide missed(const Stages& stages, const Weights& weights, const std::vector<Shared>& trees,
             Wide part = 1) {
   Wide worst = 0;
   for (const Shared& tree : trees) {
@@ -91,7 +91,7 @@ Wide missed(const Stages& stages, const Row& weights, const std::vector<Shared>&
 
 /// The order that weights show: all conditions up to that size are met to `digits`, and one of the
 /// next size is missed by far more.
-int order_of(const Stages& stages, const Row& weights,
+int order_of(const Stages& stages, const Weights& weights,
              const std::vector<std::vector<Shared>>& trees, Wide part = 1) {
   const Wide digits = 1e-15L;  // coefficients as large as 43 with 30 digits, in 19 digits
   int order = 0;
@@ -102,8 +102,8 @@ int order_of(const Stages& stages, const Row& weights,
 }
 
 template <class List>
-Row row_of(const List& list) {
-  return Row(list.begin(), list.end());
+Weights row_of(const List& list) {
+  return Weights(list.begin(), list.end());
 }
 
 /// All stages of a pair: those of the step, that at its end, and those beyond.
@@ -119,8 +119,8 @@ Stages stages_of() {
 
 /// Weights less those of an error: the answer beside.
 template <class Pair>
-Row beside(std::size_t error) {
-  Row weights = row_of(Pair::errors[error]);
+Weights beside(std::size_t error) {
+  Weights weights = row_of(Pair::errors[error]);
   for (Wide& weight : weights) weight = -weight;
   for (std::size_t j = 0; j < Pair::Rule::rule.weights.size(); ++j)
     weights[j] += Pair::Rule::rule.weights[j];
@@ -129,14 +129,14 @@ Row beside(std::size_t error) {
 
 /// The weights of all stages that make the state at `part` of a step, as within() weighs them.
 template <class Pair>
-Row within(Wide part) {
+Weights within(Wide part) {
   const std::size_t stages = Pair::Rule::rule.nodes.size();
   const Wide rest = 1 - part;
-  Row weights(stages + 1 + Pair::more_nodes.size(), 0);
+  Weights weights(stages + 1 + Pair::more_nodes.size(), 0);
   const auto add = [&](Wide factor, const auto& row) {
     for (std::size_t j = 0; j < row.size(); ++j) weights[j] += factor * row[j];
   };
-  const Row step = row_of(Pair::Rule::rule.weights);
+  const Weights step = row_of(Pair::Rule::rule.weights);
   // p (Δ + (1 − p) (k₀ − Δ + p (2Δ − k₀ − k₁ + …)))
   add(part * (1 - rest + 2 * part * rest), step);
   weights[0] += part * rest * (1 - part);
@@ -224,11 +224,11 @@ std::vector<SharedNystrom> nystrom_trees_up_to(int largest_power) {
 }
 
 template <class Rule>
-Row weights_of(const NystromTree& tree) {
-  Row product;
+Weights weights_of(const NystromTree& tree) {
+  Weights product;
   for (const Wide node : Rule::nodes) product.push_back(std::pow(node, Wide(tree.velocities)));
   for (const SharedNystrom& stage : tree.stages) {
-    const Row there = weights_of<Rule>(*stage);
+    const Weights there = weights_of<Rule>(*stage);
     for (std::size_t i = 0; i < product.size(); ++i)
       product[i] *= sum_of(row_of(Rule::stages[i]), there);
   }
@@ -249,15 +249,15 @@ TEST_CASE("The Nystrom pair meets all conditions of eighth and, beside, of sixth
   // of the order power + 2 in places and power + 1 in velocities.
   std::array<Wide, 10> places = {}, velocities = {}, places_beside = {}, velocities_beside = {};
   for (const SharedNystrom& tree : nystrom_trees_up_to(8)) {
-    const Row values = weights_of<Rule86>(*tree);
+    const Weights values = weights_of<Rule86>(*tree);
     const auto power = static_cast<std::size_t>(tree->power);
     const Wide velocity = tree->factor / (tree->power + 1), place = velocity / (tree->power + 2);
-    const auto miss = [&](Wide& worst, const Row& weights, Wide wanted) {
+    const auto miss = [&](Wide& worst, const Weights& weights, Wide wanted) {
       worst = std::max(worst, std::abs(sum_of(weights, values) - wanted));
     };
     miss(places[power], row_of(rule.places), place);
     miss(velocities[power], row_of(rule.velocities), velocity);
-    Row beside_places = row_of(rule.places), beside_velocities = row_of(rule.velocities);
+    Weights beside_places = row_of(rule.places), beside_velocities = row_of(rule.velocities);
     for (std::size_t j = 0; j < values.size(); ++j) {
       beside_places[j] -= rule.errors_of_places[j];
       beside_velocities[j] -= rule.errors_of_velocities[j];

@@ -19,7 +19,7 @@ struct CountingStar {
 };
 
 /// A push that depends on the time alone; its energy is made up, so that there is one to ask for.
-struct PushInTime {
+struct SlowedPushInTime {
   void operator()(Particled& particle, double time) const { particle.force = {time, 2, -time}; }
   double pull_energy(const Particled&) const { return 10; }
 };
@@ -28,8 +28,8 @@ struct PushInTime {
 
 TEST_CASE("The rest of a journey is a drift, a kick of the middle's push, and a drift") {
   const auto start = make_particle<double>(2, {1, 2, 3}, {4, 5, 6});
-  const PushInTime push;
-  TransformedTime<PushInTime, double> motion(start, push);
+  const SlowedPushInTime push;
+  TransformedTime<SlowedPushInTime, double> motion(start, push);
   CHECK(motion.bound() == 10 - 77);
   motion.finish(0.5);
   CHECK(motion.time() == 0.5);
