@@ -65,12 +65,13 @@ class Table {
 };
 
 /// The notebook of one program: opened with main's arguments, of which the one allowed is the
-/// folder to write into (the current one without it). The numbers go to PROGRAM.values.tsv in that
-/// folder.
+/// folder to write into. Without it that is the program's own folder, so that nothing is left where
+/// the caller happens to be. The numbers go to PROGRAM.values.tsv.
 class Notebook {
  public:
   Notebook(int argument_count, char** arguments)
-      : folder_(argument_count > 1 ? arguments[1] : "."),
+      : folder_(argument_count > 1 ? std::filesystem::path(arguments[1])
+                                   : std::filesystem::path(arguments[0]).parent_path() / "."),
         values_(file_in_folder(std::filesystem::path(arguments[0]).filename() += ".values.tsv"),
                 {"name", "value"}) {}
 

@@ -1,0 +1,13 @@
+# A program that is called without a folder for its tables leaves none where its caller is.
+get_filename_component(name ${PROGRAM} NAME)
+foreach(folder caller programs)
+  file(REMOVE_RECURSE ${SCRATCH}/${folder})
+  file(MAKE_DIRECTORY ${SCRATCH}/${folder})
+endforeach()
+file(COPY ${PROGRAM} DESTINATION ${SCRATCH}/programs)
+execute_process(COMMAND ${SCRATCH}/programs/${name} WORKING_DIRECTORY ${SCRATCH}/caller OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+file(GLOB left ${SCRATCH}/caller/*)
+file(GLOB tables ${SCRATCH}/programs/*.tsv)
+if(left OR NOT tables)
+  message(FATAL_ERROR "error: ${name} left where it was called: ${left}; and beside itself: ${tables}")
+endif()
