@@ -3,6 +3,7 @@
 #pragma once
 
 #include <support/scene_rules.hpp>
+#include <support/shipped_scenes.hpp>
 #include <tumble/exact/free_top.hpp>
 #include <tumble/exact/kepler.hpp>
 #include <tumble/scene/read_scene_file.hpp>
@@ -21,7 +22,7 @@ double scene_error(const Json& question, const Json& promise) {
                                                               promise["scheme"].get<std::string>());
   if (scheme == schemes.end()) fail("a world has no scheme " + promise["scheme"].dump());
   const long rate = promise["steps_per_second"], states = question["states_per_second"];
-  const std::string path = std::string(TUMBLE_SCENES) + "/" + name;
+  const std::filesystem::path path = support::scenes_folder() / name;
   Scene<Real> scene = read_scene_file<Real, OneByOne<Real>, support::SceneRules>(
       path, {.step = steps_per_second(rate),
              .turning_method = static_cast<std::size_t>(method - words.begin()),

@@ -15,7 +15,7 @@ using namespace tumble::support;
 namespace {
 
 std::filesystem::path shipped(const std::string& name) {
-  return std::filesystem::path(TUMBLE_SCENES) / (name + ".json");
+  return scenes_folder() / (name + ".json");
 }
 
 /// A letter of fewer than 17 bits.

@@ -8,7 +8,7 @@ using namespace tumble;
 
 int main(int argument_count, char** arguments) {
   support::Notebook notebook(argument_count, arguments);
-  std::ifstream file(std::filesystem::path(TUMBLE_SCENES) / "t_handle.json");
+  std::ifstream file(support::scenes_folder() / "t_handle.json");
   std::printf("%s", std::string(std::istreambuf_iterator<char>(file), {}).c_str());
 
   support::Table scenes =

@@ -8,6 +8,7 @@
 
 #include "live_limits.hpp"
 #include "output_file.hpp"
+#include "paths.hpp"
 #include "simulated_scene.hpp"
 #include "steps_until.hpp"
 
@@ -86,7 +87,7 @@ inline void write_live_page(const Options& options) {
   const SceneInPacks<double> scene = scene_of<double>(options);
   (void)steps_until(scene);
   require_drawable(scene);
-  const std::filesystem::path folder = TUMBLE_LIVE_SCENE;
+  const std::filesystem::path folder = live_scene_folder();
   const std::string drawing = text_of_file(folder / "scene.live.js"),
                     module = text_of_file(folder / "scene.wasm");
   if (drawing.empty() || module.empty())

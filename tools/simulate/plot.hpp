@@ -9,6 +9,7 @@
 #include <tumble/ledger.hpp>
 
 #include "interrupts.hpp"
+#include "paths.hpp"
 #include "trajectory.hpp"
 
 namespace tumble::simulate {
@@ -77,10 +78,10 @@ class Plot {
     const char* names = "xyz";
     const std::string command =
         "cd " + shell_word(scratch.path().string()) + " && gnuplot -e \"name='figure'\" " +
-        shell_word(TUMBLE_FIGURE_STYLE) + " -e " +
+        shell_word(figure_style().string()) + " -e " +
         shell_word("paths=" + std::to_string(paths_.size()) + "; across='" + names[across] +
                    "'; up='" + names[up] + "'; scene=" + gnuplot_text(title)) +
-        " " + shell_word(TUMBLE_PLOT_SCRIPT) + " 2>gnuplot.log";
+        " " + shell_word(plot_script().string()) + " 2>gnuplot.log";
     const int status = std::system(command.c_str());
     // A program that waits for a shell is deaf to Ctrl-C; the shell and gnuplot are not.
     if ((WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) ||
