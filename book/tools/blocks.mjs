@@ -49,6 +49,9 @@ function reading_time(pages, exercises) {
   return {reading_hours: String(reading), exercise_hours: String(own), hours: String(reading + own)};
 }
 
+const unmeasured = what =>
+  `<p class="unindexed">Not measured in this book, which a test made; <code>./course book</code> measures it: ${escape(what)}</p>`;
+
 export class Blocks {
   live_scripts = new Map(); // what brings a figure to life: the text of a script by its file's name
   quoted = new Set(); // the checks, and the programs as CHAPTER/PROGRAM, that some page shows
@@ -164,6 +167,7 @@ export class Blocks {
 
   #table(page, argument) {
     const [reference, caption] = parted(argument);
+    if (this.#is_unmeasured(page, reference)) return unmeasured(caption);
     const {columns, rows} = reference in kept_tables
       ? table_in(readFileSync(join(this.settings.source, kept_tables[reference]), 'utf8'))
       : this.results.table(...this.#of(page, reference));
@@ -209,8 +213,14 @@ export class Blocks {
     return player(recordings, says, this.settings.source);
   }
 
+  /** Whether this build went without the measurements from which it is made. */
+  #is_unmeasured(page, reference) {
+    return this.results.unmeasured.includes(/^(\w+)\//.exec(reference)?.[1] ?? page.chapter);
+  }
+
   #figure(page, argument) {
     const [reference, says] = this.#described(page, argument, 'figure', 'name');
+    if (this.#is_unmeasured(page, reference)) return unmeasured(says);
     const [chapter, name] = this.#of(page, reference);
     const {title, svg} = figure(this.results.text(chapter, name, '.svg', 'figure'), says, name);
     return `<figure class="drawing"><figcaption>${escape(title)}</figcaption><div class="scroll">${svg}</div></figure>`;

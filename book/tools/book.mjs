@@ -177,7 +177,7 @@ function build() {
   mkdirSync(settings.work, {recursive: true});
   const pages = read_pages(settings.source, settings.floors, settings.tools);
   for (const page of pages.chapters) page.is_being_made = made !== undefined && !made.has(page.chapter);
-  const results = new Results(settings.results, settings.tools);
+  const results = new Results(settings.results, settings.tools, settings.unmeasured);
   const exercises = read_exercises(settings);
   for (const page of pages.chapters) {
     if (page.further) continue;

@@ -16,10 +16,11 @@ export function table_in(text) {
 export class Results {
   #cache = new Map();
 
-  /** A chapter must have a report of its checks; of the `tools` some have none. */
-  constructor(folder, tools = []) {
+  /** A chapter must have a report of its checks; of the `tools` some have none, and of those that are `unmeasured` no numbers. */
+  constructor(folder, tools = [], unmeasured = []) {
     this.folder = folder;
     this.tools = tools.map(({name}) => name);
+    this.unmeasured = unmeasured;
   }
 
   names(chapter, ending) {
@@ -45,6 +46,7 @@ export class Results {
   }
 
   value(chapter, program, name) {
+    if (this.unmeasured.includes(chapter)) return '–';
     const {rows} = this.table(chapter, program, '.values.tsv', 'values of program');
     const row = rows.find(cells => cells[0] === name);
     if (!row)
