@@ -31,7 +31,6 @@ function parted(argument) {
 const kept_tables = {
   'bits.tried': 'tests/bits/tried.tsv',
   'colophon.compilers': 'tests/compilers/tried.tsv',
-  'colophon.mutants': 'tests/mutations/caught.tsv',
 };
 
 /** What times are compared with, so that one can picture them. */

@@ -1,19 +1,19 @@
 """Compiles a chapter's checks once with all mutants in them, and runs each.
 
 Everything is kept in BUILD/mutants/CHAPTER, so that what has not changed is not compiled again: the switched headers, the
-objects, the program `checks`, and what its runs said: ran.tsv, and slow.tsv of the mutants that needed the slow checks too.
-TUMBLE_MUTANT=17 checks runs one mutant as doctest would."""
+objects, the programs `checks` and `checks_in_float`, and what their runs said: ran.tsv, slow.tsv of the mutants that needed the
+slow checks too, and float.tsv. TUMBLE_MUTANT=17 checks runs one mutant as doctest would."""
 import hashlib
-import json
+import os
 import subprocess
 import time
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 import switches
-from build_folder import headers_of, include_folders
+from build_folder import headers_of, include_folders, launcher_of
 
-here = Path(__file__).parent
+here = Path(__file__).resolve().parent
 precompiled = ["doctest/doctest.h", "Eigen/Core", "Eigen/Geometry", "Eigen/Eigenvalues", "string", "vector", "array",
                "random"]
 # What a mutation leaves unused is no error, nor a number that is no constant any more where it is narrowed. An index out of
@@ -21,9 +21,9 @@ precompiled = ["doctest/doctest.h", "Eigen/Core", "Eigen/Geometry", "Eigen/Eigen
 flags = ["-w", "-Wno-narrowing", "-fmax-errors=0", "-D_GLIBCXX_ASSERTIONS"]
 part = "\x1f"  # between the name of a place and what tells its changes from one another; neither holds one
 
-# The checks run in one precision, and the slowest of them are left out. A run that is patient leaves out nothing.
+# At first the checks run in double, and the slowest of them are left out.
 longest = 1.0  # s of a processor, which the checks that are run on a mutant take without it
-most = 1 << 16  # numbers of mutants, as in mutants.hpp
+most = 1 << 17  # numbers of mutants, as in mutants.hpp
 
 
 class EngineError(Exception):
@@ -35,7 +35,17 @@ def digest(*parts):
 
 
 def run(command, folder=None):
-    return subprocess.run([str(word) for word in command], cwd=folder, text=True, errors="replace", capture_output=True)
+    """In complaints ccache leaves whole paths, by which the place is found."""
+    return subprocess.run([str(word) for word in command], cwd=folder, env={**os.environ, "CCACHE_ABSSTDERR": "yes"}, text=True,
+                          errors="replace", capture_output=True)
+
+
+def object_of(file, precision):
+    return f"{file.stem}.{precision}.o"
+
+
+def program_of(precision):
+    return "checks_in_float" if precision == "float" else "checks"
 
 
 def plain_words(words):
@@ -50,13 +60,16 @@ def plain_words(words):
 
 
 class Engine:
-    def __init__(self, build, jobs, patient, thorough, say):
-        self.build, self.jobs, self.thorough, self.say = build, jobs, thorough, say
-        self.longest = float("inf") if patient else longest
-        self.precision = [] if patient else ["-DTUMBLE_ONE_PRECISION=double"]
+    def __init__(self, build, jobs, say):
+        self.build, self.jobs, self.say = build, jobs, say
         self.folder = build.folder / "mutants"
         self.folder.mkdir(exist_ok=True)
         self.columns = []
+        self.launcher = launcher_of(build.folder)
+        # Places that can't be switched, in whatever chapter that was found. The list in the tree, a copy of one that a whole run
+        # wrote, spares another machine the search.
+        self.refused = {line for file in (here / "not_switched.txt", self.folder / "not_switched.txt") if file.exists()
+                        for line in file.read_text().splitlines()}
         self.make_headers()
 
     # --- What is compiled once -----------------------------------------------------------------------------------------
@@ -72,11 +85,11 @@ class Engine:
         self.key = digest(text, version, words, flags)
         if self.is_new("all", self.key):
             self.header.write_text(text)
-            self.must(run([*words, *flags, "-x", "c++-header", self.header, "-o", f"{self.header}.gch"]))
+            self.must(run([*self.launcher, *words, *flags, "-x", "c++-header", self.header, "-o", f"{self.header}.gch"]))
             self.note("all", self.key)
         key = digest(self.key, main.read_text())
         if self.is_new("main", key):
-            self.must(run([*words, "-O1", "-w", f"-I{here}", "-c", main, "-o", self.folder / "main.o"]))
+            self.must(run([*self.launcher, *words, "-O1", "-w", f"-I{here}", "-c", main, "-o", self.folder / "main.o"]))
             self.note("main", key)
 
     def is_new(self, name, key):
@@ -100,34 +113,61 @@ class Engine:
         switched = [mutant for mutant in mutants if mutant.edits]
         if switched and max(mutant.number for mutant in switched) >= most:
             raise EngineError(f"{chapter}: a mutant's number is beyond the {most} that mutants.hpp has room for")
-        refused = self.read_refused(folder)
-        while True:
-            active = [mutant for mutant in switched if self.site(mutant) not in refused]
-            written = self.write_headers(folder, active, late)
-            stderrs = self.compile(chapter, folder, written, {mutant.path for mutant in active})
-            if not stderrs:
-                break
-            found = self.sites_to_blame(stderrs, folder, written) - refused
-            if not found:
-                errors = [line for line in stderrs[0].splitlines() if "error" in line]
-                raise EngineError("\n".join([f"{chapter} does not compile with its mutants:", *errors])[:2000])
-            self.say(f"{chapter}: {len(found)} places can't be switched")
-            refused |= found
-            (folder / "refused.json").write_text(json.dumps(sorted(refused)))
-        ends = self.run_mutants(chapter, folder, active, self.longest)
-        # What somebody thought out is not given up for the sake of time, nor a survivor of a run that will be quoted, which
-        # must not depend on which checks were slow that day.
+        active = self.make_program(chapter, folder, switched, late, "double")
+        ends = self.run_mutants(chapter, folder, active, longest)
+        left = [mutant for mutant in active if not mutant.proof and ends[mutant.number][0] == "survived"]
+        ends |= self.run_mutants(chapter, folder, left, float("inf"), "slow")
+        # What somebody thought out has its turn in float too, in a program of its own.
         left = [mutant for mutant in active
-                if (mutant.listed or self.thorough) and ends.get(mutant.number, ("",))[0] == "survived"]
-        return {**ends, **self.run_mutants(chapter, folder, left, float("inf"), "slow")} if left else ends
+                if mutant.listed and not mutant.proof and ends[mutant.number][0] in ("survived", "unreached")]
+        left = self.make_program(chapter, folder, left, late, "float")
+        in_float = self.run_mutants(chapter, folder, left, float("inf"), "float")
+        return ends | {number: end for number, end in in_float.items() if end[0] != "unreached"}
+
+    def make_program(self, chapter, folder, mutants, late, precision):
+        """Compiles the checks with all of the mutants that can be switched, and gives these."""
+        while True:
+            active = [mutant for mutant in mutants if self.site(mutant) not in self.refused]
+            if not active:
+                return []
+            written = self.write_headers(folder, active, late)
+            failed = self.compile(chapter, folder, written, active, precision)
+            if not failed:
+                return active
+            found = self.sites_to_blame(failed.values(), folder, written) - self.refused
+            if not found:
+                for file, stderr in failed.items():
+                    left = [mutant for mutant in active if self.site(mutant) not in found]
+                    found |= self.search_culprit(folder, left, late, file, stderr, precision)
+            self.say(f"{chapter}: {len(found)} places can't be switched")
+            self.refused |= found
+            (self.folder / "not_switched.txt").write_text("".join(f"{line}\n" for line in sorted(self.refused)))
+
+    def search_culprit(self, folder, active, late, file, stderr, precision):
+        """The place that a compiler's complaint doesn't name, as where it crashes: the first in a row of which the places up to
+        it make it complain, and those before it don't. None if it complains no more, as where memory had run out."""
+        sites = sorted({self.site(mutant) for mutant in active if mutant.path in self.sources[file][1]})
+
+        def complaint(count):
+            some = [mutant for mutant in active if self.site(mutant) in sites[:count]]
+            return self.compile_file(folder, self.write_headers(folder, some, late), file, precision)
+
+        error = next((line for line in stderr.splitlines() if "error" in line), stderr[:200])
+        self.say(f"{folder.name}: which of {len(sites)} places stops the compiler in {file.name} is searched: {error}")
+        if complaint(0):
+            raise EngineError(f"{folder.name}: {file.name} does not compile, and not without mutants either: {error}")
+        if not complaint(len(sites)):
+            return set()
+        holds, fails = 0, len(sites)
+        while fails - holds > 1:
+            middle = (holds + fails) // 2
+            holds, fails = (holds, middle) if complaint(middle) else (middle, fails)
+        self.say(f"{folder.name}: what stops the compiler in {file.name} is {sites[fails - 1]}")
+        return {sites[fails - 1]}
 
     def site(self, mutant):
         """What a place is called in the list of those that can't be switched: that outlives a change somewhere else."""
         return f"{mutant.header} {mutant.site_text}"
-
-    def read_refused(self, folder):
-        path = folder / "refused.json"
-        return set(json.loads(path.read_text())) if path.exists() else set()
 
     def write_headers(self, folder, active, late):
         by_path = {}
@@ -150,39 +190,44 @@ class Engine:
                 target.write_text(header.text)
         return written
 
-    def compile(self, chapter, folder, written, mutated):
-        """Makes the program of the files that include a header with a mutant in it; gives what the compiler complained of."""
-        included = {}
-        for source in [*self.build.checks(chapter).values(), *self.build.others.get(chapter, {}).values()]:
+    def compile(self, chapter, folder, written, active, precision):
+        """Makes the program of the files that include a header with a mutant in it; gives the compiler's complaints by file."""
+        mutated, others, self.sources = {mutant.path for mutant in active}, self.build.others.get(chapter, {}), {}
+        for source in [*self.build.checks(chapter).values(), *others.values()]:
             headers = headers_of(source[2], include_folders(source[1]))
-            if headers & mutated:
-                included[source[2]] = source, sorted(headers)
-        sources = [source for source, _ in included.values()]
-        begun = time.time()
-
-        def one(source):
-            directory, words, file = source
-            target, stamp = folder / f"{file.stem}.o", folder / f"{file.stem}.key"
-            command = [words[0], f"-I{folder}", *plain_words(words)[1:], "-include", self.header, "-Og", "-UNDEBUG", "-g0",
-                       *flags, *self.columns, *self.precision]
-            seen = {path.name for path in included[file][1]}
-            texts = sorted((name, header.text) for name, header in written.items() if Path(name).name in seen)
-            key = digest(texts, self.key, command, *(path.read_text() for path in [file, *included[file][1]]))
-            if target.exists() and stamp.exists() and stamp.read_text() == key:
-                return ""
-            done = run([*command, "-c", file, "-o", target], directory if Path(directory).is_dir() else None)
-            if done.returncode:
-                return done.stderr
-            stamp.write_text(key)
-            return ""
-
+            if headers & mutated or (source[2].stem in others and not source[0].exists()):
+                self.sources[source[2]] = source, headers
+        begun, failed, count = time.time(), {}, len(self.sources)
+        self.say(f"{chapter}: {count} files are compiled in {precision} with {len(active)} mutants")
         with ThreadPoolExecutor(self.jobs) as pool:
-            stderrs = [stderr for stderr in pool.map(one, sources) if stderr]
-        if not stderrs:
-            objects = [folder / f"{file.stem}.o" for _, _, file in sources]
-            self.must(run([sources[0][1][0], *objects, self.folder / "main.o", "-pthread", "-o", folder / "checks"]))
-        self.say(f"{chapter}: {len(sources)} files compiled in {time.time() - begun:.0f} s")
-        return stderrs
+            files = {pool.submit(self.compile_file, folder, written, file, precision): file for file in self.sources}
+            for number, done in enumerate(as_completed(files), 1):
+                if done.result():
+                    failed[files[done]] = done.result()
+                self.say(f"{chapter}: {number} of {count} files compiled in {time.time() - begun:.0f} s")
+        if not failed:
+            objects = [folder / object_of(file, precision) for file in self.sources]
+            objects += [made for made, _, file in others.values() if file not in self.sources]
+            self.must(run([self.build.main_words[0], *objects, self.folder / "main.o", "-pthread", "-o", folder / program_of(precision)]))
+        return failed
+
+    def compile_file(self, folder, written, file, precision):
+        """What the compiler complains of."""
+        (directory, words, _), included = self.sources[file]
+        target = folder / object_of(file, precision)
+        stamp = target.with_suffix(".key")
+        command = [words[0], f"-I{folder}", *plain_words(words)[1:], "-include", self.header, "-Og", "-UNDEBUG", "-g0", *flags,
+                   *self.columns, f"-DTUMBLE_ONE_PRECISION={precision}"]
+        seen = {path.name for path in included}
+        texts = sorted((name, header.text) for name, header in written.items() if Path(name).name in seen)
+        key = digest(texts, self.key, command, *(path.read_text() for path in [file, *sorted(included)]))
+        if target.exists() and stamp.exists() and stamp.read_text() == key:
+            return ""
+        done = run([*self.launcher, *command, "-c", file, "-o", target], directory if Path(directory).is_dir() else None)
+        if done.returncode:
+            return done.stderr or f"the compiler ended with {done.returncode}"
+        stamp.write_text(key)
+        return ""
 
     def sites_to_blame(self, stderrs, folder, written):
         """For each error the innermost place of its chain of instantiations that is in a switched header."""
@@ -197,9 +242,13 @@ class Engine:
         return found
 
     def run_mutants(self, chapter, folder, active, longest, name="ran"):
+        if not active:
+            return {}
+        self.say(f"{chapter}: {len(active)} mutants are run ({name}.tsv)")
         (folder / "wanted.txt").write_text("\n".join(str(mutant.number) for mutant in active))
         begun = time.time()
-        command = [str(word) for word in (folder / "checks", folder / "wanted.txt", self.jobs, longest)]
+        program = program_of("float" if name == "float" else "double")
+        command = [str(word) for word in (folder / program, folder / "wanted.txt", self.jobs, longest)]
         with (folder / f"{name}.tsv").open("w") as output:
             ran = subprocess.run(command, cwd=folder, stdout=output, stderr=subprocess.PIPE, text=True, errors="replace")
         if ran.returncode:

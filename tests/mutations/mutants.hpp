@@ -9,7 +9,7 @@
 
 namespace tumble_mutants {
 
-inline constexpr int most = 1 << 16;
+inline constexpr int most = 1 << 17;
 /// The mutant that runs; 0 if none does.
 extern int chosen_number;
 /// Of each mutant: 1 if it was reached, 2 if only where its change would not compile, as a
@@ -105,23 +105,14 @@ constexpr auto inverse(int number, A&& a) {
     return chosen(number) ? Result(a) : Result(!a);
 }
 
-template <class A, class B>
-constexpr auto both(int number, A&& a, const B& b) {
-  using Result = std::decay_t<decltype(a && b())>;
-  if constexpr (std::is_same_v<Result, bool>)
-    return chosen(number) ? a || b() : a && b();
-  else
-    return chosen(number) ? Result(a || b()) : Result(a && b());
-}
-
-template <class A, class B>
-constexpr auto either_of(int number, A&& a, const B& b) {
-  using Result = std::decay_t<decltype(a || b())>;
-  if constexpr (std::is_same_v<Result, bool>)
-    return chosen(number) ? a && b() : a || b();
-  else
-    return chosen(number) ? Result(a && b()) : Result(a || b());
-}
+#define TUMBLE_MUTANTS_LOGICAL(name, original, other)                     \
+  template <class A, class B>                                             \
+  constexpr auto name(int number, A&& a, const B& b) {                    \
+    using Result = std::decay_t<decltype(a original b())>;                \
+    return chosen(number) ? Result(a other b()) : Result(a original b()); \
+  }
+TUMBLE_MUTANTS_LOGICAL(both, &&, ||)
+TUMBLE_MUTANTS_LOGICAL(either_of, ||, &&)
 
 template <class A>
 constexpr bool negated_if(int number, A&& a) {

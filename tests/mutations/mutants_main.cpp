@@ -1,19 +1,26 @@
 // Runs the checks it is linked with once for each mutant that it is asked for, each time in a
 // process of its own.
 //
-//   PROGRAM WANTED JOBS LONGEST    WANTED is a file of mutants' numbers; prints
-//   "NUMBER<tab>END<tab>CHECK" for each TUMBLE_MUTANT=17 PROGRAM    runs all checks with mutant 17,
-//   as doctest does
+//   PROGRAM WANTED JOBS LONGEST
+//
+// prints "NUMBER<tab>END<tab>CHECK" for each mutant whose number is in the file WANTED, and
+//
+//   TUMBLE_MUTANT=17 PROGRAM
+//
+// runs all checks with mutant 17, as doctest does.
 //
 // At first each check runs alone without a mutant, which tells how long it takes and which mutants
 // it reaches. A mutant then runs those that reach it, the quickest first, until one fails. The
 // slowest are left out, as long as those that reach it take more than LONGEST seconds together. END
-// is
-//   killed      a check failed
-//   crashed     the process ended by a signal
-//   endless     a check computed 20 times as long as without the mutant and a second more, or slept
-//   for a minute survived    all checks that reach it held unreached   no check reaches it none
-//   where it is reached its change would not compile
+// is one of these:
+//
+// - killed: a check failed
+// - crashed: the process ended by a signal
+// - endless: a check computed 20 times as long as without the mutant and a second more, or took ten
+//   times as long as that and 15 s more
+// - survived: all checks that reach it held
+// - unreached: no check reaches it
+// - none: where it is reached its change would not compile
 #define DOCTEST_CONFIG_IMPLEMENT
 #include <doctest/doctest.h>
 #include <fcntl.h>
@@ -77,7 +84,7 @@ void limit(double seconds) {
   timer.it_value.tv_usec =
       static_cast<suseconds_t>((seconds - double(timer.it_value.tv_sec)) * 1e6);
   setitimer(ITIMER_PROF, &timer, nullptr);
-  alarm(static_cast<unsigned>(60 + 10 * seconds));
+  alarm(static_cast<unsigned>(15 + 10 * seconds));
 }
 
 void be_quiet() {

@@ -8,8 +8,9 @@
 
 The first line names the header and says what breaks. What stands behind "- " must occur exactly once in the header, and
 what stands behind "+ " takes its place; both may run over several lines, and "+" alone deletes. The last two lines are
-seldom needed. "seen by" names the checks to try first; without it they are those of the header's own name. "equivalent"
-says that no check can see the mutation. Blank lines stand between mutations, and lines that begin with # are remarks."""
+seldom needed. "seen by" names the checks to try first where the mutation must be compiled alone; without it they are those of
+the header's own name. "equivalent" says that no check can see the mutation. Blank lines stand between mutations, and lines
+that begin with # are remarks."""
 import re
 from dataclasses import dataclass
 from pathlib import Path

@@ -2,31 +2,27 @@
 """Changes the headers in thousands of places, one at a time, and sees whether a check turns red.
 
     mutations.py BUILD_FOLDER                 all that the generator makes of the library's headers, and all lists beside
-                                              this file
-    mutations.py BUILD_FOLDER --write         the same, shows survivors the slow checks too, and writes what came of it into
-                                              caught.tsv, which the book shows
+                                              this file; ./course test --exhaustive calls it
+    mutations.py BUILD_FOLDER --changed       those of headers that have changed since that last held (since.py), and lists
+                                              that have; where nobody knows what has, those of the first three chapters
     mutations.py BUILD_FOLDER --chapters 03_inertia,04_quaternions    those of these chapters alone; common and exact stand
                                               for the headers in common/tumble and exact
-    mutations.py BUILD_FOLDER --generated 01_force    all lists, and the generated mutants of these chapters
-    mutations.py BUILD_FOLDER --patient       leaves nothing out: neither float, nor the slowest of the checks that reach a
-                                              mutant, nor what must be compiled alone; it takes much longer
     mutations.py BUILD_FOLDER LIST...         the mutations of these lists, as mutation_list.py describes them
 
-All mutants of a chapter's headers are compiled together, with the chapter's checks, and chosen when those run (engine.py); what
-can't be chosen so is compiled alone (alone.py). What the checks of a chapter don't see is tried on those of later chapters and
-of the tools that stand on them. A check that crashes or computes 20 times as long as it should has seen the mutant.
+All mutants of a chapter's headers are compiled together, with the chapter's checks, and chosen when those run (engine.py): in
+double, those of lists that survive in float too. What can't be chosen so is compiled alone (alone.py). What the checks of a
+chapter don't see is tried on those of later chapters that are tried, and of the tools that stand on them. A check that crashes
+or computes 20 times as long as it should has seen the mutant.
 
 Prints what became of each mutation of a list and which generated mutants survive; BUILD_FOLDER/mutants/all.tsv tells of all. The
 exit code is 0 if nothing is wrong. Wrong is a mutation of a list that survives and is not called equivalent there, or does not
-compile; whatever is called equivalent (for generated ones: in the lists of equal/) and is seen; and if of the generated ones
-fewer than 95 of 100 are either caught or listed as equal."""
+compile; whatever is called equivalent (for generated ones: in the lists of equal/) and is seen; whatever could not be tried;
+and if of the generated ones more than ten, and more than 5 of 100, are neither caught nor listed as equal."""
 import argparse
-import datetime
-import random
 import sys
 import time
 from dataclasses import dataclass, field
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
 
 sys.dont_write_bytecode = True  # nothing is written beside the sources
@@ -37,15 +33,14 @@ from engine import Engine, EngineError
 from equal_list import lines_of, read_equal
 from generator import Generator
 from mutation_list import ListError, read_list
+from since import changed_since_held
 
-here = Path(__file__).parent
+here = Path(__file__).resolve().parent
 root = here.parent.parent
 jobs = 2  # at a time
 caught_ends = {"killed", "crashed", "endless"}
-wanted_share = 0.95
-# What can't be switched is compiled alone; of the generated ones a sample, unless the run is patient.
-sample, seed = 24, 20261122
-most_in_list = 500  # mutations
+most_that_survive, few = 0.05, 10  # of the generated ones: a share, and how many may even where the headers are few
+most_in_list, most_in_chapter = 500, 6000  # mutations, and numbers of mutants
 
 
 @dataclass
@@ -111,7 +106,7 @@ def from_lists(paths, build):
 def first_number(chapter, build):
     """A chapter's mutants have numbers of their own, so that a change in one recompiles no other."""
     known = ["common", *build.chapters(), "exact", "scene_reader"]
-    return 1 + 4000 * [*known, *sorted(set(build.commands) - set(known))].index(chapter)
+    return 1 + most_in_chapter * [*known, *sorted(set(build.commands) - set(known))].index(chapter)
 
 
 def generated(chapters, build, equal):
@@ -132,7 +127,8 @@ def generated(chapters, build, equal):
                 sites.setdefault(one.site, one)
             for one in found:
                 first = sites[one.site]
-                site_text = f"{first.kind}: {text[first.start:first.end]} at {text.count(chr(10), 0, first.start) + 1}"
+                line = text[text.rfind("\n", 0, first.start) + 1:text.find("\n", first.start)]
+                site_text = " ".join(f"{first.kind}: {text[first.start:first.end]} in {line}".split())
                 made.append(Mutant(chapter, name, path, one.start, one.end, one.replacement, one.number, one.edits,
                                    f"{name} {one.site}", site_text, one.is_late, one.may_be_constant, one.kind))
                 made[-1].proof = equal.get((name, *made[-1].lines()), "")
@@ -160,9 +156,15 @@ def settle_alone(mutants, build):
                 return str(mutant)
         return alone.settle(Place(home_of(mutant, build), mutant.header, mutant.seen_by), mutant.text(), build)
 
+    begun, count = time.time(), len(mutants)
+    if mutants:
+        say(f"{count} mutants are compiled alone")
     with ThreadPoolExecutor(jobs) as pool:
-        for mutant, (end, check) in zip(mutants, pool.map(one, mutants)):
-            mutant.result, mutant.check = end, check
+        tried = {pool.submit(one, mutant): mutant for mutant in mutants}
+        for number, done in enumerate(as_completed(tried), 1):
+            tried[done].result, tried[done].check = done.result()
+            if number % 10 == 0 or number == count:
+                say(f"{number} of {count} mutants compiled alone in {time.time() - begun:.0f} s")
 
 
 def is_for_the_compiler(mutant):
@@ -170,8 +172,9 @@ def is_for_the_compiler(mutant):
     return mutant.result in ("unreached", "none") and (mutant.may_be_constant or mutant.listed is not None)
 
 
-def try_all(by_lists, made, late, build, patient, thorough, sample):
-    engine = Engine(build, jobs, patient, thorough, say)
+def try_all(by_lists, made, late, build):
+    """Gives what could not be tried."""
+    engine = Engine(build, jobs, say)
     chapters = [name for name in [*build.rooms(), "exact"] if name in build.commands]
     # Those of common have no checks of their own: they are tried at home, and on what is tried besides.
     tried = {mutant.chapter for mutant in [*by_lists, *made]} | {home_of(m, build) for m in made if m.chapter == "common"}
@@ -187,34 +190,22 @@ def try_all(by_lists, made, late, build, patient, thorough, sample):
         try:
             ends = engine.chapter(chapter, mine, late)
         except EngineError as error:
-            say(f"{error}\n{chapter}: its list is tried one by one, and nothing else")
-            unseen.append(f"{chapter}: its generated mutants were not tried")
-            for mutant in made:
-                mutant.result = mutant.result or ("not tried" if mutant.chapter == chapter else "")
+            unseen.append(f"{error}\n{chapter}: its mutants were not tried")
+            for mutant in mine:
+                mutant.result = mutant.result or "not tried"
             continue
         for mutant in mine:
             end, check = ends.get(mutant.number, ("", ""))
             if end and not (end == "unreached" and mutant.result) and not (end == "none" and mutant.result == "survived"):
                 mutant.result, mutant.check = end, f"{chapter} {check}"
-    # A mutation of a list that double does not see is compiled alone, where float has its turn.
-    left = [m for m in [*by_lists, *made]
-            if is_for_the_compiler(m) or not m.result or (m.listed and m.result == "survived" and not m.proof)]
-    slow = [m for m in left if not m.listed]
-    spared = set() if patient else {m.number for m in slow} - {m.number for m in random.Random(seed).sample(slow, min(len(slow), sample))}
-    left = [m for m in left if m.number not in spared]
-    for mutant in slow:
-        if mutant.number in spared:
-            mutant.result = "not tried"
-    begun = time.time()
-    settle_alone(left, build)
-    say(f"{len(left)} mutants compiled alone in {time.time() - begun:.0f} s; {len(spared)} more were not tried")
-    return unseen if made else []
+    settle_alone([m for m in [*by_lists, *made] if is_for_the_compiler(m) or not m.result], build)
+    return unseen
 
 
 def tell_of_lists(mutants):
     """Prints what became of each; gives what is wrong."""
     wrong = []
-    for mutant in mutants:
+    for mutant in (mutant for mutant in mutants if mutant.result != "not tried"):
         seen = mutant.result in caught_ends
         check = mutant.check.removeprefix(f"{mutant.chapter} ")
         end = f"killed by {check}" if seen else "does not compile: " + check if mutant.result == "no code" else (
@@ -230,20 +221,12 @@ def tell_of_lists(mutants):
 
 
 def tell_of_generated(mutants, equal, path):
-    """Prints the survivors; gives what is wrong, and a row for each chapter: (chapter, generated, caught, crashed or endless,
-    equal, survivors)."""
+    """Prints the survivors and a line for each chapter; gives what is wrong."""
     if not mutants:
-        return [], []
+        return []
     path.write_text("".join("\t".join([str(m.number), m.header, m.kind, m.result, m.check, str(m)]) + "\n" for m in mutants))
     real = [m for m in mutants if m.result not in ("none", "no code", "not tried")]
     wrong = [f"{m} -- is listed as equal, but seen: {m.check}" for m in real if m.proof and m.result in caught_ends]
-    rows = []
-    for chapter in [*dict.fromkeys(m.chapter for m in mutants), "all"]:
-        own = [m for m in real if chapter in (m.chapter, "all")]
-        caught = [m for m in own if m.result in caught_ends]
-        same = [m for m in own if m.proof and m.result not in caught_ends]
-        rows.append((chapter, len(own), len(caught), sum(m.result != "killed" for m in caught), len(same),
-                     len(own) - len(caught) - len(same)))
     for mutant in real:
         if mutant.result not in caught_ends and not mutant.proof:
             say(f"survivor, {mutant.result}: {mutant}")
@@ -253,23 +236,15 @@ def tell_of_generated(mutants, equal, path):
               for header, old, new in equal if header in headers and (header, old, new) not in used]
     nowhere = sum(m.result in ("none", "no code") for m in mutants)
     say(f"{len(mutants)} generated, of which {nowhere} compile nowhere")
-    for row in rows:
-        say("{}: {} mutants, {} caught, of which {} by a crash or no end; {} equal, {} survive".format(*row))
-    if rows[-1][5] > (1 - wanted_share) * rows[-1][1]:
-        wrong.append(f"of the generated mutants fewer than {wanted_share:.0%} are caught or listed as equal")
-    return wrong, rows
-
-
-def write_table(rows):
-    """Replaces the rows of these chapters; the last row sums all."""
-    path, today = here / "caught.tsv", datetime.date.today().isoformat()
-    names = ["headers of", "mutants", "caught", "by a crash or a hang", "equal", "survive", "when"]
-    old = [line.split("\t") for line in path.read_text().splitlines()[1:]] if path.exists() else []
-    table = {row[0]: row for row in old} | {row[0]: [*map(str, row), today] for row in rows}
-    table.pop("all", None)
-    chapters = sorted(table.values(), key=lambda row: (row[0] != "common", row[0]))
-    sums = [str(sum(int(row[column]) for row in chapters)) for column in range(1, 6)]
-    path.write_text("".join("\t".join(row) + "\n" for row in [names, *chapters, ["all", *sums, max(row[6] for row in chapters)]]))
+    for chapter in [*dict.fromkeys(m.chapter for m in mutants), "all"]:
+        own = [m for m in real if chapter in (m.chapter, "all")]
+        ends = [m.result if m.result in caught_ends else "equal" if m.proof else "survived" for m in own]
+        survive = ends.count("survived")
+        say(f"{chapter}: {len(own)} mutants, {ends.count('killed')} killed, {ends.count('crashed')} crashed, "
+            f"{ends.count('endless')} endless, {ends.count('equal')} equal, {survive} survive")
+    if survive > max(few, most_that_survive * len(real)):
+        wrong.append(f"of the generated mutants more than {most_that_survive:.0%} survive and are not listed as equal")
+    return wrong
 
 
 def main():
@@ -277,35 +252,34 @@ def main():
     parser.add_argument("build")
     parser.add_argument("lists", nargs="*")
     parser.add_argument("--chapters", default="")
-    parser.add_argument("--generated", default="")
-    parser.add_argument("--write", action="store_true")
-    parser.add_argument("--patient", action="store_true")
-    parser.add_argument("--sample", type=int, default=sample)
+    parser.add_argument("--changed", action="store_true")
     parser.add_argument("--jobs", type=int, default=2)
     options = parser.parse_args()
     global jobs
     jobs = options.jobs
     try:
         build = Build(options.build)
-        every = [name for name in [*build.rooms(), "exact"] if name in build.commands]
-        wanted = [name for name in every if not options.chapters or name in options.chapters.split(",")]
-        paths = options.lists or [path for path in sorted(here.glob("*.txt")) if path.stem in build.commands and (
-            not options.chapters or path.stem in options.chapters.split(","))]
+        every = ["common", *(name for name in [*build.rooms(), "exact"] if name in build.commands)]
+        changed = changed_since_held(root) if options.changed else None
+        wanted = options.chapters.split(",") if options.chapters else every
+        if options.changed and changed is None:
+            wanted = build.chapters()[:3]
+            say(f"what has changed is not known, so these are tried: {', '.join(wanted)}")
+        paths = options.lists or [path for path in sorted(here.glob("*.txt")) if path.stem in build.commands and path.stem in wanted]
         by_lists = from_lists(paths, build)
         equal = read_equal(sorted((here / "equal").glob("*.txt")))
-        if options.generated:
-            wanted = [name for name in wanted if name in options.generated.split(",")]
-        elif wanted == every or "common" in options.chapters.split(","):
-            wanted.insert(0, "common")
-        made, late = ([], {}) if options.lists else generated(wanted, build, equal)
-        unseen = try_all(by_lists, made, late, build, options.patient, options.write, options.sample)
+        made, late = ([], {}) if options.lists else generated([name for name in every if name in wanted], build, equal)
+        if changed is not None:
+            by_lists = [m for m in by_lists if m.path in changed or here / f"{m.chapter}.txt" in changed]
+            made = [m for m in made if m.path in changed]
+            say(f"{len({m.path for m in [*by_lists, *made]})} headers have changed or are named by a list that has")
+        if len({m.number for m in [*by_lists, *made]}) < len(by_lists) + len(made):
+            raise ListError("two mutants have the same number, so most_in_list or most_in_chapter is too small")
+        wrong = try_all(by_lists, made, late, build) if by_lists or made else []
     except (ListError, EngineError, OSError) as error:
         sys.exit(f"mutations: {error}")
-    wrong = unseen + tell_of_lists(by_lists)
-    complaints, rows = tell_of_generated(made, equal, build.folder / "mutants" / "all.tsv")
-    wrong += complaints
-    if options.write:
-        write_table(rows)
+    wrong += tell_of_lists(by_lists)
+    wrong += tell_of_generated(made, equal, build.folder / "mutants" / "all.tsv")
     say(f"\n{len(by_lists)} mutations, {len(made)} generated mutants, {len(wrong)} wrong{':' if wrong else '.'}")
     print(*wrong, sep="\n")
     sys.exit(1 if wrong else 0)

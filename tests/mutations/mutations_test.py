@@ -1,10 +1,16 @@
 #!/usr/bin/env python3
-"""mutations_test.py BUILD_FOLDER: what mutations.py says of lists that are wrong."""
+"""mutations_test.py BUILD_FOLDER: what mutations.py says of lists that are wrong and of a compiler that crashes, and what it takes
+for changed."""
+import json
+import os
 import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
+
+sys.dont_write_bytecode = True
+from since import changed_since_held
 
 script = Path(__file__).with_name("mutations.py")
 build = sys.argv.pop()
@@ -17,6 +23,23 @@ fatal = """tumble/step_clock.hpp: no step is due
 - return due;
 + return 0;
 """
+of_float = """tumble/drag.hpp: in float the coefficient is not halved
+- area / 2;
++ area / (sizeof(Real) == 4 ? 1 : 2);
+"""
+crashing = """tumble/step_clock.hpp: a step is due once more
+- return due;
++ return due + 4711;
+"""
+# A compiler that crashes where the mutant above can be switched, and else does what the one behind it does.
+crashing_compiler = """#!/bin/sh
+for word; do case $word in -I*/mutants/*) folder=${word#-I} ;; esac; done
+if [ -n "$folder" ] && grep -rqs --include=*.hpp "chosen([0-9]*)) { return due + 4711" "$folder"; then
+  echo "c++: internal compiler error: Segmentation fault signal terminated program cc1plus" >&2
+  exit 4
+fi
+exec %s "$@"
+"""
 no_code = """tumble/step_clock.hpp: nothing compiles
 - return due;
 + return overdue;
@@ -24,7 +47,7 @@ no_code = """tumble/step_clock.hpp: nothing compiles
 
 
 class Lists(unittest.TestCase):
-    def run_lists(self, **lists):
+    def run_lists(self, build=build, **lists):
         with tempfile.TemporaryDirectory() as folder:
             paths = [Path(folder, f"{chapter}.txt") for chapter in lists]
             for path in paths:
@@ -55,6 +78,30 @@ class Lists(unittest.TestCase):
         self.assertIn("does not compile", run.stdout)
         self.assertIn("2 mutations, 0 generated mutants, 2 wrong", run.stdout)
 
+    def test_what_only_float_shows_is_seen_and_not_compiled_alone(self):
+        run = self.run_lists(**{"09_damping": of_float})
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        self.assertIn("in float the coefficient is not halved -- killed by terminal_speed: ", run.stdout)
+        self.assertIn("compiled in float", run.stdout)
+        self.assertNotIn("alone", run.stdout)
+
+    def test_a_crash_of_the_compiler_names_its_mutation_and_the_others_are_switched(self):
+        with tempfile.TemporaryDirectory() as folder:
+            compiler = Path(folder, "crashing")
+            commands = json.loads(Path(build, "compile_commands.json").read_text())
+            for entry in commands:
+                real, rest = entry["command"].split(" ", 1)
+                entry["command"] = f"{compiler} {rest}"
+            compiler.write_text(crashing_compiler % real)
+            compiler.chmod(0o755)
+            Path(folder, "compile_commands.json").write_text(json.dumps(commands))
+            run = self.run_lists(folder, **{"10_fixed_timestep": f"{fatal}\n{crashing}"})
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        self.assertIn("what stops the compiler in step_clock_checks.cpp is tumble/step_clock.hpp a step is due once more", run.stdout)
+        self.assertIn("1 of 1 mutants compiled alone", run.stdout)
+        self.assertIn("no step is due -- killed by", run.stdout)
+        self.assertIn("a step is due once more -- killed by", run.stdout)
+
     def test_a_line_that_is_not_there_once_is_refused_before_anything_is_compiled(self):
         self.refused(fatal.replace("return due", "return dew"), "holds \"return dew;\" 0 times; it must do so exactly once")
         self.refused(fatal.replace("return due;", "return "), "times; it must do so exactly once")
@@ -64,6 +111,44 @@ class Lists(unittest.TestCase):
         self.refused(fatal + "seen by: nobody\n", "has no checks called nobody")
         self.refused(fatal + "killed by: step_clock\n", "begins with none of")
         self.refused(fatal.replace("+ return 0;\n", ""), "needs \"- \" lines and other \"+\" lines")
+
+
+class Changed(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = Path(folder.name).resolve()
+        (self.root / "tests").mkdir()
+        for name in "old.hpp", "new.hpp":
+            (self.root / name).write_text("one\n")
+
+    def git(self, *words):
+        alone = {"GIT_CONFIG_GLOBAL": os.devnull, "GIT_CONFIG_SYSTEM": os.devnull}
+        return subprocess.run(["git", "-C", self.root, "-c", "user.name=a", "-c", "user.email=a@b", *words], text=True, check=True,
+                              capture_output=True, env={**os.environ, **alone}).stdout.strip()
+
+    def held(self, text):
+        (self.root / "tests/exhaustive.txt").write_text(text)
+
+    def test_what_differs_from_the_commit_that_held_has_changed(self):
+        self.git("init", "-q")
+        self.git("add", ".")
+        self.git("commit", "-qm", "one")
+        self.held(f"# what held last\n{self.git('rev-parse', 'HEAD')} 2026-11-27\n")
+        self.assertEqual(changed_since_held(self.root), {self.root / "tests/exhaustive.txt"})
+        (self.root / "new.hpp").write_text("two\n")
+        (self.root / "newer.hpp").write_text("one\n")
+        self.assertEqual({path.name for path in changed_since_held(self.root)}, {"new.hpp", "newer.hpp", "exhaustive.txt"})
+        self.git("commit", "-qam", "two")
+        self.assertIn(self.root / "new.hpp", changed_since_held(self.root))
+
+    def test_nobody_knows_without_a_commit_or_its_history(self):
+        for text in None, "", "\n", "# nothing held yet\n", "0123456789 2026-11-27\n":
+            if text is not None:
+                self.held(text)
+            self.assertIsNone(changed_since_held(self.root), text)
+        self.git("init", "-q")
+        self.assertIsNone(changed_since_held(self.root))
 
 
 if __name__ == "__main__":
