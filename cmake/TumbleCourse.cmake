@@ -119,6 +119,8 @@ target_link_libraries(tumble_check_main PUBLIC tumble_check_flags)
 add_custom_target(results)  # everything that the book quotes
 add_custom_target(all_checks)  # everything that a test with the label "checks" runs
 
+add_custom_target(slow_programs)  # what only slow tests run
+
 # tumble_chapter_target(SUFFIX CHAPTER): the custom target SUFFIX_CHAPTER, made once.
 function(tumble_chapter_target suffix chapter)
   if(NOT TARGET ${suffix}_${chapter})

@@ -44,7 +44,8 @@ TEST_CASE("The free top agrees with Fehlberg's rule, whatever the signs and the 
         const auto witness = in_long_double(start);
         const auto truth = integrated_free_top(witness, time, steps);
         const long double truth_error = eighth_order_error(3.1L, time, steps);
-        CHECK(difference(FreeTop(witness).at(time), truth) <= claimed_error(witness, time) + truth_error);
+        CHECK(difference(FreeTop(witness).at(time), truth) <=
+              claimed_error(witness, time) + truth_error);
         CHECK(difference(FreeTop(start).at(time), truth) <= claimed_error(start, time));
       }
 }

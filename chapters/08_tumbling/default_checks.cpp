@@ -1,6 +1,6 @@
+#include <span>
 #include <support/body_bounds.hpp>
 #include <support/rules.hpp>
-#include <span>
 #include <vector>
 
 using namespace tumble;

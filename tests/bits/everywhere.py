@@ -3,6 +3,7 @@
 with the same bits.
 
     everywhere.py BUILD            all that is here; writes a row for each into tried.tsv beside this script
+    everywhere.py BUILD --no-rows  the same without writing
     everywhere.py BUILD --quick    a few compilers, no scenes, and no row
     everywhere.py BUILD WORD...    those whose name holds a word, such as ARM64; their rows alone are written anew
 
@@ -170,7 +171,8 @@ def keep(row):
 
 def main():
     build, quick = Path(sys.argv[1]), "--quick" in sys.argv[2:]
-    asked = [word for word in sys.argv[2:] if word != "--quick"]
+    writes = not quick and "--no-rows" not in sys.argv[2:]
+    asked = [word for word in sys.argv[2:] if not word.startswith("--")]
     known = known_digests()
     kinds = [kind for kind in programs if not (quick and kind == "scenes")]
     chosen = [target for target in targets() if (target.is_quick or not quick)
@@ -182,7 +184,7 @@ def main():
             print(" | ".join(row), flush=True)
             if not target.is_known:
                 rows.append(row)
-            if not quick:
+            if writes:
                 keep(row)
     for target in chosen:
         if not target.is_here():

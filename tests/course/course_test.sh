@@ -191,6 +191,36 @@ verify "and nothing before them" [ "${output/Running/}" = "$output" ]
 verify "bench names the log" says "log: build/log/bench.txt"
 
 fresh debian 12
+for tool in cmp ls mv paste sort tr uniq; do ln -s "$(command -v $tool)" "$scratch/bin/$tool"; done
+stand_in git <<<'case "$*" in "rev-parse HEAD") echo 0123abcd ;; status*) [ -z "${DIRTY-}" ] || echo "M course" ;; esac'
+stand_in ctest <<<'echo "ctest $*" >>"$CALLED"; [[ $* != *-N* ]] || printf "  Test #%s\n" "1: build.races" "2: book.browser.dark"
+  [ -z "${RED-}" ] || [[ $* = *-N* ]] || exit 8; echo "1/2 Test #1: build.races ......   Passed   12.50 sec"'
+stand_in_python 'echo "python3 $*" >>"$CALLED"; exit 0'
+mkdir -p "$scratch/tree/tests" "$scratch/tree/build/clang/tests/scenes"
+for stood_for in tests/try_compilers build/clang/tests/scenes/fuzz_scene; do
+  cp "$scratch/bin/git" "$scratch/tree/$stood_for"
+done
+course test --no-install
+verify "test runs the quick tests" called "--label-exclude ^(slow|in_book)$"
+verify "and without --all no others" [ "${called/--label-regex/}" = "$called" ]
+verify "whose book goes without the bench" called "-DTUMBLE_BENCH=OFF"
+course test --all races --no-install
+verify "--all WORD runs the slow tests whose name holds it" called "--tests-regex ^(build\\.races)\$"
+verify "and tells the time of each" says "12.5 s  Passed: build.races"
+verify "and nothing else" says_not "sanitizers"
+course test --all nothing --no-install
+verify "a word that no slow test's name holds is refused" ends_with 2
+verify "and the names are listed" says "build.races book.browser.dark layout sanitizers tidy"
+DIRTY=yes course test --exhaustive --no-install
+verify "an exhaustive run is one of a commit" says "commit first what has changed"
+RED=yes course test --exhaustive --no-install
+verify "one that finds something writes nothing" [ ! -e "$scratch/tree/tests/exhaustive.txt" ]
+course test --exhaustive --no-install
+verify "one that holds names its commit" [ "$(cut -d' ' -f1 "$scratch/tree/tests/exhaustive.txt" 2>/dev/null)" = 0123abcd ]
+verify "and has tried every mutant" called "tests/mutations/mutations.py build/default --jobs"
+rm -r "$scratch/tree/tests" "$scratch/bin/python3" "$scratch"/bin/{git,ctest}
+
+fresh debian 12
 course bits ARM64
 verify "bits installs compilers for other machines" called "g++-aarch64-linux-gnu"
 verify "and one word chooses among them" says "Compiled and compared for every machine"

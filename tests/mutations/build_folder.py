@@ -25,7 +25,7 @@ class Build:
             elif file.name.endswith("_checks.cpp"):
                 checks = self.commands.setdefault(file.parent.name, {})
                 checks[file.name.removesuffix("_checks.cpp")] = (entry["directory"], words[:target - 1], file)
-            elif "tumble_rungs.dir" in words[target]:
+            elif re.search(r"\btumble_(rungs|scenes_folder)\.dir\b", words[target]):
                 self.others.setdefault(file.parent.name, {})[file.stem] = (
                     Path(entry["directory"], words[target]), words[:target - 1], file)
         if self.main is None or not self.main.exists():

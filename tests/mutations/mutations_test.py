@@ -34,7 +34,7 @@ crashing = """tumble/step_clock.hpp: a step is due once more
 # A compiler that crashes where the mutant above can be switched, and else does what the one behind it does.
 crashing_compiler = """#!/bin/sh
 for word; do case $word in -I*/mutants/*) folder=${word#-I} ;; esac; done
-if [ -n "$folder" ] && grep -rqs --include=*.hpp "chosen([0-9]*)) { return due + 4711" "$folder"; then
+if [ -n "$folder" ] && grep --recursive -q -s --include=*.hpp "chosen([0-9]*)) { return due + 4711" "$folder"; then
   echo "c++: internal compiler error: Segmentation fault signal terminated program cc1plus" >&2
   exit 4
 fi

@@ -1,3 +1,5 @@
 #include <support/shipped_scenes.hpp>
 
-std::filesystem::path tumble::support::scenes_folder() { return TUMBLE_SCENES; }
+std::filesystem::path tumble::support::scenes_folder() {
+  return TUMBLE_SCENES;
+}
