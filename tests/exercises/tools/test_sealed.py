@@ -65,6 +65,6 @@ subprocess.run([sys.executable, "-S", "-E", "-c", "import resource; print(resour
         self.assertEqual(self.run_sealed(code), "[]")
 
     def test_it_may_end_itself(self):
-        result = subprocess.run(["/bin/sh", "-c", "exec python3 -c 'import os; os.abort()'"], stdin=subprocess.DEVNULL,
+        result = subprocess.run(["/bin/sh", "-c", "exec \"$0\" -c 'import os; os.abort()'", sys.executable], stdin=subprocess.DEVNULL,
                                 capture_output=True, timeout=60, preexec_fn=lambda: confine(Limits(sealed=True), PARENT))
         self.assertEqual(result.returncode, -6, result.stderr)

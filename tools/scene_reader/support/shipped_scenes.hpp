@@ -8,8 +8,8 @@
 
 namespace tumble::support {
 
-/// Where they lie in this checkout. It is compiled alone: a path that every reader of a scene were compiled with would
-/// let the compiler's cache forget them all in another folder.
+/// Where they lie in this checkout. It is compiled alone: a path that every reader of a scene were
+/// compiled with would let the compiler's cache forget them all in another folder.
 std::filesystem::path scenes_folder();
 
 inline std::vector<std::filesystem::path> shipped_scenes() {
