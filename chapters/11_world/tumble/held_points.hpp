@@ -7,6 +7,7 @@
 #include <tumble/bodies.hpp>
 #include <tumble/principal_axes.hpp>
 #include <tumble/rigid_body.hpp>
+#include <utility>
 #include <vector>
 
 namespace tumble {
@@ -76,14 +77,37 @@ Real largest_turning_strength(const RigidBody<Real>& body, const Mat3<Same<Real>
 }
 //! [largest_turning_strength]
 
+/// How fast the axis of a free body circles about its angular momentum, rad/s: the nutation, |L|/I⊥
+/// of a top that is symmetric about its axis, whichever way it spins. Of moments that all differ
+/// the fastest is taken that any axis has, J₃ √(L₁² + L₂²), where a spin about the first counts by
+/// the larger of the other two inverse moments J.
+//! [nutation_rate]
+template <class Real>
+Real nutation_rate(const Top<Real>& top) {
+  const Vec3<Real>&L = top.angular_momentum_body, &J = top.inverse_moments;
+  return std::max({J.x() * std::hypot(L.y(), L.z()), J.y() * std::hypot(L.z(), L.x()),
+                   J.z() * std::hypot(L.x(), L.y())});
+}
+//! [nutation_rate]
+
+/// How many times as easily as at rest a body yields to kicks that come once in each turn of its
+/// nutation by `angle` (rad, 0 to below π), see step_limit().
+//! [yielding]
+template <class Real>
+Real yielding(Real angle) {
+  return angle == 0 ? 1 : std::tan(angle / 2) / (angle / 2);
+}
+//! [yielding]
+
 namespace detail {
 
 /// What resists the turns of one body: all its holds together.
 template <class Real>
 struct HeldTurn {
-  Mat3<Real> strength = Mat3<Real>::Zero();  ///< body axes
-  Real most = 0;                             ///< the largest part that a hold has in it
-  std::size_t hold = 0;                      ///< which has it
+  Mat3<Real> sum = Mat3<Real>::Zero();  ///< body axes
+  Real strength = 0;                    ///< of that, see largest_turning_strength()
+  Real most = 0;                        ///< the largest part that a hold has in it
+  std::size_t hold = 0;                 ///< which has it
 };
 
 }  // namespace detail
@@ -91,26 +115,32 @@ struct HeldTurn {
 /// What resists the turns of each body, and which of the holds has the most part in it.
 template <class Real>
 struct HeldTurns {
-  std::vector<detail::HeldTurn<Real>> sums;  ///< by body; no more than up to the last that is held
-  Real largest = 0;                          ///< see largest_turning_strength(), of all bodies
-  std::size_t hold = 0;                      ///< which has the most part in that
+  std::vector<detail::HeldTurn<Real>> turns;  ///< by body; no more than up to the last that is held
 
   /// A hold gives this to a body. `part` is how large that is, and not 0.
   void add(BodyIndex body, const Mat3<Real>& strength, Real part, std::size_t of_hold) {
-    if (sums.size() <= body) sums.resize(body + 1);
-    detail::HeldTurn<Real>& sum = sums[body];
-    sum.strength += strength;
-    if (!(part <= sum.most)) sum.most = part, sum.hold = of_hold;
+    if (turns.size() <= body) turns.resize(body + 1);
+    detail::HeldTurn<Real>& turn = turns[body];
+    turn.sum += strength;
+    if (!(part <= turn.most)) turn.most = part, turn.hold = of_hold;
   }
 
   /// Once all has been added. `roster` has the bodies.
   template <class Roster>
-  void find_largest(const Roster& roster) {
-    for (BodyIndex body = 0; body < sums.size(); ++body) {
-      if (sums[body].most == 0) continue;
-      const Real found = largest_turning_strength<Real>(roster.body(body), sums[body].strength);
-      if (found > largest) largest = found, hold = sums[body].hold;
-    }
+  void find_strengths(const Roster& roster) {
+    for (BodyIndex body = 0; body < turns.size(); ++body)
+      if (turns[body].most != 0)
+        turns[body].strength = largest_turning_strength<Real>(roster.body(body), turns[body].sum);
+  }
+
+  /// The largest strength where each body yields so many times as easily as at rest, and the hold
+  /// that has the most part in it.
+  std::pair<Real, std::size_t> largest(const std::vector<Real>& yields) const {
+    std::pair<Real, std::size_t> found{0, 0};
+    for (BodyIndex body = 0; body < turns.size(); ++body)
+      if (const Real strength = turns[body].strength * yields[body]; strength > found.first)
+        found = {strength, turns[body].hold};
+    return found;
   }
 };
 

@@ -82,9 +82,16 @@ class World : public Scenery<Real, Keeping> {
     const StepLimit<Real> limit = step_limit();
     if (time_step_ <= limit.time_step) return {};
     const std::string& name = work().effects[limit.entry].effect->name();
-    return {"'" + name + "' on '" + bodies_.name_of(limit.body) +
-            "' may gain energy without bound: the time step is " + text_of(time_step_) +
-            " s, and only up to " + text_of(limit.time_step) + " s can this be excluded"};
+    std::string warning = "'" + name + "' on '" + bodies_.name_of(limit.body) +
+                          "' may gain energy without bound: the time step is " +
+                          text_of(time_step_) + " s, and only up to " + text_of(limit.time_step) +
+                          " s can this be excluded";
+    if (time_step_ <= limit.at_rest)
+      warning +=
+          ", since '" + bodies_.name_of(limit.spinning) + "' spins, and its nutation turns by " +
+          text_of(std::round(time_step_ * limit.nutation_rate * 180 / std::numbers::pi_v<Real>)) +
+          " degrees in a step";
+    return {warning};
   }
 
   /// Up to which step no effect that has a response() can feed on itself, as the bodies are now.
