@@ -1,5 +1,6 @@
 /// @file
-/// Files of this checkout that simulate needs when it runs. They are compiled alone, as support::scenes_folder() is.
+/// Files of this checkout that simulate needs when it runs. They are compiled alone, as
+/// support::scenes_folder() is.
 #pragma once
 
 #include <filesystem>
