@@ -106,6 +106,45 @@ TEST_CASE("A world's error falls with the power of its step that the plan promis
 }
 //! [orders]
 
+TEST_CASE(
+    "A kink leaves Suzuki's scheme the order that the plan says: 2 where a tether becomes taut, 3 "
+    "at the water's surface") {
+  const auto world_from = [](double height, const auto& effect, int steps) {
+    World<double> world(steps_per_second(steps));
+    world.step_by(Scheme::suzuki);
+    world.add("thing", make_particle<double>(1, {0, 0, height}, {0, 0, 1}));
+    world.add(effect);
+    return world;
+  };
+  const auto end_of = [&](double height, const auto& effect, int steps) {
+    World<double> world = world_from(height, effect, steps);
+    for (int n = 0; n < steps; ++n) world.step();
+    return world.bodies().centres[0].position.z();
+  };
+  // From 64 heights, so that the kink lies anywhere in its step; the mean of the squares counts.
+  const auto order_of = [&](const auto& effect, const auto& truth) {
+    double squares = 0, of_half = 0;
+    for (int n = 0; n < 64; ++n) {
+      const double height = 0.4 + 0.001618 * n, end = truth(height);
+      squares += std::pow(end_of(height, effect, 64) - end, 2);
+      of_half += std::pow(end_of(height, effect, 128) - end, 2);
+    }
+    return std::lround(std::log2(squares / of_half) / 2);
+  };
+  // 1 m/s up to 1 m, and from there on a swing of w = 3 rad/s.
+  const SpringToPoint<double> tether{
+      .spring = {.stiffness = 9, .rest_length = 1, .only_pulls = true}, .name = "tether"};
+  const auto swing = [](double height) { return 1 + std::sin(3 * height) / 3; };
+  CHECK(order_of(tether, swing) == 2);
+  CHECK(text_of(world_from(0.4, tether, 64).plan().accuracy) ==
+        "order 2 in place of 4 (Suzuki): 'tether' has a kink");
+  // A ball of 0.3 m that is thrown out of the water, and then flies.
+  const Buoyancy<double> water{.density = 50, .radius = 0.3, .surface = 1};
+  const auto finely = [&](double height) { return end_of(height, water, 8192); };
+  CHECK(order_of(water, finely) == 3);
+  CHECK(world_from(0.4, water, 64).plan().accuracy.order == 3);
+}
+
 TEST_CASE("In float a scheme has its order until the roundings of its steps come into sight") {
   for (const Scenario<float>& scenario : scenarios<float>())
     for (const Scheme scheme : every_scheme) {

@@ -345,6 +345,48 @@ TEST_CASE_TEMPLATE("A spring under tension limits the step by what it does to a 
   CHECK(limit > Real(0.97) * 2 / w);
 }
 
+namespace {
+
+/// A force that keeps its size and direction, at a point of the body: a tow rope, say.
+template <class Real>
+struct PullAtPoint {
+  static constexpr std::string_view name = "pull";
+  Vec3<Real> pull, point;  // N, world axes; m, body axes
+  Push<Real> push(const BodyState<Real>& body, Real) const {
+    return {pull, arm_of<Real>(body, point).cross(pull)};
+  }
+  Response<Real> response(const BodyState<Real>& body) const {
+    return {.arm_first = arm_of<Real>(body, point), .force = pull};
+  }
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("Two forces without stiffness that pull a body apart limit the step by its turn",
+                   Real, EVERY_PRECISION) {
+  // A turn by θ meets the torque −2 F a θ: h = 2 √(I/(2 F a)), 9.3 ms.
+  const Real F = 1000, a = Real(0.23), I = Real(0.01), limit = 2 * std::sqrt(I / (2 * F * a));
+  for (const Real times : {Real(0.99), Real(1.07)}) {
+    World<Real> world(step_of_nanoseconds(std::int64_t(1e9 * double(times * limit))));
+    world.on_warning([](const std::string&) {});
+    RigidBody<Real> body;
+    body.centre = make_particle<Real>(1);
+    body.top.inverse_moments = Vec3<Real>::Constant(1 / I);
+    const BodyHandle handle = world.add("body", body);
+    for (const Real side : {Real(-1), Real(1)})
+      world.add(PullAtPoint<Real>{{side * F, 0, 0}, {side * a, 0, 0}}, {handle});
+    CHECK(std::abs(world.step_limit().time_step - limit) <= 16 * unit_roundoff<Real> * limit);
+    CHECK(world.warnings().empty() == (times < 1));
+    world.set_angular_velocity(handle, {0, 0, Real(1e-3)});
+    Real fastest = 0;
+    for (int n = 0; n < 200; ++n) {
+      world.step();
+      fastest = std::max(fastest, angular_velocity_world(world.body(handle).top).norm());
+    }
+    CHECK((fastest < 1) == (times < 1));
+  }
+}
+
 TEST_CASE("A chain of boxes under tension is stable below its limit, whatever its boxes") {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     CAPTURE(seed);

@@ -9,9 +9,8 @@
 
 namespace tumble {
 
-/// The order that a step of a world is sure of where forces and torques are smooth. Where one of
-/// them jumps, as when a thruster ends or a tether with a damper becomes taut, it is 1 in that
-/// step.
+/// The order that a step of a world is sure of where no force or torque jumps. Where one of them
+/// does, as when a thruster ends or a tether with a damper becomes taut, it is 1 in that step.
 struct Accuracy {
   Scheme scheme = Scheme::semi_implicit_euler;
   int order = 1;
@@ -38,6 +37,10 @@ std::string why_first_order(const AnyEffect<Real>& effect) {
 //! [limit_of_effect]
 
 /// What a world's step is sure of.
+///
+/// In the step in which derivative number s + 1 of a force jumps, the scheme takes the force for
+/// one that is off by up to h^(s+1), and so the velocity by h^(s+2). However few such steps there
+/// are, they leave no higher order than s + 2.
 //! [accuracy_of]
 template <class Real>
 Accuracy accuracy_of(const Work<Real>& work) {
@@ -49,8 +52,13 @@ Accuracy accuracy_of(const Work<Real>& work) {
     accuracy.limits.push_back(why);
   };
   for (const Entry<Real>& entry : work.effects)
-    if (entry.visits.size() > 0)
-      if (const std::string why = why_first_order(*entry.effect); !why.empty()) limit_to(1, why);
+    if (entry.visits.size() > 0) {
+      const EffectTraits<Real>& traits = entry.effect->traits();
+      if (const std::string why = why_first_order(*entry.effect); !why.empty())
+        limit_to(1, why);
+      else
+        limit_to(traits.smoothness + 2, "'" + traits.name + "' has a kink");
+    }
   if (work.tumbling.empty()) return accuracy;
   const AnyRule<Real>& rule = *work.rule;
   const std::string turning = "turning by " + rule.name();

@@ -162,6 +162,8 @@ struct Buoyancy {
     const Real volume = std::numbers::pi_v<Real> * depth * depth * (radius - depth / 3);
     return {0, 0, density * volume * gravity};
   }
+  /// As the ball leaves the water the area that the surface cuts from it vanishes, with a kink.
+  int smoothness() const { return 1; }
   /// ρ g times the area that the surface cuts from the ball, at most that of a great circle.
   Response<Real> response(const BodyState<Real>&) const {
     return {.stiffness = density * gravity * std::numbers::pi_v<Real> * radius * radius};

@@ -24,6 +24,7 @@ struct EffectTraits {
   bool has_response = false;      ///< it says how it limits the time step
   bool may_feed_back = false;     ///< it reads how a body moves, and does not say what follows
   bool depends_on_speed = false;  ///< what it gives depends on a velocity or a spin
+  int smoothness = 9;             ///< how many derivatives of what it gives never jump; 9: all
   bool joins_two() const { return sees == Sees::pair; }
   bool visits_tops() const { return sees == Sees::top; }
 };
@@ -99,6 +100,7 @@ EffectTraits<Real> traits_of(const Effect& effect) {
   traits.depends_on_speed = traits.reads.has_any(quantity::velocity | quantity::spin);
   if constexpr (requires { effect.depends_on_speed(); })
     traits.depends_on_speed = effect.depends_on_speed();
+  if constexpr (requires { effect.smoothness(); }) traits.smoothness = effect.smoothness();
   return traits;
 }
 

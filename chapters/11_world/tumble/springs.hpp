@@ -39,6 +39,13 @@ Real spring_energy(const Spring<Real>& spring, const Vec3<Real>& extent) {
 }
 //! [spring]
 
+/// How many derivatives of the force never jump: none of a tether, whose slope does as it becomes
+/// taut.
+template <class Real>
+int smoothness_of(const Spring<Real>& spring) {
+  return spring.only_pulls ? 0 : 9;
+}
+
 /// Throws unless stiffness, damping and rest length are finite and 0 or more.
 template <class Real>
 void check_spring(const Spring<Real>& spring) {
@@ -75,6 +82,7 @@ struct SpringToPoint {
   }
   bool needs_top() const { return attachment != Vec3<Real>::Zero(); }
   bool depends_on_speed() const { return spring.damping != 0; }
+  int smoothness() const { return smoothness_of(spring); }
   Response<Real> response(const BodyState<Real>& body) const {
     return {.stiffness = spring.stiffness,
             .damping = spring.damping,
@@ -121,6 +129,7 @@ struct SpringBetween {
   bool needs_top() const { return attachment_first != Vec3<Real>::Zero(); }
   bool needs_second_top() const { return attachment_second != Vec3<Real>::Zero(); }
   bool depends_on_speed() const { return spring.damping != 0; }
+  int smoothness() const { return smoothness_of(spring); }
   Response<Real> response(const BodyState<Real>& first, const BodyState<Real>& second) const {
     return {.stiffness = spring.stiffness,
             .damping = spring.damping,
