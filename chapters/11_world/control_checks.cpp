@@ -363,3 +363,32 @@ TEST_CASE(
       std::string::npos);
   CHECK(world.warnings().empty());
 }
+
+TEST_CASE("Damping of turns alone keeps Suzuki's scheme at Euler's limit") {
+  RigidBody<double> body;
+  body.centre = make_particle<double>(1);
+  body.top.inverse_moments = {1, 1, 1};
+  const auto limit = [&](Scheme scheme, double damping) {
+    World<double> world;
+    world.step_by(scheme);
+    world.add(Steering<double>{4 * Mat3d::Identity(), damping * Mat3d::Identity(), {}},
+              {world.add("body", body)});
+    return world.step_limit().time_step;
+  };
+  CHECK(limit(Scheme::suzuki, 1) == limit(Scheme::semi_implicit_euler, 1));
+  CHECK(limit(Scheme::suzuki, 0) > 1.3 * limit(Scheme::semi_implicit_euler, 0));
+}
+
+TEST_CASE("Of two controllers the one is named that pulls harder, where a damper counts twice") {
+  // h² K + 2 h C = 4 with C < h K < 2 C: at h = 8/7 the damper pulls by 2.3, the spring by 1.7.
+  RigidBody<double> body;
+  body.centre = make_particle<double>(1);
+  body.top.inverse_moments = {1, 1, 1};
+  World<double> world;
+  const BodyHandle handle = world.add("body", body);
+  world.add(Steering<double>{1.3125 * Mat3d::Identity(), Mat3d::Zero(), {}}, {handle});
+  world.add(Steering<double>{Mat3d::Zero(), Mat3d::Identity(), {}}, {handle});
+  const StepLimit<double> limit = world.step_limit();
+  CHECK(std::abs(limit.time_step - 8.0 / 7) <= 16 * unit_roundoff<double>);
+  CHECK(limit.entry == 1);
+}

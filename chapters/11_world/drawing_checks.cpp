@@ -74,6 +74,12 @@ TEST_CASE("A body put elsewhere is not drawn on the way there, and a slot's new 
   drawing.note(world);
   CHECK(drawing.pose(ball, 0.5).position.x() == 100);
 
+  // Its model stays with it.
+  drawing.set_model(ball, {.position = {0, 3, 0}});
+  drawing.cut(ball);
+  drawing.note(world);
+  CHECK(drawing.pose(ball, 0.5).position.y() == 3);
+
   world.remove(ball);
   const BodyHandle other = world.add("other", make_particle<double>(1, {7, 0, 0}));
   REQUIRE(other.slot == ball.slot);

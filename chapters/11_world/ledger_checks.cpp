@@ -180,3 +180,43 @@ TEST_CASE_TEMPLATE("A failed step leaves the books as they were", Real, EVERY_PR
   ledger.step(world);
   CHECK(ledger.lines()[0].momentum.x() < 0);
 }
+
+namespace {
+
+/// Drives a top by nothing, and stores where its body is.
+template <class Real>
+struct Shelf {
+  static constexpr std::string_view name = "shelf";
+  Vec3<Real> torque(const Top<Real>&, Real) const { return Vec3<Real>::Zero(); }
+  Real potential_energy(const BodyState<Real>& body) const { return body.centre.position.x(); }
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("What an effect on tops stores is asked of their bodies, also behind points",
+                   Real, EVERY_PRECISION) {
+  World<Real> world;
+  world.add("point", make_particle<Real>(1, {100, 0, 0}));
+  RigidBody<Real> body;
+  body.centre = make_particle<Real>(1, {6, 0, 0});
+  body.top.inverse_moments = {1, 1, 1};
+  world.add("body", body);
+  world.add(Shelf<Real>{});
+  CHECK(Ledger<Real>::stored(world) == 6);
+}
+
+TEST_CASE_TEMPLATE("The books close for a push of one step, however often the scheme kicks in it",
+                   Real, EVERY_PRECISION) {
+  for (const Scheme scheme : {Scheme::semi_implicit_euler, Scheme::verlet, Scheme::suzuki}) {
+    CAPTURE(name_of(scheme));
+    World<Real> world(steps_per_second(8));
+    world.step_by(scheme);
+    const BodyHandle stone = world.add("stone", make_particle<Real>(1));
+    Ledger<Real> ledger(world);
+    world.push_at(stone, {16, 0, 0}, {0, 0, 0});
+    ledger.step(world);
+    // 16 N for 1/8 s; Suzuki's five kicks and their sum are rounded once each.
+    CHECK(std::abs(ledger.now(world).momentum.x() - 2) <= 16 * unit_roundoff<Real>);
+    CHECK(std::abs(ledger.rest(world).momentum.x()) <= 16 * unit_roundoff<Real>);
+  }
+}

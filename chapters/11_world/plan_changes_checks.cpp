@@ -13,6 +13,13 @@ using namespace tumble::support;
 
 namespace {
 
+/// 2 N m about z.
+template <class Real>
+struct SteadyTwist {
+  static constexpr std::string_view name = "steady twist";
+  Vec3<Real> torque(const Top<Real>&, Real) const { return {0, 0, 2}; }
+};
+
 /// Leaves the velocity as it is.
 template <class Real, Phase when>
 struct Still {
@@ -258,4 +265,15 @@ TEST_CASE_TEMPLATE("A body that only a copy has is unknown to the original", Rea
   const BodyHandle more = copy.add("b", make_particle<Real>(1));
   CHECK(copy.contains(more));
   CHECK_FALSE(world.contains(more));
+}
+
+TEST_CASE("A torque stays with its body where that has the last top and a point is the last body") {
+  World<double> world(steps_per_second(2));
+  const BodyHandle a = world.add("a", box_body<double>({0, 0, 0})),
+                   b = world.add("b", box_body<double>({1, 0, 0}));
+  world.add("point", make_particle<double>(1));
+  world.add(SteadyTwist<double>{}, {b});
+  world.remove(a);
+  world.step();
+  CHECK(world.body(b).top.angular_momentum_body.norm() == 1);
 }

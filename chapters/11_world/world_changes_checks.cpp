@@ -346,3 +346,49 @@ TEST_CASE("A slot whose generations are used up is not used again") {
                          std::out_of_range);
   }
 }
+
+TEST_CASE_TEMPLATE("A push at a point turns the body that it is meant for about its own centre",
+                   Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(2));
+  world.add("other", box_body<Real>({-8, 4, 2}));
+  const BodyHandle box = world.add("box", box_body<Real>({1, 2, 3}));
+  world.push_at(box, {0, 0, 4}, {2, 2, 3});
+  world.step();
+  // 4 N along z at an arm of 1 m along x, for half a second.
+  CHECK(distance(angular_momentum_world(world.body(box).top), Vec3<Real>(0, -2, 0)) <=
+        64 * unit_roundoff<Real>);
+}
+
+TEST_CASE(
+    "Of a joint of several pairs each end needs an orientation where it holds off the centre") {
+  World<double> world;
+  const BodyHandle a = world.add("a", box_body<double>({0, 0, 0})),
+                   b = world.add("b", box_body<double>({1, 0, 0})),
+                   c = world.add("c", box_body<double>({2, 0, 0})),
+                   point = world.add("point", make_particle<double>(1));
+  const SpringBetween<double> joint{.spring = {.stiffness = 1}, .attachment_second = {0, 1, 0}};
+  CHECK(sentence_of([&] {
+          world.add(joint, {a, b, c, point});
+        }) == "'spring between bodies' needs an orientation, and 'point' is a point");
+  CHECK(sentence_of([&] { world.add(joint, {a, b, point, c}); }) == "nothing thrown");
+}
+
+TEST_CASE("A world that goes back to rest forgets what could have moved its bodies since") {
+  World<double> world(steps_per_second(8));
+  const BodyHandle stone = world.add("stone", make_particle<double>(1));
+  const EffectHandle gravity = world.add(Gravity<double>{});
+  const Snapshot<double> snapshot = world.save();
+  const Mark<double> mark = world.mark();
+  world.step();
+  world.remove(gravity);
+  for (const bool by_mark : {false, true}) {
+    if (by_mark)
+      world.restore(mark);
+    else
+      world.restore(snapshot);
+    CHECK(world.work().movers.size() == 0);
+    world.step();
+    CHECK(world.body(stone).centre.position.isZero(0));
+    world.set_velocity(stone, {1, 0, 0});
+  }
+}

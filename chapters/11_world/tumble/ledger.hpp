@@ -60,7 +60,10 @@ class Ledger {
         sum += static_cast<double>(
             entry.effect->potential_energy(state_of(bodies, first), state_of(bodies, second)));
       };
-      entry.visits.group.for_each([&](BodyIndex body) { add(body, body); });
+      entry.visits.group.for_each([&](BodyIndex i) {
+        const BodyIndex body = entry.effect->traits().visits_tops() ? bodies.body_of[i] : i;
+        add(body, body);
+      });
       for (const BodyPair& pair : entry.visits.pairs) add(pair.first, pair.second);
     }
     return sum;
