@@ -71,7 +71,7 @@ class Responses {
     if (at_rest.hold == none) return {};
     StepLimit<Real> limit = limited_by(at_rest.hold, times * at_rest.time_step);
     limit.at_rest = limit.time_step;
-    const Real fastest = *std::ranges::max_element(nutations_);
+    const Real fastest = *std::max_element(nutations_.begin(), nutations_.end());
     if (fastest == 0) return limit;
     // In a longer step the bodies yield more, and so it must be shorter: one is just short enough.
     Real below = 0, above = std::min(limit.at_rest, largest_angle / fastest);
