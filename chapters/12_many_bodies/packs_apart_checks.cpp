@@ -8,27 +8,27 @@ using namespace tumble::support;
 
 namespace {
 
-constexpr int width = 4;
+constexpr int lane_count = 4;
 
 /// Points and bodies with tops, of which some have gone: then tops of bodies of different packs lie
 /// in one.
-PackedBodies<float, width> mixed_bodies(std::size_t count) {
+PackedBodies<float, lane_count> mixed_bodies(std::size_t count) {
   Bodies<float> bodies;
   const Top<float> top;
   Dice dice(31);
   for (std::size_t n = 0; n < count + 9; ++n)
     append(bodies, Particle<float>{}, dice.one_in(3) ? nullptr : &top);
   for (int n = 0; n < 9; ++n) take_out(bodies, static_cast<BodyIndex>(dice.below(count)));
-  return packed<float, width>(bodies);
+  return packed<float, lane_count>(bodies);
 }
 
 }  // namespace
 
 TEST_CASE("Threads that share a part of the packs have no pack of tops in common") {
-  const PackedBodies<float, width> bodies = mixed_bodies(90);
-  PackGroup<float, width> group;  // all but pack 2, and of packs 5 and 21 a part
+  const PackedBodies<float, lane_count> bodies = mixed_bodies(90);
+  PackGroup<float, lane_count> group;  // all but pack 2, and of packs 5 and 21 a part
   group.whole = {{0, 2}, {3, 5}, {6, 21}};
-  PackMask<float, width> one{};
+  PackMask<float, lane_count> one{};
   one.lanes[1] = -1;
   group.parts = {{5, one}, {21, one}};
   const PacksApart parts = packs_apart(group, bodies);
@@ -40,14 +40,14 @@ TEST_CASE("Threads that share a part of the packs have no pack of tops in common
     for (const std::uint32_t pack : part) {
       CHECK(seen.insert(pack).second);
       std::set<BodyIndex> own;
-      for (BodyIndex body = pack * width; body < (pack + 1) * width && body < 90; ++body)
-        if (bodies.top_of[body] != no_index) own.insert(bodies.top_of[body] / width);
+      for (BodyIndex body = pack * lane_count; body < (pack + 1) * lane_count && body < 90; ++body)
+        if (bodies.top_of[body] != no_index) own.insert(bodies.top_of[body] / lane_count);
       for (const BodyIndex tops : own) CHECK(taken.insert(tops).second);
     }
   }
   CHECK(seen.size() == 21);
   CHECK(seen.count(2) == 0);
-  CHECK(packs_apart(PackGroup<float, width>{}, bodies).empty());
+  CHECK(packs_apart(PackGroup<float, lane_count>{}, bodies).empty());
 }
 
 TEST_CASE("Where all bodies have tops, or none has, all packs are in one part") {
@@ -59,7 +59,7 @@ TEST_CASE("Where all bodies have tops, or none has, all packs are in one part") 
       append(bodies, Particle<float>{}, have_tops ? &top : nullptr);
       everyone.insert(n);
     }
-    CHECK(packs_apart(pack_group<float, width>(everyone), packed<float, width>(bodies)) ==
+    CHECK(packs_apart(pack_group<float, lane_count>(everyone), packed<float, lane_count>(bodies)) ==
           PacksApart{{0, 1, 2, 3, 4, 5, 6, 7, 8}});
   }
 }
