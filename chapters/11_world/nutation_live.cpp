@@ -2,7 +2,6 @@
 #include <array>
 #include <numbers>
 #include <support/live.hpp>
-#include <tumble/held_points.hpp>
 #include <tumble/sine_cosine.hpp>
 
 using namespace tumble;
@@ -83,7 +82,9 @@ void tumble::support::run_live(Live& live) {
   for (int n = 0; n < 120; ++n) {
     const double at = std::numbers::pi * n / 120;
     bound_angle.push_back(at);
-    bound_kappa.push_back(std::max(0.0, 4 / yielding(at) - 2 * damping));
+    const auto [sine, cosine] = sine_cosine(at / 2);
+    const double yields = n == 0 ? 1 : sine / cosine / (at / 2);  // see yielding()
+    bound_kappa.push_back(std::max(0.0, 4 / yields - 2 * damping));
   }
 
   // The tip of the axis, from a tilt of 1, until it is a thousand times as far.
