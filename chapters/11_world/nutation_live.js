@@ -19,7 +19,7 @@
           const plot = new live.Plot(painter, palette, size, {label: 'nutation in a step', unit: 'rad', least: 0, most: 13},
             {label: 'h² k', unit: '', least: 0, most: 4.2});
           picture.plot = plot;
-          plot.line(columns['band angle'], columns['band kappa'], palette.bodies[1], {width: plot.box.height / 42 + 0.5, opacity: 0.55});
+          plot.line(columns['band angle'], columns['band kappa'], palette.bodies[1], {width: plot.box.height / 42, opacity: 0.55});
           plot.line(columns['bound angle'], columns['bound kappa'], palette.bodies[0], {width: 2.5});
           plot.points([values.angle], [values.kappa], palette.ink, 6);
           plot.legend([['a tilt grows', palette.bodies[1]], ['promised up to here', palette.bodies[0]]]);

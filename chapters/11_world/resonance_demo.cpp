@@ -44,6 +44,9 @@ int main(int argument_count, char** arguments) {
   support::Notebook notebook(argument_count, arguments);
   const double at_rest = disc_at(0, 1e-3).step_limit().time_step;
   notebook.value("at_rest", support::number("%.1f ms", 1000 * at_rest));
+  for (const int degrees : {9, 90, 170})
+    notebook.value("yields_at_" + std::to_string(degrees),
+                   support::number("%.4g", yielding(degrees * std::numbers::pi / 180)));
   std::printf(
       "spin, rad/s  step, ms  limit, ms  nutation, rad a step  most tilt, rad  most energy\n");
   const auto run = [&](const std::string& name, double spin, double step) {
