@@ -1,6 +1,6 @@
 /// @file
-/// Five rules that engines have shipped for a top without torque. Each takes it through `time_step`
-/// seconds (h).
+/// Five simple rules for a top without torque, all of them wrong somewhere. Each takes it through
+/// `time_step` seconds (h).
 #pragma once
 
 #include <tumble/euler_equations.hpp>
