@@ -205,6 +205,56 @@ TEST_CASE_TEMPLATE(
 //! [sleeps]
 
 //! [first_order]
+TEST_CASE(
+    "However a sleeping top is nudged, its energy bounds its tilt for ever, at the least spin "
+    "itself too") {
+  const auto gyroscope = toy_gyroscope<Exact>();
+  const Exact I = gyroscope.across, pull = pull_of(gyroscope);
+  for (const Exact ratio : {1.0L, 1.02L, -1.1L, 2.0L})
+    for (const Exact tilt : {0.0L, 0.01L, 0.7L})
+      for (const Exact nudge : {1e-3L, 1.0L, -20.0L})  // rad/s
+        for (const int axis : {0, 1}) {
+          const Exact spin = ratio * least_sleeping_spin(gyroscope), L3 = gyroscope.along * spin;
+          Top<Exact> top = set_spinning(gyroscope, tilt, spin);
+          top.angular_momentum_body[axis] += I * nudge;
+          const Exact Lz = angular_momentum_world(top).z(),
+                      energy = kinetic_energy(top) + pull * axis_of(top).z(),
+                      asleep = L3 * spin / 2 + pull;
+          const Exact V = energy - asleep - L3 / (2 * I) * (Lz - L3);
+          // The larger root x = 1 − cos θ of L₃²/8I₁ x² + (L₃²/4I₁ − M g l) x = V.
+          const Exact flat = L3 * L3 / (8 * I), steep = std::max(2 * flat - pull, Exact(0));
+          const Exact bound = (std::sqrt(steep * steep + 4 * flat * V) - steep) / (2 * flat);
+          // V and the exact solution are sums of some tens of terms of the size of L₃ ω, that of
+          // `asleep`; at the least spin x is the root of what is left.
+          const Exact rounding = 100 * unit_roundoff<Exact> * asleep / flat,
+                      allowed = steep > 0 ? rounding * flat / steep : std::sqrt(rounding);
+          const Exact fallen = 1 - exactly_spinning(top, gyroscope).lowest();
+          CHECK(fallen <= bound + allowed);
+          // An upright top takes it all, but for the square of a small tilt.
+          if (tilt == 0 && nudge < 0.01L) CHECK(fallen >= bound * (1 - 2 * bound) - allowed);
+        }
+}
+
+TEST_CASE("Tilting an upright top takes energy from its least spin on, and yields some below it") {
+  const auto gyroscope = toy_gyroscope<Exact>();
+  const Exact I = gyroscope.across, pull = pull_of(gyroscope);
+  for (const Exact ratio : {2.0L, 1.001L, 1.0L, 0.999L, 0.5L, 0.0L})
+    for (const Exact tilt : {0.01L, 0.001L}) {
+      const Exact spin = ratio * least_sleeping_spin(gyroscope), L3 = gyroscope.along * spin;
+      // With L₃ and L_z of the upright one, and no more energy than that takes.
+      const Top<Exact> top = set_spinning(gyroscope, tilt, spin, L3 / (I * (1 + std::cos(tilt))));
+      CHECK(std::abs(angular_momentum_world(top).z() - L3) <= 40 * unit_roundoff<Exact> * L3);
+      const Exact upright = L3 * spin / 2 + pull,
+                  taken = kinetic_energy(top) + pull * axis_of(top).z() - upright;
+      CHECK((taken > 0) == (ratio >= 1));
+      // Its series goes on with θ⁴ (M g l/24 + L₃²/48I₁), and then with θ⁶.
+      const Exact square = tilt * tilt, series = (L3 * L3 / (4 * I) - pull) / 2 * square +
+                                                 (pull / 24 + L3 * L3 / (48 * I)) * square * square;
+      CHECK(std::abs(taken - series) <=
+            upright * (square * square * square + 100 * unit_roundoff<Exact>));
+    }
+}
+
 TEST_CASE("Half the step: kick and drift come twice as near to the exact top") {
   const auto gyroscope = toy_gyroscope<Exact>();
   const Top<Exact> start = set_spinning<Exact>(gyroscope, 1, 200);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <tumble/sine_cosine.hpp>
+#include <utility>
 #include <vector>
 
 namespace tumble::support {
@@ -52,5 +53,20 @@ inline std::vector<Vec3d> separatrix(const Vec3d& inverse_moments, double sign, 
   return circle;
 }
 //! [separatrix]
+
+/// The radii (rad/s) of the two circles between which the herpolhode runs, the inner one first. The
+/// moments (kg m²) are in ascending order; `twice_energy` is 2 E in J, `square` |L|² in its units.
+//! [herpolhode_radii]
+template <class Real>
+std::pair<Real, Real> herpolhode_radii(const Vec3<Real>& I, Same<Real> twice_energy,
+                                       Same<Real> square) {
+  const auto radius = [&](int i, int j) {  // without spin about the axis that is left
+    return std::sqrt((twice_energy * I[j] - square) * (square - twice_energy * I[i]) /
+                     (I[i] * I[j] * square));
+  };
+  const bool around_first = square < twice_energy * I[1];
+  return {around_first ? radius(0, 1) : radius(1, 2), radius(0, 2)};
+}
+//! [herpolhode_radii]
 
 }  // namespace tumble::support
