@@ -2,7 +2,7 @@
 (() => {
   const live = tumble_live;
   const cases = ['A, ordinary', 'B, stable axis', 'C, thin rod', 'D, needle 1:10⁶', 'a disc, 20 rad a step', 'A at 100 rad a step',
-    'a crawl, 10⁻⁷ rad a step'];
+    'a crawl, 10⁻⁷ rad a step', 'A at 1 rad a step'];
   const rungs = ['steady', 'explicit', 'explicit, |L| restored', 'implicit, one Newton step', 'linearly implicit', 'momentum-carrying',
     'implicit midpoint', 'Lie midpoint', 'augmented second order', 'splitting by axes', 'splitting', 'Runge-Kutta', 'Lie Runge-Kutta',
     'splitting, Suzuki', 'splitting, Blanes-Moan 4', 'Dormand-Prince 5', 'splitting, Yoshida', 'splitting, Blanes-Moan 6',

@@ -1,7 +1,8 @@
 // What every rung of the ladder owes to the symmetries of the physics.
 #include <support/body_bounds.hpp>
+#include <support/other_methods.hpp>
 #include <support/random_tops.hpp>
-#include <support/rungs.hpp>
+#include <support/scene_rules.hpp>
 #include <support/tumbling_problems.hpp>
 
 using namespace tumble;
@@ -46,7 +47,31 @@ Vec3<Real> askew(const Top<Real>& top) {
   return top.angular_momentum_body.norm() * Vec3<Real>(Real(0.1), Real(-0.2), Real(0.3));
 }
 
+/// Takes a scene's choice as a world does, and turns one top by it.
+template <class Real>
+struct OneTop {
+  Top<Real> top;
+  void turn_by(const auto& rule) { rule(top, Real(1) / 60); }
+};
+
 }  // namespace
+
+TEST_CASE_TEMPLATE("Whatever a scene can turn by has a row in the table of hard cases, to the bit",
+                   Real, EVERY_PRECISION) {
+  const std::vector<TurningRung<Real>> all = all_methods<Real>();
+  for (std::size_t rule = 0; rule < SceneRules::names.size(); ++rule) {
+    CAPTURE(SceneRules::names[rule]);
+    const Top<Real> start = top_of<Real>(tumbling_problems[0]);
+    OneTop<Real> chosen{start};
+    SceneRules::choose(chosen, rule);
+    CHECK(std::any_of(all.begin(), all.end(), [&](const TurningRung<Real>& method) {
+      Top<Real> top = start;
+      method.turn(top, Real(1) / 60);
+      return same_bits(top.angular_momentum_body, chosen.top.angular_momentum_body) &&
+             same_bits(top.orientation, chosen.top.orientation);
+    }));
+  }
+}
 
 TEST_CASE("No row has more turns than the longest that the bounds count") {
   const auto turns = [](const auto& row) { return row.kicks.size() + row.drifts.size() + 1; };

@@ -1,4 +1,6 @@
+#include <support/cheapest.hpp>
 #include <support/checks.hpp>
+#include <support/own_steps.hpp>
 
 #include "with_peers.hpp"
 
@@ -50,7 +52,36 @@ void check_peers(const Problem<Topd, Gather>& problem, peers::Torque torque,
 
 constexpr double seconds = 2;
 
+/// Whether the book compares such a method with Odeint like with like.
+void check_alike(std::string_view name, bool wanted) {
+  CAPTURE(std::string(name));
+  Measurement run = {};
+  run.method = name;
+  run.kind = "rung";
+  CHECK(is_alike(run) == wanted);
+}
+
 }  // namespace
+
+//! [alike]
+TEST_CASE("Like with like Odeint meets all that step the numbers which it gets, and no others") {
+  const auto heavy = heavy_top<double>("heavy top", 3);
+  const auto orbit = eccentric_orbit<double>();
+  using Torque = Weight<double>;
+  for (const auto& rung : turning_ladder<double>) check_alike(rung.name, true);
+  for (const auto& rung : torque_ladder<double, Torque>) check_alike(rung.name, true);
+  for (const auto& rung : motion_ladder<double, Star<double>>) check_alike(rung.name, true);
+  for (const auto& rung : journeys<Topd, double, Torque>) check_alike(rung.name, true);
+  check_alike(nystrom_by_own_steps(orbit).name, true);
+  // A pair keeps L only where L in the world is not among the numbers that it steps.
+  for (const auto& rung : free_journeys<double>)
+    check_alike(rung.name, rung.given == Given::angle || !rung.claims.momentum);
+  for (const auto& rung : even_momentum_ladder<double>) check_alike(rung.name, false);
+  for (const auto& rung : axis_journeys<double, Torque>) check_alike(rung.name, false);
+  for (const auto& contestant : axis_by_even_steps(heavy)) check_alike(contestant.name, false);
+  for (const auto& contestant : in_transformed_time(orbit)) check_alike(contestant.name, false);
+}
+//! [alike]
 
 //! [peers]
 TEST_CASE("Every peer goes where the exact solution goes, with the order that it claims") {

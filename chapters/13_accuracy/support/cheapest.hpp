@@ -45,6 +45,12 @@ std::optional<Measurement> first_of(const std::vector<Measurement>& list,
 inline bool is_rung(const Measurement& run) {
   return run.kind == "rung";
 }
+/// A method on the unknowns that Odeint gets: all numbers of the state, in the time of the clock.
+/// The others first reduce the equations or transform their time.
+inline bool is_alike(const Measurement& run) {
+  const auto begins = [&](std::string_view words) { return run.method.starts_with(words); };
+  return is_rung(run) && !begins("L apart") && !begins("axis apart") && !begins("transformed time");
+}
 inline bool is_ours(const Measurement& run) {
   return is_rung(run) || run.kind == "exact";
 }
