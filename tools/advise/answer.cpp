@@ -24,7 +24,7 @@ double least_lost(const Options& asked, const Rounded& rounded) {
 std::vector<Candidate> candidates_for(const Options& asked, Answer& answer) {
   if (asked.top) {
     answer.reference = "the exact solution in long double";
-    answer.uncertainty.angle = uncertainty_of_truth(*asked.top, asked.frames);
+    answer.uncertainty.angle = uncertainty_of_truth(*asked.top, asked.frames, asked.precisions);
     answer.rounded = rounded_truth(*asked.top, asked.frames);
     if (least_lost(asked, answer.rounded) > asked.tolerance.angle)
       answer.refusal = std::string("the exact orientations, rounded to ") +
