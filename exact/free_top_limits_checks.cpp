@@ -163,3 +163,28 @@ TEST_CASE(
     }
   }
 }
+
+TEST_CASE("Near the edge between the two kinds of motion the free top is no later than it says") {
+  std::mt19937_64 generator(47);
+  const auto random = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(generator() >> 11) * 0x1p-53;
+  };
+  for (int trial = 0; trial < 5000; ++trial) {
+    const double apart = std::pow(10, random(-4, 0)), middle = 1 + random(0.01, 0.5) * apart;
+    const Vec3d inverse = Vec3d(1, middle, middle + random(0.01, 0.5) * apart).cwiseInverse();
+    // On the edge the terms of D_y, L_x² (i_x − i_y) and L_z² (i_y − i_z), are equal.
+    const double x = std::pow(10, random(-8, 0)), off = std::pow(10, random(-18, 0));
+    const double z = x * std::sqrt((inverse[0] - inverse[1]) / (inverse[1] - inverse[2]));
+    const Topd start =
+        top_with_inverse(inverse, {x, random(-1, 1), z * (trial % 2 == 0 ? 1 + off : 1 - off)});
+    const double rate = std::sqrt(2 * kinetic_energy(start));  // the largest of 1/I is 1
+    const FreeTop<double> exact(start);
+    const FreeTop<long double> truth(in_long_double(start));
+    const double half_periods = random(0, 6),
+                 time =
+                     std::min(half_periods * static_cast<double>(truth.period() / 2), 1e6 / rate);
+    CAPTURE(off);
+    CHECK(difference(exact.at(time), truth.at(time)) <=
+          rounding_of_free_top<double>(rate * time) + 2 * rate * exact.time_uncertainty(time));
+  }
+}

@@ -121,6 +121,9 @@ run t_handle --for 1 --angle 1e-15 --json
 printf '%s\n' "$output" >refused_scene.json
 verify "a scene's reference that is not sure enough confirms nothing" says "the reference is not sure enough"
 verify "and ends with 1" ends_with 1
+# A rounding decides when this one flips, and the exact solution itself has the flips early or late.
+run --inertia 1,2,3 --spin 0.3,1,0.17320508075688772 --for 200 --angle 1e-6
+verify "beside the separatrix the exact solution confirms nothing" says "the reference is not sure enough"
 run --inertia 1e-200,1e-200,1e-200 --spin 1,2,3 --for 1 --angle 0.1 --precision float
 verify "moments that float can't hold are refused in float" says "can't hold these numbers"
 

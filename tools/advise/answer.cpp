@@ -24,7 +24,7 @@ double least_lost(const Options& asked, const Rounded& rounded) {
 std::vector<Candidate> candidates_for(const Options& asked, Answer& answer) {
   if (asked.top) {
     answer.reference = "the exact solution in long double";
-    answer.uncertainty.angle = uncertainty_of_truth(*asked.top, asked.frames);
+    answer.uncertainty.angle = uncertainty_of_truth(*asked.top, asked.frames, asked.precisions);
     answer.rounded = rounded_truth(*asked.top, asked.frames);
     if (least_lost(asked, answer.rounded) > asked.tolerance.angle)
       answer.refusal = std::string("the exact orientations, rounded to ") +
@@ -37,8 +37,8 @@ std::vector<Candidate> candidates_for(const Options& asked, Answer& answer) {
   const SceneCandidates made = scene_candidates(asked.scene, asked.frames, asked.tolerance,
                                                 asked.precisions, asked.longest_run);
   answer.reference = "Richardson's extrapolation of runs with " +
-                     std::to_string(made.reference_steps) + " and " +
-                     std::to_string(made.reference_steps / 2) + " steps a state";
+                     std::to_string(made.reference_steps[0]) + " and " +
+                     std::to_string(made.reference_steps[1]) + " steps a state";
   answer.uncertainty = made.uncertainty;
   answer.bodies = made.bodies;
   return made.candidates;

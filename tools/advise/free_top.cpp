@@ -43,14 +43,17 @@ Rounded rounded_truth(const FreeTopQuestion& question, const Frames& frames) {
   return worst;
 }
 
-double uncertainty_of_truth(const FreeTopQuestion& question, const Frames& frames) {
-  const auto& I = question.moments;
-  double twice_energy = 0;
-  for (std::size_t n = 0; n < 3; ++n) twice_energy += I[n] * question.spin[n] * question.spin[n];
-  const double fastest = std::sqrt(twice_energy / std::min({I[0], I[1], I[2]}));
-  // As counted beside the checks of FreeTop: 290 roundings once, and 65 for each radian, add up so.
-  return (5 * std::sqrt(290 / 3.0) + 5 * std::sqrt(65 / 3.0) * fastest * frames.seconds()) *
-         double(std::numeric_limits<long double>::epsilon()) / 2;
+double uncertainty_of_truth(const FreeTopQuestion& question, const Frames& frames,
+                            const Precisions& precisions) {
+  double worst = 0;
+  for (int trial = 0; trial < trials; ++trial) {
+    const auto look = [&](const auto& start) {
+      worst = std::max(worst, uncertainty_of_truth(support::exactly(start), frames.seconds()));
+    };
+    if (precisions.twice) look(start_of<double>(question, trial));
+    if (precisions.single) look(start_of<float>(question, trial));
+  }
+  return worst;
 }
 
 }  // namespace tumble::advise

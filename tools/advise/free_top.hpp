@@ -42,7 +42,9 @@ struct Rounded {
 };
 Rounded rounded_truth(const FreeTopQuestion& question, const Frames& frames);
 
-/// How far the exact solution in long double may itself be off, rad.
-double uncertainty_of_truth(const FreeTopQuestion& question, const Frames& frames);
+/// How far the exact solution in long double may itself be off, rad, for this question and those
+/// like it, in the precisions that may answer.
+double uncertainty_of_truth(const FreeTopQuestion& question, const Frames& frames,
+                            const Precisions& precisions);
 
 }  // namespace tumble::advise

@@ -37,6 +37,7 @@ Errors watched(const Trial<Real>& trial, const Frames& frames, const Advance& ad
     if (!std::isfinite(now.angle)) return failed_run;
     errors = worse(errors, now);
   }
+  errors.angle += trial.uncertainty;
   return errors;
 }
 

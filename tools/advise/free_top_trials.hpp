@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <numbers>
 #include <random>
 #include <support/exact_motion.hpp>
 #include <tumble/exact/free_top.hpp>
@@ -63,19 +64,36 @@ Top<Real> start_of(const FreeTopQuestion& question, int trial) {
   return top;
 }
 
+/// How far the exact solution may have the top wrong at such a time, rad.
+inline double uncertainty_of_truth(const Top<long double>& start, double seconds) {
+  if (start.angular_momentum_body.isZero(0)) return 0;
+  const long double fastest =
+      std::sqrt(2 * kinetic_energy(start) * start.inverse_moments.maxCoeff());
+  // As counted beside the checks of FreeTop: 290 roundings once, and 65 for each radian, add up so.
+  const long double rounding =
+      (5 * std::sqrt(290 / 3.0L) + 5 * std::sqrt(65 / 3.0L) * fastest * seconds) *
+      std::numeric_limits<long double>::epsilon() / 2;
+  const exact::FreeTop<long double> truth(start);
+  return std::min(std::numbers::pi,  // the largest angle that there is
+                  static_cast<double>(rounding + 2 * fastest * truth.time_uncertainty(seconds)));
+}
+
 /// A start and where the exact solution has it in each frame that is compared.
 template <class Real>
 struct Trial {
   Top<Real> start;
-  std::vector<Top<long double>> truth;
+  std::vector<Top<long double>> truth = {};
+  double uncertainty = 0;  ///< of the last of these, rad
 };
 
 template <class Real>
 std::vector<Trial<Real>> trials_of(const FreeTopQuestion& question, const Frames& frames) {
   std::vector<Trial<Real>> list;
   for (int trial = 0; trial < trials; ++trial) {
-    Trial<Real> made{start_of<Real>(question, trial), {}};
-    const exact::FreeTop<long double> exact(support::exactly(made.start));
+    Trial<Real> made{start_of<Real>(question, trial)};
+    const Top<long double> start = support::exactly(made.start);
+    made.uncertainty = uncertainty_of_truth(start, frames.seconds());
+    const exact::FreeTop<long double> exact(start);
     for (long frame = 0; frame <= frames.count; frame += frames_between_samples(frames))
       made.truth.push_back(
           exact.at(static_cast<long double>(frame) / static_cast<long double>(frames.rate)));

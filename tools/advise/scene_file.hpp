@@ -1,8 +1,8 @@
 /// @file
-/// The candidates for a whole scene: the methods that a world turns by, and a reference by
-/// Richardson where there is no exact solution.
+/// The candidates for a whole scene: the methods that a world turns by.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <vector>
 
@@ -15,12 +15,11 @@ namespace tumble::advise {
 struct SceneCandidates {
   std::vector<Candidate> candidates;
   std::size_t bodies = 0;
-  Errors uncertainty;        ///< of the reference
-  long reference_steps = 0;  ///< in a frame
+  Errors uncertainty;                        ///< of the reference
+  std::array<long, 2> reference_steps = {};  ///< of its two runs, see Reference
 };
 
-/// The methods for the scene in `file`. The reference takes ever shorter steps, until it is sure to
-/// a fiftieth of what is wanted or a run takes longer than `longest_run` seconds.
+/// The methods for the scene in `file`, held against its reference_of().
 /// @throws SceneError if the scene is wrong, SimulationError if the reference can't be run at all.
 SceneCandidates scene_candidates(const std::filesystem::path& file, const Frames& frames,
                                  const Tolerance& tolerance, const Precisions& precisions,

@@ -411,6 +411,7 @@ TEST_CASE("A thruster burns from its start until its end, for ever if there is n
   }
   const Scene<double> always = odd_with("thruster", more);
   for (const double time : {0.0, 1e9}) CHECK(close(push_of(always, 0, time).force, {0, 6, 0}));
+  CHECK(scene.switches == std::vector<double>{2, 5});
 }
 
 TEST_CASE("An effect is for the bodies that it names, one copy among them, or for all") {

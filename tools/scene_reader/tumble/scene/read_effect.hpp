@@ -163,6 +163,7 @@ void read_thruster(const Object& object, Scene<Real, Keeping>& scene) {
   if (until < from)
     object["until"].reject("it must not lie before the start, " + text_of(from) + " s");
   const Vec3d force = object.vector("force"), point = object.vector("point");
+  scene.switches.insert(scene.switches.end(), {from, until});
   add_for_each_model(object, scene, [&](const Posed& model_in_body) {
     return Thruster<Real>{
         .force_body = rotate(model_in_body.orientation, force).template cast<Real>(),
