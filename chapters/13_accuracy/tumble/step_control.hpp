@@ -75,7 +75,7 @@ struct Journey {
   long steps = 0, rejected = 0;
 };
 
-/// No step meets the tolerance, however short.
+/// No step will do: none that the clock shows is short enough, or its length is no time.
 class StepError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -83,9 +83,9 @@ class StepError : public std::runtime_error {
 
 /// @throws StepError: a step of h seconds, so long after the start, is one that no clock shows.
 template <class Real>
-[[noreturn]] void fail_at(Real h, Same<Real> gone) {
+[[noreturn]] void fail_at(Real h, Same<Real> gone, const char* reason) {
   throw StepError("the time step fell to " + text_of(h) + " s, " + text_of(gone) +
-                  " s after the start; no step meets the tolerance there");
+                  " s after the start; " + reason);
 }
 
 /// A step that the tolerance allows, as far as one can tell before the first. Rates that would lose
@@ -131,7 +131,7 @@ Journey travel(Stepper& stepper, Real seconds, Same<Real> first, const WhenStepp
     // Near the start any step moves the clock, but the shortest of all is not made shorter by
     // rounding.
     const bool is_shown = gone + h > gone && h >= std::numeric_limits<Real>::min();
-    if (gone < seconds && !is_shown) fail_at(h, gone);
+    if (gone < seconds && !is_shown) fail_at(h, gone, "no step meets the tolerance there");
   }
   return journey;
 }
