@@ -23,7 +23,7 @@ double energy_of(const Particled& particle) {
 void write_steps(const Notebook& notebook, const Orbit& orbit) {
   Table table = notebook.table("own_steps", {"time (s)", "step (s)", "distance (m)"});
   EmbeddedSteps<DormandPrince54, Particled, Star<double>, double> steps(orbit.start, orbit.gather,
-                                                                        0, 1e-6);
+                                                                        0, {1e-6, 1e-6});
   travel(steps, orbit.seconds, 1e-3,
          [&](double gone, double h) { table.row(gone, h, steps.body().position.norm()); });
 }
@@ -48,7 +48,7 @@ void write_energies(Notebook& notebook, const Orbit& orbit) {
       step_by_row<Verlet>(chosen, orbit.gather, 0.0, h);
       gone += h;
     }
-    carry<DormandPrince54>(pair, orbit.gather, 0.0, round, 1e-5);
+    carry<DormandPrince54>(pair, orbit.gather, 0.0, round, {1e-5, 1e-5});
     while (transformed.time() < n * round) transformed.step<Verlet>(2 * round / 150);
     const std::array now = {even, chosen, pair, transformed.particle()};
     for (std::size_t m = 0; m < now.size(); ++m) {
@@ -178,10 +178,10 @@ std::array<double, 2> errors_of_spins(double faster) {
     if constexpr (per_step) {
       PerStep<Steps> all{steps};
       travel(all, 1.0, 1e-4, pass);
-      top = all.steps.top();
+      top = all.steps.body();
     } else {
       travel(steps, 1.0, 1e-4, pass);
-      top = steps.top();
+      top = steps.body();
     }
     errors[n] = static_cast<double>(angle_between(truth.orientation, exactly(top).orientation));
   }
@@ -196,7 +196,7 @@ Journey with_damper(bool remembers) {
     particle.force = -1000 * (particle.velocity - Vec3d(std::cos(time), 0, 0));
   };
   EmbeddedSteps<DormandPrince54, Particled, decltype(damper), double> steps(
-      make_particle(1.0, {0, 0, 0}, {1, 0, 0}), damper, 0, 1e-2);
+      make_particle(1.0, {0, 0, 0}, {1, 0, 0}), damper, 0, {1e-2, 1e-2});
   if (remembers) return travel(steps, 2.0, 1e-3, [](double, double) {});
   Journey journey;
   for (double gone = 0, h = 1e-3; gone < 2;) {
@@ -233,14 +233,14 @@ int main(int argument_count, char** arguments) {
                   (particle.position - there.position).norm());
     };
     go([&](Particled& p) {
-      return carry<DormandPrince54>(p, orbit.gather, 0.0, orbit.seconds, tolerance);
+      return carry<DormandPrince54>(p, orbit.gather, 0.0, orbit.seconds, {tolerance, tolerance});
     });
     go([&](Particled& p) {
-      return carry<DormandPrince853>(p, orbit.gather, 0.0, orbit.seconds, tolerance);
+      return carry<DormandPrince853>(p, orbit.gather, 0.0, orbit.seconds, {tolerance, tolerance});
     });
     go([&](Particled& p) {
       return carry_by_nystrom<DormandPrinceNystrom86>(p, orbit.gather, 0.0, orbit.seconds,
-                                                      tolerance);
+                                                      {tolerance, tolerance});
     });
     std::puts("");
   }
@@ -285,7 +285,7 @@ int main(int argument_count, char** arguments) {
 
   // Beyond the end: the loop stops after the step that has passed it.
   using Steps = EmbeddedSteps<DormandPrince54, Particled, Star<double>, double>;
-  Steps beyond(orbit.start, orbit.gather, 0, 1e-6);
+  Steps beyond(orbit.start, orbit.gather, 0, {1e-6, 1e-6});
   double gone = 0, h = 1e-3;
   StepControl control(Steps::power);
   while (gone < orbit.seconds) {

@@ -93,13 +93,13 @@ constexpr std::array<FreeJourney<Real>, 7> free_journeys = {{
 //! [free_journeys]
 
 /// A method that takes a particle under force, or a top under torque, from `time` through
-/// `seconds`. `gather` as in kicked_steps.hpp; `tolerance` as in carry().
+/// `seconds`. `gather` as in kicked_steps.hpp; `tolerance` and `stops` as in carry().
 template <class Body, class Real, class Gather>
 struct JourneyRung {
   std::string_view name;
   Claims claims;
   Journey (*carry)(Body& body, const Gather& gather, Real time, Same<Real> seconds,
-                   Same<Real> tolerance);
+                   ToleranceOf<Body> tolerance, const Stops<Same<Real>>& stops);
 };
 
 /// Those for a body under any force or torque.
