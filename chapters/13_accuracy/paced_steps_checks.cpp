@@ -26,8 +26,8 @@ double energy_error(const Top<Real>& top, const Problem<Top<Real>, Weight<Real>>
 
 //! [paced_energy]
 TEST_CASE_TEMPLATE(
-    "With steps that follow the pace symmetrically the energy stays bounded, and with steps chosen "
-    "at their start it drifts",
+    "On a symmetric heavy top the energy stays bounded with steps that follow the pace "
+    "symmetrically, and drifts with steps chosen at their start",
     Real, EVERY_PRECISION) {
   const auto problem = slow_top<Real>();
   const Real angle = Real(0.1), least = 1;
