@@ -4,6 +4,7 @@ set xlabel "steps"
 set ylabel "relative error of the energy, in 1/1000"
 set xrange [0:1000000]
 set xtics 500000
+set format x "%.0f"
 set rmargin 21
 unset key
 plot for [i=2:4] "own_steps_wander.tsv" using 1:(1000 * column(i)) with lines linestyle i-1, \
