@@ -32,7 +32,7 @@ TEST_CASE_TEMPLATE("A journey ends where it shall, and no step goes beyond, but 
   }
   Particle<Real> still = make_particle<Real>(1, {1, 2, 3}, {4, 5, 6});
   const auto push = [](Particle<Real>& particle, Real) { particle.force = {1, 0, 0}; };
-  const Journey none = carry<DormandPrince54>(still, push, Real(0), 0, Real(1e-3));
+  const Journey none = carry<DormandPrince54>(still, push, Real(0), 0, {Real(1e-3), Real(1e-3)});
   CHECK(none.steps == 0);
   CHECK(same_bits(still.position, Vec3<Real>(1, 2, 3)));
 }
@@ -40,7 +40,7 @@ TEST_CASE_TEMPLATE("A journey ends where it shall, and no step goes beyond, but 
 TEST_CASE_TEMPLATE("A step that is not accepted leaves no trace", Real, EVERY_PRECISION) {
   const auto orbit = eccentric_orbit<Real>();
   using Steps = EmbeddedSteps<DormandPrince54, Particle<Real>, Star<Real>, Real>;
-  Steps patient(orbit.start, orbit.gather, Real(0), Real(1e-3)), hasty = patient;
+  Steps patient(orbit.start, orbit.gather, Real(0), {Real(1e-3), Real(1e-3)}), hasty = patient;
   CHECK(hasty.attempt(Real(3)) > 1);
   hasty.attempt(Real(0.01));
   patient.attempt(Real(0.01));
@@ -56,7 +56,8 @@ TEST_CASE("Within a step the state errs by the order of the pair's curve, and me
   auto orbit = eccentric_orbit<Wide>();
   orbit.start = make_particle<Wide>(1, {0.8L, 0, 0}, {0, std::sqrt(1.5L), 0});  // e = 0.2
   const auto error = [&]<class Pair>(Pair, Wide h) {
-    EmbeddedSteps<Pair, Particle<Wide>, Star<Wide>, Wide> steps(orbit.start, orbit.gather, 0, 1);
+    EmbeddedSteps<Pair, Particle<Wide>, Star<Wide>, Wide> steps(orbit.start, orbit.gather, 0,
+                                                                {1, 1});
     steps.attempt(h);
     CHECK((steps.within(0).position - orbit.start.position).norm() <= 1e-18L);
     const Wide part = 0.4L;
@@ -84,7 +85,8 @@ TEST_CASE_TEMPLATE(
     Real, EVERY_PRECISION) {
   const auto orbit = eccentric_orbit<Real>();
   Particle<Real> planet = orbit.start;
-  CHECK(carry<DormandPrince54>(planet, orbit.gather, Real(0), 0, Real(1e-3)).steps == 0);
+  CHECK(carry<DormandPrince54>(planet, orbit.gather, Real(0), 0, {Real(1e-3), Real(1e-3)}).steps ==
+        0);
   CHECK(same_bits(planet.position, orbit.start.position));
   carry_in_transformed_time<Verlet>(planet, orbit.gather, 0, 100);
   CHECK(same_bits(planet.position, orbit.start.position));

@@ -41,7 +41,7 @@ TEST_CASE(
   Particle<Wide> start = make_particle<Wide>(1, {0.5L, 0, 0}, {0, 1, 0});
   const SwungSpring force;
   const auto error = [&](int count) {
-    NystromSteps<DormandPrinceNystrom86, SwungSpring, Wide> steps(start, force, 0, 1);
+    NystromSteps<DormandPrinceNystrom86, SwungSpring, Wide> steps(start, force, 0, {1, 1});
     for (int n = 0; n < count; ++n) {
       steps.attempt(2.0L / count);
       steps.accept();
@@ -54,6 +54,31 @@ TEST_CASE(
   const Wide order = std::log2(error(8) / error(16));
   CAPTURE(double(order));
   CHECK(std::abs(order - 8) < 0.3L);
+}
+
+TEST_CASE("The number of a particle's steps does not depend on the unit of time or of length") {
+  // Lengths in units of 2^-length m, times in units of 2^time s: velocities, tolerances and the
+  // star's strength change as their units say.
+  const auto steps = [](int time, int length, bool with_its_unit = true) {
+    const double t = std::ldexp(1, time), l = std::ldexp(1, length);
+    auto orbit = eccentric_orbit<double>();
+    orbit.start.position *= l;
+    orbit.start.velocity *= l * t;
+    orbit.gather.strength *= l * l * l * t * t;
+    const ParticleTolerance<double> tolerance{1e-6 * l * t,
+                                              with_its_unit ? 1e-6 * l * t * t : 1e-6 * l * t};
+    Particled by_pair = orbit.start, by_nystrom = orbit.start;
+    const double seconds = orbit.seconds / t;
+    return std::pair(
+        carry<DormandPrince54>(by_pair, orbit.gather, 0.0, seconds, tolerance).steps,
+        carry_by_nystrom<DormandPrinceNystrom86>(by_nystrom, orbit.gather, 0.0, seconds, tolerance)
+            .steps);
+  };
+  const auto in_seconds = steps(0, 0);
+  for (const int time : {-10, 10})
+    for (const int length : {-10, 0, 10}) CHECK(steps(time, length) == in_seconds);
+  // One number for both, which is no tolerance but a choice of units.
+  CHECK(steps(10, 0, false).first > 2 * in_seconds.first);
 }
 //! [orbit]
 

@@ -23,7 +23,7 @@ double energy_of(const Particled& particle) {
 void write_steps(const Notebook& notebook, const Orbit& orbit) {
   Table table = notebook.table("own_steps", {"time (s)", "step (s)", "distance (m)"});
   EmbeddedSteps<DormandPrince54, Particled, Star<double>, double> steps(orbit.start, orbit.gather,
-                                                                        0, 1e-6);
+                                                                        0, {1e-6, 1e-6});
   travel(steps, orbit.seconds, 1e-3,
          [&](double gone, double h) { table.row(gone, h, steps.body().position.norm()); });
 }
@@ -48,7 +48,7 @@ void write_energies(Notebook& notebook, const Orbit& orbit) {
       step_by_row<Verlet>(chosen, orbit.gather, 0.0, h);
       gone += h;
     }
-    carry<DormandPrince54>(pair, orbit.gather, 0.0, round, 1e-5);
+    carry<DormandPrince54>(pair, orbit.gather, 0.0, round, {1e-5, 1e-5});
     while (transformed.time() < n * round) transformed.step<Verlet>(2 * round / 150);
     const std::array now = {even, chosen, pair, transformed.particle()};
     for (std::size_t m = 0; m < now.size(); ++m) {
@@ -111,6 +111,54 @@ void write_paces(Notebook& notebook) {
   expect(of_paced < 1.1 * at_first,
          "with steps that are chosen symmetrically the energy is bounded");
   expect(of_chosen > 10 * of_paced, "with steps that are chosen at their start it drifts");
+}
+
+/// Energy of a heavy top without a mirror plane: with steps that follow its pace, as it is let go
+/// and turned around, and with as many of one length.
+//! [wandering]
+void write_wandering(Notebook& notebook) {
+  const auto problem = asymmetric_heavy_top<double>(0.15, 2);
+  using Paced = PacedSteps<Verlet, OffAxisWeight<double>, double>;
+  constexpr double angle = 0.05, least = 4, h = 0.01;  // s, about the mean of the paced ones
+  Topd backwards = problem.start, even = problem.start;
+  backwards.angular_momentum_body *= -1;
+  std::array paced = {Paced(problem.start, problem.gather, 0, angle, least),
+                      Paced(backwards, problem.gather, 0, angle, least)};
+  problem.gather(even, 0);
+  const auto energy = [&](const Topd& of) {
+    return double(problem.gather.kept(exactly(of)).energy);
+  };
+  Table table = notebook.table("own_steps_wander",
+                               {"step", "following the pace", "turned around", "of one length"});
+  constexpr int rows = 200, looks_a_row = 100, steps_between = 50;
+  const double at_first = energy(problem.start);
+  std::array<double, 3> mean{};
+  double of_even = 0;
+  for (int row = 1; row <= rows; ++row) {
+    mean = {};
+    for (int look = 0; look < looks_a_row; ++look) {
+      for (int n = 0; n < steps_between; ++n) {
+        step_by_row<Verlet>(even, problem.gather, 0.0, h);
+        for (Paced& one : paced) one.step();
+      }
+      const std::array now = {energy(paced[0].top()), energy(paced[1].top()), energy(even)};
+      for (std::size_t which = 0; which < 3; ++which)
+        mean[which] += (now[which] / at_first - 1) / looks_a_row;
+    }
+    table.row(double(row) * looks_a_row * steps_between, mean[0], mean[1], mean[2]);
+    of_even = std::max(of_even, std::abs(mean[2]));
+  }
+  //! [wandering]
+  std::printf(
+      "A heavy top without a mirror plane, in a million steps of about %.3f s: in the end its\n"
+      "energy is off by %.0e with steps that follow its pace, by %.0e turned around, and never by\n"
+      "more than %.0e with steps of one length.\n",
+      paced[0].time() / 1e6, mean[0], mean[1], of_even);
+  notebook.value("wander_forwards", number("%.0e", mean[0]));
+  notebook.value("wander_backwards", number("%.0e", mean[1]));
+  notebook.value("wander_even", number("%.0e", of_even));
+  expect(mean[0] > 10 * of_even && -mean[1] > 10 * of_even,
+         "without a mirror plane the energy drifts with steps that follow the pace");
 }
 
 /// A pair that asks what seven numbers err by, all alike, instead of an angle and a part of |L|.
@@ -178,10 +226,10 @@ std::array<double, 2> errors_of_spins(double faster) {
     if constexpr (per_step) {
       PerStep<Steps> all{steps};
       travel(all, 1.0, 1e-4, pass);
-      top = all.steps.top();
+      top = all.steps.body();
     } else {
       travel(steps, 1.0, 1e-4, pass);
-      top = steps.top();
+      top = steps.body();
     }
     errors[n] = static_cast<double>(angle_between(truth.orientation, exactly(top).orientation));
   }
@@ -196,7 +244,7 @@ Journey with_damper(bool remembers) {
     particle.force = -1000 * (particle.velocity - Vec3d(std::cos(time), 0, 0));
   };
   EmbeddedSteps<DormandPrince54, Particled, decltype(damper), double> steps(
-      make_particle(1.0, {0, 0, 0}, {1, 0, 0}), damper, 0, 1e-2);
+      make_particle(1.0, {0, 0, 0}, {1, 0, 0}), damper, 0, {1e-2, 1e-2});
   if (remembers) return travel(steps, 2.0, 1e-3, [](double, double) {});
   Journey journey;
   for (double gone = 0, h = 1e-3; gone < 2;) {
@@ -211,6 +259,45 @@ Journey with_damper(bool remembers) {
   return journey;
 }
 //! [hunting]
+
+/// A resting top that is struck after 5.3 s, for a twentieth of a second.
+//! [blow]
+struct Blow {
+  void operator()(Topd& top, double time) const {
+    top.torque = {0, 0, time >= 5.3 && time < 5.35 ? 20.0 : 0.0};
+  }
+};
+constexpr double moment = 3, turned = 20 * 0.05 / moment * (10 - 5.325);  // rad, after 10 s
+//! [blow]
+
+/// What the top is off by in the end, rad, and in how many steps.
+std::pair<double, long> off_after_blow(double tolerance, const Stops<double>& stops) {
+  Topd top{.inverse_moments = {1, 0.5, 1 / moment}};
+  const long steps = carry<DormandPrince54>(top, Blow(), 0.0, 10, tolerance, stops).steps;
+  return {angle_between(top.orientation, quaternion_about<double>(Vec3d::UnitZ(), turned)), steps};
+}
+
+void write_blow(Notebook& notebook) {
+  std::pair<double, long> without, with;
+  for (const double tolerance : {1e-4, 1e-6, 1e-9}) {
+    without = off_after_blow(tolerance, {});
+    with = off_after_blow(tolerance, {.events = {5.3, 5.35}});
+    expect(without.second == 1 && without.first > 1.5, "a blow between two stages is missed");
+    expect(with.first < 10 * tolerance, "with its events it is not");
+  }
+  std::printf(
+      "A top that is struck: off by %.1f rad in %ld step, with events by %.0e rad in %ld.\n",
+      without.first, without.second, with.first, with.second);
+  notebook.value("blow_blind", number("%.1f", without.first));
+  notebook.value("blow_seeing", number("%.0e", with.first));
+  notebook.value("blow_steps", std::to_string(with.second));
+  try {
+    off_after_blow(1e-6, {.longest = 0.01});
+    expect(false, "a jump inside a step asks for an event");
+  } catch (const StepError& error) {
+    notebook.value("blow_refused", error.what());
+  }
+}
 
 }  // namespace
 
@@ -233,19 +320,20 @@ int main(int argument_count, char** arguments) {
                   (particle.position - there.position).norm());
     };
     go([&](Particled& p) {
-      return carry<DormandPrince54>(p, orbit.gather, 0.0, orbit.seconds, tolerance);
+      return carry<DormandPrince54>(p, orbit.gather, 0.0, orbit.seconds, {tolerance, tolerance});
     });
     go([&](Particled& p) {
-      return carry<DormandPrince853>(p, orbit.gather, 0.0, orbit.seconds, tolerance);
+      return carry<DormandPrince853>(p, orbit.gather, 0.0, orbit.seconds, {tolerance, tolerance});
     });
     go([&](Particled& p) {
       return carry_by_nystrom<DormandPrinceNystrom86>(p, orbit.gather, 0.0, orbit.seconds,
-                                                      tolerance);
+                                                      {tolerance, tolerance});
     });
     std::puts("");
   }
   write_energies(notebook, orbit);
   write_paces(notebook);
+  write_wandering(notebook);
 
   const auto small = steps_of_scaled(1), large = steps_of_scaled(1e6);
   std::printf(
@@ -283,9 +371,11 @@ int main(int argument_count, char** arguments) {
   notebook.value("calm_steps", std::to_string(remembering.steps));
   expect(forgetful.rejected > 3 * remembering.rejected, "a controller without a memory hunts");
 
+  write_blow(notebook);
+
   // Beyond the end: the loop stops after the step that has passed it.
   using Steps = EmbeddedSteps<DormandPrince54, Particled, Star<double>, double>;
-  Steps beyond(orbit.start, orbit.gather, 0, 1e-6);
+  Steps beyond(orbit.start, orbit.gather, 0, {1e-6, 1e-6});
   double gone = 0, h = 1e-3;
   StepControl control(Steps::power);
   while (gone < orbit.seconds) {

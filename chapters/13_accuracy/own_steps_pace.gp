@@ -1,5 +1,5 @@
 @drawing 565,400
-set title "With steps that follow the pace symmetrically, the energy is bounded"
+set title "On a symmetric top, steps that follow the pace symmetrically bound the energy"
 set xlabel "steps"
 set ylabel "largest error of the energy so far"
 set logscale y

@@ -26,8 +26,8 @@ double energy_error(const Top<Real>& top, const Problem<Top<Real>, Weight<Real>>
 
 //! [paced_energy]
 TEST_CASE_TEMPLATE(
-    "With steps that follow the pace symmetrically the energy stays bounded, and with steps chosen "
-    "at their start it drifts",
+    "On a symmetric heavy top the energy stays bounded with steps that follow the pace "
+    "symmetrically, and drifts with steps chosen at their start",
     Real, EVERY_PRECISION) {
   const auto problem = slow_top<Real>();
   const Real angle = Real(0.1), least = 1;
@@ -174,11 +174,96 @@ TEST_CASE("A paced journey ends where it shall, and what it can't be asked for i
     top.torque = {0, 1 / ((1 - time) * (1 - time)), 0};
   };
   Topd wound{.angular_momentum_body = {0, 1, 0}, .inverse_moments = {1, 1, 1}};
-  CHECK_THROWS_WITH_AS(carry_paced<Verlet>(wound, wind_up, 0.0, 2, 0.125),
-                       doctest::Contains("s after the start; no step meets the tolerance there"),
+  CHECK_THROWS_WITH_AS(carry_paced<Verlet>(wound, wind_up, 0.0, 2, 0.125, 0),
+                       doctest::Contains("s after the start; the top turns too fast for the clock"),
                        StepError);
   Topd still{.inverse_moments = {1, 2, 3}};
   const auto nothing = [](Topd& top, double) { top.torque.setZero(); };
-  CHECK(carry_paced<Verlet>(still, nothing, 0.0, 5, 0.1).steps == 1);
+  CHECK(carry_paced<Verlet>(still, nothing, 0.0, 5, 0.125, 0.5).steps == 20);
   CHECK(still.orientation.real == 1);
+  CHECK_THROWS_WITH_AS(carry_paced<Verlet>(still, nothing, 0.0, 5, 0.125, 0),
+                       doctest::Contains("the pace ρ is 0 1/s at 0 s"), StepError);
 }
+
+//! [paced_least]
+TEST_CASE(
+    "Where a top swings to and fro, a paced step is positive and of no more than twice its angle, "
+    "or refused with the pace and the least pace") {
+  const double angle = 0.1;
+  // Let go at rest, it has no pace; with a little spin it has next to none, there and wherever it
+  // turns back. M g l = 1 N m, sin 0.6 of which pulls, and 1/I = 2.
+  for (const double spin : {0.0, 0.0625}) {
+    CAPTURE(spin);
+    const auto problem = heavy_top<double>("", spin);
+    for (const double seconds : {0.5, 10.0}) {
+      Topd top = problem.start;
+      const std::string pace = "the pace ρ is " + text_of(spin) +
+                               " 1/s at 0 s, where the angular velocity of " + text_of(spin) +
+                               " rad/s changes by 1.129";
+      CHECK_THROWS_WITH_AS(carry_paced<Verlet>(top, problem.gather, 0.0, seconds, angle, 0),
+                           doctest::Contains(pace.c_str()), StepError);
+      CHECK_THROWS_WITH_AS(
+          carry_paced<Verlet>(top, problem.gather, 0.0, seconds, angle, 0),
+          doctest::Contains(" rad/s²: take a least pace greater than 0 rad/s, or a "
+                            "smaller angle than 0.1 rad a step"),
+          StepError);
+      CHECK(same_bits(top.orientation.imaginary, problem.start.orientation.imaginary));
+      CHECK(same_bits(top.angular_momentum_body, problem.start.angular_momentum_body));
+    }
+  }
+  // The weight accelerates it by 2 rad/s² at most, and so much is enough:
+  const auto swinging = heavy_top<double>("", 0);
+  const double acceleration = 2, enough = std::sqrt(angle * acceleration);
+  PacedSteps<Verlet, Weight<double>, double> paced(swinging.start, swinging.gather, 0, angle,
+                                                   enough);
+  // What ρ loses in half a step is (angle/2) α |ω|/P² at most, which is P times
+  // (angle α/least²)/(3 √3), largest where |ω| = least/√2; and ρ itself is P within angle².
+  const double longest = angle / enough / (1 - 1 / (3 * std::sqrt(3.0)) - angle * angle);
+  for (int n = 0; n < 5000; ++n) {
+    const double before = paced.time();
+    CHECK(paced.next() <= longest);
+    paced.step();
+    CHECK(paced.time() > before);
+  }
+  // Whatever angle and least pace, what is not refused is as long as it may be.
+  int made = 0, refused = 0;
+  for (const double of : {0.05, 0.1, 0.3, 1.0})
+    for (const double part : {0.01, 0.3, 0.6, 0.9}) {
+      CAPTURE(of);
+      CAPTURE(part);
+      const double least = part * std::sqrt(of * acceleration);
+      PacedSteps<Verlet, Weight<double>, double> steps(swinging.start, swinging.gather, 0, of,
+                                                       least);
+      try {
+        for (int n = 0; n < 1000; ++n) {
+          const double before = steps.time(),
+                       pace = std::hypot(angular_velocity_body(steps.top()).norm(), least);
+          steps.step();
+          ++made;
+          CHECK(steps.time() > before);
+          CHECK(steps.time() - before <= 2 * of / pace + 2 * unit_roundoff<double> * steps.time());
+        }
+      } catch (const StepError&) {
+        ++refused;
+      }
+    }
+  CHECK(made >= 4000);
+  CHECK(refused >= 4);
+}
+
+TEST_CASE("A paced step is refused where the pace that is carried has lost touch with the top") {
+  // A brake that becomes eight times as strong while the top stops: of 1 kg m², from 4 rad/s.
+  const auto brake = [](Topd& top, double time) { top.torque = {0, 0, time < 1 ? -8.0 : -64.0}; };
+  const Topd spun{.angular_momentum_body = {0, 0, 4}, .inverse_moments = {1, 1, 1}};
+  PacedSteps<Verlet, decltype(brake), double> steps(spun, brake, 0, 2, 0);
+  CHECK(steps.next() == 1);  // ρ = 4 − 8/4: angle ω' = P² and ρ = P/2 are allowed
+  steps.step();
+  CHECK(steps.top().angular_momentum_body.z() == -32);
+  CHECK(steps.pace() == 4);  // 2 + 64/32
+  CHECK_THROWS_WITH_AS(steps.step(),
+                       doctest::Contains("the pace ρ is 6 1/s at 1 s, where the angular velocity "
+                                         "of 32 rad/s changes by 64 rad/s²"),
+                       StepError);
+  CHECK(steps.time() == 1);
+}
+//! [paced_least]

@@ -169,4 +169,14 @@ TEST_CASE("A journey's time and tolerance are refused by name") {
     CHECK(complaint_of([&] { require_journey(seconds, 1e-3); }).find("time is ") == 0);
   for (const double tolerance : {0.0, -1.0, infinite, none})
     CHECK(complaint_of([&] { require_journey(1.0, tolerance); }).find("tolerance is ") == 0);
+  CHECK_NOTHROW(require_journey(1.0, ParticleTolerance<double>{1e-3, 1e-6}));
+  for (const double tolerance : {0.0, -1.0, infinite, none}) {
+    const ParticleTolerance<double> place{tolerance, 1}, speed{1, tolerance};
+    CHECK(complaint_of([&] {
+            require_journey(1.0, place);
+          }).find("tolerance of the position is ") == 0);
+    CHECK(complaint_of([&] {
+            require_journey(1.0, speed);
+          }).find("tolerance of the velocity is ") == 0);
+  }
 }

@@ -21,6 +21,16 @@ Particle<Real> failed(Particle<Real> particle) {
   return particle;
 }
 
+/// One number as the tolerance of a body: of a particle so many m a second, and as many m/s, for
+/// the problems' own times are seconds.
+template <class Body, class Real>
+ToleranceOf<Body> tolerance_of(Real tolerance) {
+  if constexpr (std::is_same_v<ToleranceOf<Body>, Real>)
+    return tolerance;
+  else
+    return {tolerance, tolerance};
+}
+
 /// A contestant that `carry(body, tolerance)` takes through the whole problem. Where no step meets
 /// the tolerance the answer is NaN.
 template <class Body, class Gather, class Carry>
@@ -64,7 +74,7 @@ Contestant<Body> by_own_steps(const Problem<Body, Gather>& problem,
   return own_steps(
       std::string(rung.name), problem,
       [carry = rung.carry](Body& body, const Gather& gather, Real seconds, Real tolerance) {
-        carry(body, gather, Real(0), seconds, tolerance);
+        carry(body, gather, Real(0), seconds, tolerance_of<Body>(tolerance), {});
       });
 }
 

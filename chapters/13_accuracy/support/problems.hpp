@@ -53,6 +53,21 @@ struct Weight {
 };
 //! [heavy]
 
+/// The weight of a top whose centre of mass may lie off its axes, about the tip that is held.
+template <class Real>
+struct OffAxisWeight {
+  Vec3<Real> weight_times_arm;  ///< M g times the place of the centre from the tip, body axes, N m
+  void operator()(Top<Real>& top, Real) const {
+    const Vec3<Real> arm = rotate<Real>(top.orientation, weight_times_arm);
+    top.torque = {-arm.y(), arm.x(), 0};
+  }
+  Kept kept(const Top<long double>& top) const {
+    const Vec3<long double> arm =
+        rotate<long double>(top.orientation, weight_times_arm.template cast<long double>().eval());
+    return {kinetic_energy(top) + arm.z(), {0, 0, angular_momentum_world(top).z()}};
+  }
+};
+
 /// A torque that changes with time alone, in world axes.
 template <class Real>
 struct Drive {
@@ -183,6 +198,17 @@ Problem<Top<Real>, Weight<Real>> heavy_top(const char* name, double spin) {
                 .inverse_moments = {2, 2, 5}};
   top.angular_momentum_body.z() = Real(0.2 * spin);
   return {name, top, {.weight_times_arm = 1}, 10};
+}
+
+/// A kilogram whose three moments about the tip differ and whose centre lies off its axes, `off` m
+/// from the plane of axes 1 and 3. With 0 it has that plane for a mirror. Let go at `tilt` rad.
+template <class Real>
+Problem<Top<Real>, OffAxisWeight<Real>> asymmetric_heavy_top(double off, double tilt) {
+  const Top<Real> top{.orientation = quaternion_about<Real>(Vec3<Real>::UnitX(), Real(tilt)),
+                      .angular_momentum_body = {0, 3, 0},
+                      .inverse_moments = {1 / Real(1.5), 1 / Real(1.9), 1 / Real(0.8)}};
+  const Vec3<Real> arm(Real(0.3), Real(off), Real(0.5));
+  return {"asymmetric heavy top", top, {Real(9.81) * arm}, 10};
 }
 
 /// Problem A's top, with a torque that swings.

@@ -4,7 +4,7 @@
 
 #include <tumble/embedded_pairs.hpp>
 #include <tumble/runge_kutta.hpp>
-#include <tumble/step_control.hpp>
+#include <tumble/stops.hpp>
 
 namespace tumble {
 
@@ -23,22 +23,34 @@ struct RowWithin {
   static constexpr auto& row = Pair::dense[i];
 };
 
-/// The square of the error at the end of a step, relative to what is allowed: `tolerance` m in the
-/// position and as many m/s in the velocity for each second of the step, and a few roundings on
-/// top, for no step can be better.
+namespace detail {
+template <class Real>
+ParticleTolerance<Real> tolerance_for(const Particle<Real>&);
+template <class Real>
+Real tolerance_for(const Top<Real>&);
+}  // namespace detail
+
+/// What a body may lose in a second: ParticleTolerance; of a top rad, and as large a part of |L|.
+template <class Body>
+using ToleranceOf = decltype(detail::tolerance_for(std::declval<const Body&>()));
+
+/// The square of the error at the end of a step, relative to what is allowed: the tolerances of
+/// position and velocity for each second of the step, and a few roundings on top, for no step can
+/// be better.
 //! [error_of_particle]
 template <class Real>
 [[gnu::always_inline]] inline Real square_of_error(const Numbers<Real, 6>& error,
                                                    const Numbers<Real, 6>& start,
-                                                   const Numbers<Real, 6>&, Same<Real> tolerance,
+                                                   const Numbers<Real, 6>&,
+                                                   const ParticleTolerance<Same<Real>>& tolerance,
                                                    Same<Real> time_step) {
-  const Real allowed = tolerance * time_step, rounding = 4 * std::numeric_limits<Real>::epsilon();
-  const auto part = [&](std::size_t i) {
+  const Real rounding = 4 * std::numeric_limits<Real>::epsilon();
+  const auto part = [&](std::size_t i, Real allowed) {
     const Vec3<Real> off(error[i], error[i + 1], error[i + 2]),
         size(start[i], start[i + 1], start[i + 2]);
     return off.squaredNorm() / (allowed * allowed + rounding * rounding * size.squaredNorm());
   };
-  return part(0) + part(3);
+  return part(0, tolerance.position * time_step) + part(3, tolerance.velocity * time_step);
 }
 //! [error_of_particle]
 
@@ -79,7 +91,7 @@ class EmbeddedSteps {
  public:
   static constexpr int power = Pair::power - 1;  ///< of the error per second
 
-  EmbeddedSteps(const Body& body, const Gather& gather, Real time, Real tolerance)
+  EmbeddedSteps(const Body& body, const Gather& gather, Real time, ToleranceOf<Body> tolerance)
       : gather_(gather),
         there_(body),
         time_(time),
@@ -196,27 +208,30 @@ class EmbeddedSteps {
 
   const Gather& gather_;
   Body there_;  // to gather into
-  Real time_, tolerance_, step_ = 0;
+  Real time_, step_ = 0;
+  ToleranceOf<Body> tolerance_;
   State start_, end_ = {};
   std::array<State, stage_count + 1 + Pair::more_nodes.size()> rates_ = {};
 };
 
 /// Takes a particle or a top from `time` (s) through `seconds`. `gather` as in kicked_steps.hpp.
-/// `tolerance` is what may be lost in a second: m and m/s of a particle; rad and parts of |L| of a
-/// top. The squares of |L| and of the part of it that may be lost must be normal numbers: of a
-/// smaller error the choice of the step sees nothing, and a larger |L| has no such part.
+/// `tolerance` is what may be lost in a second: of a particle {m, m/s}; of a top rad, and as large
+/// a part of |L|. The squares of |L| and of the part of it that may be lost must be normal numbers:
+/// of a smaller error the choice of the step sees nothing, and a larger |L| has no such part. No
+/// step passes over one of the `stops`.
 /// @throws std::invalid_argument unless the time is 0 or more and the tolerance more than 0, both
-/// finite. @throws StepError if no step meets the tolerance.
+/// finite, and as require_stops(). @throws StepError if no step meets the tolerance.
 //! [carry]
 template <class Pair, class Body, class Gather, class Real>
 Journey carry(Body& body, const Gather& gather, Real time, Same<Real> seconds,
-              Same<Real> tolerance) {
+              ToleranceOf<Body> tolerance, const Stops<Same<Real>>& stops = {}) {
   require_journey<Real>(seconds, tolerance);
-  EmbeddedSteps<Pair, Body, Gather, Real> steps(body, gather, time, tolerance);
-  const Journey journey = travel(steps, seconds, steps.first_step(seconds), [](Real, Real) {});
-  body = steps.body();
-  gather(body, time + seconds);
-  return journey;
+  return in_legs(body, gather, time, seconds, stops,
+                 [&](auto& there, const auto& within, Real begin, Real length) {
+                   EmbeddedSteps<Pair, Body, std::decay_t<decltype(within)>, Real> steps(
+                       there, within, begin, tolerance);
+                   return arrive(there, steps, length, stops.longest);
+                 });
 }
 //! [carry]
 

@@ -41,11 +41,13 @@ Journey carry_without_torque(Top<Real>& top, Same<Real> seconds, Same<Real> tole
   return carry<Pair>(top, nothing, Real(0), seconds, tolerance);
 }
 
-/// A splitting in the portions of a row, whose steps follow the pace of a top without torque.
+/// A splitting in the portions of a row, whose steps follow the pace of a top without torque: one
+/// that turns never comes to rest, and one at rest stays there.
 template <class Row, class Real>
 Journey carry_paced_without_torque(Top<Real>& top, Same<Real> seconds, Same<Real> angle) {
   const auto nothing = [](Top<Real>& there, Real) { there.torque.setZero(); };
-  return carry_paced<Row>(top, nothing, Real(0), seconds, angle);
+  const Real least = top.angular_momentum_body.isZero(0) ? 1 : 0;  // at rest any pace will do
+  return carry_paced<Row>(top, nothing, Real(0), seconds, angle, least);
 }
 
 /// Those for a free top.
@@ -91,13 +93,13 @@ constexpr std::array<FreeJourney<Real>, 7> free_journeys = {{
 //! [free_journeys]
 
 /// A method that takes a particle under force, or a top under torque, from `time` through
-/// `seconds`. `gather` as in kicked_steps.hpp; `tolerance` as in carry().
+/// `seconds`. `gather` as in kicked_steps.hpp; `tolerance` and `stops` as in carry().
 template <class Body, class Real, class Gather>
 struct JourneyRung {
   std::string_view name;
   Claims claims;
   Journey (*carry)(Body& body, const Gather& gather, Real time, Same<Real> seconds,
-                   Same<Real> tolerance);
+                   ToleranceOf<Body> tolerance, const Stops<Same<Real>>& stops);
 };
 
 /// Those for a body under any force or torque.

@@ -33,7 +33,8 @@ class NystromSteps {
  public:
   static constexpr int power = Pair::power - 1;  ///< of the error per second
 
-  NystromSteps(const Particle<Real>& particle, const Gather& gather, Real time, Real tolerance)
+  NystromSteps(const Particle<Real>& particle, const Gather& gather, Real time,
+               const ParticleTolerance<Real>& tolerance)
       : gather_(gather), there_(particle), time_(time), tolerance_(tolerance) {
     const Vec3<Real>&x = particle.position, &v = particle.velocity;
     place_ = {x[0], x[1], x[2]};
@@ -122,7 +123,8 @@ class NystromSteps {
 
   const Gather& gather_;
   Particle<Real> there_;  // to gather into
-  Real time_, tolerance_, step_ = 0;
+  Real time_, step_ = 0;
+  ParticleTolerance<Real> tolerance_;
   Three place_ = {}, velocity_ = {}, end_place_ = {}, end_velocity_ = {};
   std::array<Three, stage_count> rates_ = {};
 };
@@ -130,13 +132,15 @@ class NystromSteps {
 /// Like carry(), by a Nyström pair, where the force depends on time and place alone.
 template <class Pair, class Gather, class Real>
 Journey carry_by_nystrom(Particle<Real>& particle, const Gather& gather, Real time,
-                         Same<Real> seconds, Same<Real> tolerance) {
+                         Same<Real> seconds, ParticleTolerance<Same<Real>> tolerance,
+                         const Stops<Same<Real>>& stops = {}) {
   require_journey<Real>(seconds, tolerance);
-  NystromSteps<Pair, Gather, Real> steps(particle, gather, time, tolerance);
-  const Journey journey = travel(steps, seconds, steps.first_step(seconds), [](Real, Real) {});
-  particle = steps.body();
-  gather(particle, time + seconds);
-  return journey;
+  return in_legs(particle, gather, time, seconds, stops,
+                 [&](auto& there, const auto& within, Real begin, Real length) {
+                   NystromSteps<Pair, std::decay_t<decltype(within)>, Real> steps(there, within,
+                                                                                  begin, tolerance);
+                   return arrive(there, steps, length, stops.longest);
+                 });
 }
 
 }  // namespace tumble

@@ -19,24 +19,32 @@ namespace tumble {
 /// so that ρ = P stays true but for the errors of the steps. One step is half of this change at its
 /// start, the motion, and half of the change at its end: read backwards, the same (Hairer and
 /// Söderlind 2005). Nothing has to be solved, and no evaluation is added.
+///
+/// Where a swing turns back, |ω| is small and ρ about to grow again, but half a step before that it
+/// is still falling, by no more than a fifth of itself if least² is at least angle · |ω'|: see
+/// own_steps.md. A step is refused where P² is less than angle · |ω'|, so that ω would change by
+/// more than P in it, or where ρ is less than P/2 nevertheless. So each is positive, and no longer
+/// than 2 angle/P.
 //! [paced_steps]
 template <class Row, class Gather, class Real>
 class PacedSteps {
  public:
-  /// `angle` (rad) is that of a step; `least` (rad/s) the pace of a top at rest.
-  PacedSteps(const Top<Real>& top, const Gather& gather, Real time, Real angle, Real least = 0)
+  /// `angle` (rad) is that of a step; `least` (rad/s) the pace of a top at rest. It may be 0 where
+  /// the top never comes to rest, as without torque.
+  PacedSteps(const Top<Real>& top, const Gather& gather, Real time, Real angle, Real least)
       : gather_(gather), top_(top), time_(time), angle_(angle), least_(least) {
     gather_(top_, time_);
     pace_ = std::sqrt(square_of_pace());
   }
 
-  /// How long the next step is, s.
-  Real next() const { return angle_ / (pace_ + angle_ / 2 * growth()); }
+  /// How long the next step is, s. @throws StepError as step().
+  Real next() const { return angle_ / middle(); }
 
+  /// @throws StepError, and changes nothing, if the step would be refused.
   void step() {
-    const Real middle = pace_ + angle_ / 2 * growth();
-    move(angle_ / middle);
-    pace_ = middle + angle_ / 2 * growth();
+    const Real pace = middle();
+    move(angle_ / pace);
+    pace_ = pace + angle_ / 2 * growth();
   }
   //! [paced_steps]
 
@@ -49,20 +57,39 @@ class PacedSteps {
   /// From here on backwards, where torque does not depend on time.
   void turn_around() { top_.angular_momentum_body *= -1; }
 
-  const Top<Real>& top() const { return top_; }
-  Real pace() const { return pace_; }  ///< ρ, 1/s
-  Real time() const { return time_; }  ///< s
+  const Top<Real>& top() const { return top_; }  ///< as it is now
+  Real pace() const { return pace_; }            ///< ρ, 1/s
+  Real time() const { return time_; }            ///< s
 
  private:
+  /// ρ during the next step, 1/s.
+  Real middle() const {
+    const Real pace = pace_ + angle_ / 2 * growth(), square = square_of_pace(),
+               change = acceleration().norm();
+    if (!(pace > 0 && 4 * pace * pace >= square && angle_ * change <= square))
+      throw StepError(
+          "the pace ρ is " + text_of(pace) + " 1/s at " + text_of(time_) +
+          " s, where the angular velocity of " + text_of(angular_velocity_body(top_).norm()) +
+          " rad/s changes by " + text_of(change) + " rad/s²: take a least pace greater than " +
+          text_of(least_) + " rad/s, or a smaller angle than " + text_of(angle_) + " rad a step");
+    return pace;
+  }
+
   Real square_of_pace() const {
     return angular_velocity_body(top_).squaredNorm() + least_ * least_;
   }
 
-  /// dρ/ds, 1/(rad s). It needs the torque of now, which a step leaves behind.
-  Real growth() const {
+  /// ω', rad/s². It needs the torque of now, which a step leaves behind.
+  Vec3<Real> acceleration() const {
     const Vec3<Real>&L = top_.angular_momentum_body, w = angular_velocity_body(top_);
     const Vec3<Real> torque = L.cross(w) + rotate_back(top_.orientation, top_.torque);
-    return dot(w, top_.inverse_moments.cwiseProduct(torque).eval()) / square_of_pace();
+    return top_.inverse_moments.cwiseProduct(torque);
+  }
+
+  /// dρ/ds, 1/(rad s).
+  Real growth() const {
+    const Real square = square_of_pace();
+    return square == 0 ? Real(0) : dot(angular_velocity_body(top_), acceleration()) / square;
   }
 
   const Gather& gather_;
@@ -71,15 +98,15 @@ class PacedSteps {
 };
 
 /// Takes a top from `time` (s) through `seconds` in steps that turn it by about `angle` (rad) each,
-/// where the pace is its angular velocity and `least` (rad/s) together. The last step is cut so
-/// that it ends where the journey does. A top at rest without a least pace stays at rest in one
-/// step.
+/// where the pace is its angular velocity and `least` (rad/s) together, as of PacedSteps. The last
+/// step is cut so that it ends where the journey does.
 /// @throws std::invalid_argument unless the time and the least pace are 0 or more and the angle is
-/// more than 0, all finite. @throws StepError if steps fall below what the clock can show.
+/// more than 0, all finite. @throws StepError if PacedSteps refuses a step, which a larger least
+/// pace prevents, or if steps fall below what the clock can show.
 //! [carry_paced]
 template <class Row, class Gather, class Real>
 Journey carry_paced(Top<Real>& top, const Gather& gather, Real time, Same<Real> seconds,
-                    Same<Real> angle, Same<Real> least = 0) {
+                    Same<Real> angle, Same<Real> least) {
   require_not_negative("time", seconds, "s");
   require_not_negative("least pace", least, "rad/s");
   require_finite("angle", angle, "rad a step");
@@ -95,7 +122,7 @@ Journey carry_paced(Top<Real>& top, const Gather& gather, Real time, Same<Real> 
       break;
     }
     steps.step();
-    if (!(gone + h > gone)) fail_at(h, gone);
+    if (!(gone + h > gone)) fail_at(h, gone, "the top turns too fast for the clock");
     gone += h;
   }
   top = steps.top();

@@ -66,7 +66,7 @@ class ReducedSteps {
   }
 
   /// The top where the last step that was accepted ends.
-  Top<Real> top() const { return motion_.top_at(start_, twist_); }
+  Top<Real> body() const { return motion_.top_at(start_, twist_); }
 
  private:
   using Rule = typename Pair::Rule;
@@ -107,14 +107,13 @@ class ReducedSteps {
   std::array<Numbers<Real, 1>, stage_count + 1> twists_ = {};
 };
 
-/// The journey of such steps.
+/// The journey of such steps, none longer than `longest` (s).
 template <class Pair, class Real, class Motion>
 Journey carry_reduced(Top<Real>& top, const Motion& motion, Same<Real> time, Same<Real> seconds,
-                      Same<Real> tolerance) {
+                      Same<Real> tolerance,
+                      Same<Real> longest = std::numeric_limits<Real>::infinity()) {
   ReducedSteps<Pair, Motion, Real> steps(motion, time, tolerance);
-  const Journey journey = travel(steps, seconds, steps.first_step(seconds), [](Real, Real) {});
-  top = steps.top();
-  return journey;
+  return arrive(top, steps, seconds, longest);
 }
 
 /// Takes a free top through `seconds`. `tolerance`: rad that may be lost in a second. A top that
@@ -139,18 +138,21 @@ Journey carry_freely(Top<Real>& top, Same<Real> seconds, Same<Real> tolerance) {
 
 /// Takes a symmetric top from `time` (s) through `seconds`, where the torque depends on time and on
 /// where the axis points, and has no part along it: `gather` returns it (N m, world axes) by
-/// torque_on_axis(axis, time). `tolerance`: rad, and parts of |L|, that may be lost in a second.
+/// torque_on_axis(axis, time). `tolerance`: rad, and parts of |L|, that may be lost in a second. No
+/// step passes over one of the `stops`.
 /// @throws std::invalid_argument unless two moments are equal and none is locked, and as
-/// carry_freely(). @throws StepError if no step meets the tolerance.
+/// carry(). @throws StepError if no step meets the tolerance.
 //! [carry_axis]
 template <class Pair, class Gather, class Real>
 Journey carry_axis(Top<Real>& top, const Gather& gather, Real time, Same<Real> seconds,
-                   Same<Real> tolerance) {
+                   Same<Real> tolerance, const Stops<Same<Real>>& stops = {}) {
   require_journey<Real>(seconds, tolerance);
-  const auto journey =
-      carry_reduced<Pair, Real>(top, AxisTurn<Gather, Real>(top, gather), time, seconds, tolerance);
-  gather(top, time + seconds);
-  return journey;
+  return in_legs(top, gather, time, seconds, stops,
+                 [&](auto& there, const auto& within, Real begin, Real length) {
+                   const AxisTurn<std::decay_t<decltype(within)>, Real> motion(there, within);
+                   return carry_reduced<Pair, Real>(there, motion, begin, length, tolerance,
+                                                    stops.longest);
+                 });
 }
 //! [carry_axis]
 

@@ -60,14 +60,32 @@ class StepControl {
 };
 //! [step_control]
 
-/// Checks on entry what a journey is asked for.
+/// Checks on entry what a journey is asked for; the tolerance is in `unit`.
 /// @throws std::invalid_argument unless the time is 0 or more and the tolerance more than 0, both
 /// finite.
 template <class Real>
-void require_journey(Real seconds, Same<Real> tolerance) {
+void require_journey(Real seconds, Same<Real> tolerance, const char* name = "tolerance",
+                     const char* unit = "a second") {
   require_not_negative("time", seconds, "s");
-  require_finite("tolerance", tolerance, "a second");
-  if (!(tolerance > 0)) reject("tolerance", tolerance, "a second", "it must be greater than 0");
+  require_finite(name, tolerance, unit);
+  if (!(tolerance > 0)) reject(name, tolerance, unit, "it must be greater than 0");
+}
+
+/// What a particle may lose in a second. Positions and velocities have different units, so each
+/// has a tolerance of its own.
+//! [particle_tolerance]
+template <class Real>
+struct ParticleTolerance {
+  Real position;  ///< m a second
+  Real velocity;  ///< m/s a second
+};
+//! [particle_tolerance]
+
+/// The same for both tolerances of a particle.
+template <class Real>
+void require_journey(Real seconds, const ParticleTolerance<Same<Real>>& tolerance) {
+  require_journey(seconds, tolerance.position, "tolerance of the position", "m a second");
+  require_journey(seconds, tolerance.velocity, "tolerance of the velocity", "m/s a second");
 }
 
 /// What a journey took.
@@ -75,7 +93,7 @@ struct Journey {
   long steps = 0, rejected = 0;
 };
 
-/// No step meets the tolerance, however short.
+/// No step will do: none that the clock shows is short enough, or its length is no time.
 class StepError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -83,9 +101,9 @@ class StepError : public std::runtime_error {
 
 /// @throws StepError: a step of h seconds, so long after the start, is one that no clock shows.
 template <class Real>
-[[noreturn]] void fail_at(Real h, Same<Real> gone) {
+[[noreturn]] void fail_at(Real h, Same<Real> gone, const char* reason) {
   throw StepError("the time step fell to " + text_of(h) + " s, " + text_of(gone) +
-                  " s after the start; no step meets the tolerance there");
+                  " s after the start; " + reason);
 }
 
 /// A step that the tolerance allows, as far as one can tell before the first. Rates that would lose
@@ -103,16 +121,18 @@ Real first_step_of(Real rate, Same<Real> changes, int power, Same<Real> seconds)
 /// accepted step before it counts.
 ///
 /// The last step is what is left of the journey, to a rounding, and shares the remaining time with
-/// the one before it, lest a tiny step be left.
+/// the one before it, lest a tiny step be left. No step is longer than `longest` (s).
 /// @throws StepError if steps fall below what the clock can show.
 //! [travel]
 template <class Real, class Stepper, class WhenStepped>
-Journey travel(Stepper& stepper, Real seconds, Same<Real> first, const WhenStepped& when_stepped) {
+Journey travel(Stepper& stepper, Real seconds, Same<Real> first, const WhenStepped& when_stepped,
+               Same<Real> longest = std::numeric_limits<Real>::infinity()) {
   StepControl control(Stepper::power);
   Journey journey;
   Real gone = 0, h = first;
   while (gone < seconds) {
     const Real left = seconds - gone;
+    h = std::min(h, longest);
     const bool is_last = h >= left;
     if (is_last)
       h = left;
@@ -131,7 +151,8 @@ Journey travel(Stepper& stepper, Real seconds, Same<Real> first, const WhenStepp
     // Near the start any step moves the clock, but the shortest of all is not made shorter by
     // rounding.
     const bool is_shown = gone + h > gone && h >= std::numeric_limits<Real>::min();
-    if (gone < seconds && !is_shown) fail_at(h, gone);
+    if (gone < seconds && !is_shown)
+      fail_at(h, gone, "no step meets the tolerance there; if a force jumps, name an event");
   }
   return journey;
 }

@@ -1,0 +1,109 @@
+/// @file
+/// What a method that chooses its steps can't see for itself: the moments at which a force or a
+/// torque changes at once, and how long a step may be lest it pass over something short.
+#pragma once
+
+#include <tumble/step_control.hpp>
+#include <vector>
+
+namespace tumble {
+
+/// What no step passes over.
+//! [stops]
+template <class Real>
+struct Stops {
+  std::vector<Real> events = {};  ///< s, by the clock of `gather`, each later than the one before
+  Real longest = std::numeric_limits<Real>::infinity();  ///< of a step, s
+};
+//! [stops]
+
+/// @throws std::invalid_argument unless the events are finite and in order and the longest step is
+/// more than 0.
+template <class Real>
+void require_stops(const Stops<Real>& stops) {
+  if (!(stops.longest > 0)) reject("longest step", stops.longest, "s", "it must be greater than 0");
+  for (std::size_t n = 0; n < stops.events.size(); ++n) {
+    require_finite("event", stops.events[n], "s");
+    if (n > 0 && !(stops.events[n] > stops.events[n - 1]))
+      reject("event", stops.events[n], "s", "it must be later than the one before");
+  }
+}
+
+/// A force or a torque as one leg of a journey sees it: `gather`, never asked for a time outside.
+/// At an event `gather` says what acts from then on; the leg that ends there takes what it says
+/// just before.
+template <class Gather, class Real>
+struct WithinLeg {
+  const Gather& gather;  ///< of the whole journey
+  Real first, last;      ///< s
+
+  /// `time`, or the nearer end of the leg, s.
+  Real inside(Real time) const { return std::clamp(time, first, last); }
+
+  /// Its force or torque on `body`, at `time` (s) or at the nearer end.
+  template <class Body>
+  void operator()(Body& body, Real time) const {
+    gather(body, inside(time));
+  }
+  /// @cond What only some have, see rates_under() and AxisTurn.
+  template <class Body>
+  void in_full(Body& body, Real time) const requires requires {
+    gather.in_full(body, time);
+  }
+  { gather.in_full(body, inside(time)); }
+  template <class Orientation>
+  auto torque_body(const Orientation& q, Real time) const requires requires {
+    gather.torque_body(q, time);
+  }
+  { return gather.torque_body(q, inside(time)); }
+  template <class Axis>
+  auto torque_on_axis(const Axis& axis, Real time) const {
+    return gather.torque_on_axis(axis, inside(time));
+  }
+  /// @endcond
+};
+
+/// Takes a body from `time` through `seconds` in legs from event to event. `leg(body, gather,
+/// begin, length)` makes one of them, in s, and returns what it took. What acts at the end is left
+/// in the body. If a leg fails the body is where it was at the start.
+/// @throws std::invalid_argument as require_stops().
+//! [in_legs]
+template <class Body, class Real, class Gather, class Leg>
+Journey in_legs(Body& body, const Gather& gather, Real time, Same<Real> seconds,
+                const Stops<Real>& stops, const Leg& leg) {
+  require_stops(stops);
+  Body there = body;
+  Journey all;
+  const auto go = [&](Real begin, Real length, Real last) {
+    const Journey one = leg(there, WithinLeg<Gather, Real>{gather, begin, last}, begin, length);
+    all.steps += one.steps;
+    all.rejected += one.rejected;
+  };
+  const Real end = time + seconds;
+  Real begin = time, last = end;
+  for (const Real event : stops.events) {
+    const Real before = std::nextafter(event, begin);
+    if (event > begin && event < end) {
+      go(begin, (event - time) - (begin - time), before);
+      begin = event;
+    } else if (event == end) {
+      last = before;
+    }
+  }
+  go(begin, seconds - (begin - time), last);
+  gather(there, end);
+  body = there;
+  return all;
+}
+//! [in_legs]
+
+/// Takes the body of a stepper through one leg of so many `seconds`.
+template <class Body, class Stepper, class Real>
+Journey arrive(Body& body, Stepper& steps, Real seconds, Real longest) {
+  const Journey journey = travel(
+      steps, seconds, steps.first_step(seconds), [](Real, Real) {}, longest);
+  body = steps.body();
+  return journey;
+}
+
+}  // namespace tumble
