@@ -50,7 +50,7 @@
       const step = `In a step of h² k = ${shown(values.kappa)} the nutation turns by ${degrees}°`;
       if (columns.grows[0] === 1) return `${step}: the springs feed on the spin, and a tilt grows.`;
       if (values.kappa < (values.angle === 0 ? 4 - 2 * values.damping : bound)) return `${step}: the world promises that no tilt grows.`;
-      return `${step}: no tilt grows here, but nobody promises it; the next band is not far.`;
+      return `${step}: no tilt grows here, but nobody promises it.`;
     },
   };
 })();

@@ -284,6 +284,30 @@ TEST_CASE_TEMPLATE("A spin that asks for a shorter step is named in the warning"
   CHECK(world.warnings().at(0).find("spins") == std::string::npos);
 }
 
+TEST_CASE_TEMPLATE("The weakest spring keeps every nutation just below half a turn in a step", Real,
+                   EVERY_PRECISION) {
+  Dice dice(9);
+  for (int n = 0; n < 200; ++n) {
+    RigidBody<Real> body;
+    body.centre = make_particle<Real>(1);
+    body.top.inverse_moments = Vec3<Real>::Constant(std::exp2(dice.real<Real>()));
+    body.top.angular_momentum_body = {0, 0, std::exp2(3 * dice.real<Real>())};
+    for (const Scheme scheme : schemes) {
+      World<Real> world;
+      world.step_by(scheme);
+      world.on_warning([](const std::string&) {});
+      world.add(SpringToPoint<Real>{.spring = {.stiffness = Real(1e-30), .rest_length = 3},
+                                    .anchor = {3, 0, 1},
+                                    .attachment = {0, 0, 1}},
+                {world.add("body", body)});
+      const StepLimit<Real> limit = world.step_limit();
+      const Real half_turn = std::numbers::pi_v<Real>;
+      CHECK(limit.time_step * limit.nutation_rate < half_turn);
+      CHECK(limit.time_step * limit.nutation_rate > (1 - 16 * unit_roundoff<Real>)*half_turn);
+    }
+  }
+}
+
 TEST_CASE("A box that spins about its largest moment between two springs keeps its energy") {
   // There the energy is the least that its angular momentum allows, so the motion itself is stable,
   // though not the same in each step: the box shows the springs another side.

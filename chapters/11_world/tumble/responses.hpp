@@ -74,7 +74,10 @@ class Responses {
     const Real fastest = *std::max_element(nutations_.begin(), nutations_.end());
     if (fastest == 0) return limit;
     // In a longer step the bodies yield more, and so it must be shorter: one is just short enough.
-    Real below = 0, above = std::min(limit.at_rest, largest_angle / fastest);
+    // Rounded, no angle may come to the largest one, where a tangent changes its sign.
+    Real below = 0,
+         above = std::min(limit.at_rest,
+                          (largest_angle - 8 * std::numeric_limits<Real>::epsilon()) / fastest);
     for (int n = 0; n < std::numeric_limits<Real>::digits; ++n) {
       const Real middle = (below + above) / 2;
       for (BodyIndex body = 0; body < yields.size(); ++body)
