@@ -13,7 +13,7 @@ import json
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from catalogue import exercise_folders
@@ -88,7 +88,7 @@ def look_at_behaviour(root, toolchain, exercise, quick=False):
         judge_program = prepare(toolchain, exercise)
     except CommandFailed as failure:
         return [f"{exercise.path}: checks.cpp doesn't compile:\n{first_message(failure.output, 'checks.cpp')}"]
-    said = _sentences(judge_program)
+    said = _sentences(judge_program.program)
     if said != [check.sentence for check in exercise.checks]:
         return [f"{exercise.path}: checks.cpp says {said}, and exercise.json {[c.sentence for c in exercise.checks]}; they must "
                 "be the same, in the same order"]
@@ -102,7 +102,7 @@ def look_at_behaviour(root, toolchain, exercise, quick=False):
             complaints.append(f"{exercise.path}: the compiler warns of {name}:\n"
                               f"{first_message(worker.warnings, exercise.header, 'warning') or worker.warnings[:300]}")
         for key in keys:
-            outcomes = judge(exercise, judge_program, worker.programs, drawn_parameters(exercise, key)).outcomes
+            outcomes = judge(exercise, replace(judge_program, key=key), worker.programs, drawn_parameters(exercise, key)).outcomes
             yield dict(zip(said, outcomes))
     try:
         for sentence, outcome in next(verdicts(exercise.folder, "starter")).items():

@@ -13,6 +13,7 @@ from pathlib import Path
 from complaint import Complaint, GraderFailed
 from patience import Patience
 from plain_text import one_line
+from programs import solution_of
 from shards import Job, run
 from submission import read_header, student_of
 from untrusted import COMPILING
@@ -179,7 +180,8 @@ def _digests_of_tools():
 
 def _files_of_checks(exercise):
     beside = sorted(file for file in exercise.folder.glob("*.hpp") if file.name != exercise.header)
-    return [exercise.folder / "exercise.json", exercise.folder / "checks.cpp", *beside]
+    solution = solution_of(exercise)
+    return [exercise.folder / "exercise.json", exercise.folder / "checks.cpp", *beside, *([solution] if solution.exists() else [])]
 
 
 def _is_of(result, folder, exercises):

@@ -52,7 +52,7 @@ def _outcomes(toolchain, exercise, header, task, user):
     not_run = [Outcome(NOT_RUN)] * len(exercise.checks)
     if header.reason:
         return header.reason, not_run
-    judge = prepare(toolchain, exercise)
+    judge = prepare(toolchain, exercise, task["key"])
     with a_workshop(toolchain, exercise, user, COMPILING * task["seconds"]) as workshop:
         try:
             workers = workshop.compile(header.text)

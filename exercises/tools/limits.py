@@ -25,6 +25,10 @@ class Limits:
     reach: Reach = None           # the files that it may use; None: all that its rights allow
     sealed: bool = False          # whether it can only calculate, see sealed.py
 
+    def of_reference(self):
+        """Those of the solution's worker: it is trusted, and answers more than the student's."""
+        return Limits(seconds=4 * self.seconds, memory=self.memory)
+
     def reaching(self, program):
         """The same for a program that lies outside: it may read and execute itself."""
         if self.reach is None:

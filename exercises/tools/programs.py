@@ -1,7 +1,9 @@
 """The two programs of an exercise: the judge, which holds the checks, and the worker, which holds a student's code."""
 
+import hashlib
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from pathlib import Path
 
 from made import end_running, held, make
 from outputs import write_whole
@@ -17,8 +19,27 @@ class Worker:
     warnings: str
 
 
-def prepare(toolchain, exercise):
-    """Makes what doesn't depend on a student's code: precompiled header, worker's loop, judge. Returns the judge."""
+@dataclass(frozen=True)
+class Judge:
+    """What judges a worker. `reference`: the solution's own workers by precision; none where no solution is at hand."""
+    program: Path
+    reference: dict
+    secret: bytes = b""  # which nobody knows who doesn't have the solution
+    key: str = ""        # of the student who is judged
+
+    def seed(self, number, precision):
+        """From which the questions of a check are drawn that nobody else is asked."""
+        words = f"{self.key} {number} {precision} ".encode("utf-8", "surrogateescape")
+        return int.from_bytes(hashlib.sha256(words + self.secret).digest()[:8], "big")
+
+
+def solution_of(exercise):
+    """Where its solution lies: in solutions/ beside the folder of exercises, which a student's copy doesn't have."""
+    return exercise.folder.parents[2] / "solutions" / exercise.path / exercise.header
+
+
+def prepare(toolchain, exercise, key=""):
+    """Makes what doesn't depend on a student's code: precompiled header, worker's loop, judge, and the solution. Returns the judge."""
     header, command, target, dependencies = toolchain.precompile()
     header.parent.mkdir(parents=True, exist_ok=True)
     _write(header, "#include <exercise/precompiled.hpp>\n")
@@ -30,7 +51,11 @@ def prepare(toolchain, exercise):
     _compile(toolchain, exercise.folder / "checks.cpp", checks, exercise.chapter)
     parts = [checks, shared(toolchain, "judge.o")]
     make(judge, toolchain.link(parts, judge), inputs=parts)
-    return judge
+    solution = solution_of(exercise)
+    if not solution.exists():
+        return Judge(judge, {}, key=key)
+    reference = build_worker(toolchain, exercise, solution.parent, folder_of(toolchain, exercise) / "solution")
+    return Judge(judge, reference.programs, solution.read_bytes(), key)
 
 
 def build_worker(toolchain, exercise, header_folder, folder):

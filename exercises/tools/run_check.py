@@ -27,7 +27,8 @@ class Outcome:
 
 
 def run_check(judge, number, workers, parameters=(), limits=Limits(), folder=None):
-    """The outcome of check `number` in both precisions; `workers` has a program for each. `folder` is where they run."""
+    """The outcome of check `number` in both precisions; `workers` has a program for each. `folder` is where they run; `judge` is a
+    programs.Judge."""
     began, printed = time.monotonic(), ""
     for precision, worker in workers.items():
         try:
@@ -56,21 +57,27 @@ class _Pair:
         self.judged = False  # whether the judge has said all that it had to say
         self.ended_from_outside = False
         self.computing = _computing_of_children()
-        question_out, question_in = os.pipe()
-        reply_out, reply_in = os.pipe()
-        pipes = [question_out, question_in, reply_out, reply_in]
-        self.worker = self.judge = None
-        parent = os.getpid()
+        self.worker = self.judge = self.reference = None
+        pipes, parent = [], os.getpid()
+        solution = judge.reference.get(precision)
+
+        def started(start, program, limits, output):
+            """A worker, and the ends of the pipes on which it is asked and answers."""
+            pipes.extend((*os.pipe(), *os.pipe()))
+            question_out, question_in, reply_out, reply_in = pipes[-4:]
+            return start([str(program), str(question_out), str(reply_in)], pass_fds=(question_out, reply_in), stdin=subprocess.DEVNULL,
+                         stdout=output, stderr=subprocess.STDOUT, cwd=folder, env={}, start_new_session=True,
+                         preexec_fn=lambda: confine(limits, parent)), (question_in, reply_out)
         try:
-            self.worker = _started(
-                [str(worker), str(question_out), str(reply_in)], pass_fds=(question_out, reply_in),
-                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, cwd=folder, env={},
-                start_new_session=True, preexec_fn=lambda: confine(limits.reaching(str(worker)), parent))
+            self.worker, ends = started(_started, worker, limits.reaching(str(worker)), subprocess.PIPE)
+            others = (-1, -1)
+            if solution:
+                self.reference, others = started(subprocess.Popen, solution, limits.of_reference(), subprocess.DEVNULL)
+            words = [number, precision, judge.seed(number, precision), *ends, *others,
+                     *(f"{name}={value!r}" for name, value in parameters)]
             self.judge = subprocess.Popen(
-                [str(judge), str(number), precision, str(question_in), str(reply_out)] +
-                [f"{name}={value!r}" for name, value in parameters],
-                pass_fds=(question_in, reply_out), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                stderr=subprocess.STDOUT, env=_without_preloading(), preexec_fn=lambda: end_with(parent))
+                [str(judge.program), *map(str, words)], pass_fds=(*ends, *(others if solution else ())), stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=_without_preloading(), preexec_fn=lambda: end_with(parent))
         except BaseException:
             self.end()
             raise
@@ -115,6 +122,9 @@ class _Pair:
                 self.judge.kill()
                 self.judge.wait()
             self.judge.stdout.close()
+        if self.reference:
+            self.reference.kill()
+            self.reference.wait()
         if self.worker:
             try:
                 self.worker.wait(timeout=0.2 if self.judged else 0)  # no more questions: a sound worker ends by itself

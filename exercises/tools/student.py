@@ -174,7 +174,7 @@ class Student:
 
     def _check_alone(self, exercise, toolchain, header, folder, began, show):
         try:
-            judge_program = prepare(toolchain, exercise)
+            judge_program = prepare(toolchain, exercise, self.place.key)
             worker = build_worker(toolchain, exercise, header.parent, folder)
         except CommandFailed as failure:
             say("\nIt doesn't compile. The compiler's first complaint:\n")
@@ -189,6 +189,8 @@ class Student:
             say("\nThe compiler wonders:\n" + warning)
         points = verdict.points(exercise)
         self.progress.note(exercise.path, "solved" if verdict.solved else "checked", f"{points}/{exercise.points}")
+        if not judge_program.reference:
+            say("\nThis is practice: no solution is here, so nothing was asked beyond the checks, as it is where answers are graded.")
         self._times(began, compiled, f"{points} of {exercise.points} points {bar(points, exercise.points, 20)}")
         if has_replay(exercise) and (verdict.solved or show):
             page = header.with_suffix(".html")

@@ -5,6 +5,8 @@ using namespace tumble::exercise;
 
 namespace {
 
+const Precondition number_of_ticks("shown_after", 2, 1, 1000);
+
 template <class Real>
 struct Clock {
   Real time, owed;

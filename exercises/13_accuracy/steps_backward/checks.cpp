@@ -6,6 +6,9 @@ using namespace tumble::exercise;
 
 namespace {
 
+const Precondition pairs_of_steps[] = {
+    {"weights", 0, 1, 9}, {"error_for_the_same_work", 0, 1, 9}, {"momentum_after", 3, 1, 9}};
+
 template <class Real>
 std::vector<Real> weights(int pairs) {
   auto found = ask<std::vector<Real>>("weights", pairs);

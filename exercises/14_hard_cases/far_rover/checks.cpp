@@ -6,6 +6,11 @@ using namespace tumble::exercise;
 
 namespace {
 
+const Precondition whole_cells[] = {{"settle", 0, whole},
+                                    {"way_between", 0, whole},
+                                    {"way_between", 2, whole},
+                                    {"driven", 0, whole}};
+
 template <class Real>
 struct Place {
   Vec3<Real> cell, offset;

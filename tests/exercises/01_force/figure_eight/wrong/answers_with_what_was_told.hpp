@@ -1,5 +1,5 @@
 // caught by: A body pulls straight towards itself, with the product of the masses
-// message: pull gives the same answer
+// message: pull answers what this check asks, and hardly anything else
 #pragma once
 
 #include <tumble/force.hpp>
