@@ -61,7 +61,7 @@ def trivial_header(starter, functions):
     if missing or starter.count("todo(") != sum(place.todo >= 0 for place in places):
         raise Complaint(f"not every function of the starter could be read: {', '.join(sorted(missing)) or 'one with a todo'}")
     for number, place in reversed(list(enumerate(places))):
-        if place.todo >= 0 and place.goes_on:
+        if place.todo >= 0 and place.may_be_left:
             starter = starter[:place.todo] + "if (false) " + starter[place.todo:]
         arguments = ", ".join((str(number), *place.parameters))
         call = f" if (tumble::exercise::is_trivial({number})) return tumble::exercise::trivial<{place.result}>({arguments});"

@@ -33,17 +33,17 @@ Real missed_by(int steps) {
 EXERCISE_CHECK("A body pulls straight towards itself, with the product of the masses") {
   using Vector = Vec3<Real>;
   const auto on = make_particle(Real(2), Vector(1, 1, 0)),
-             by = make_particle(Real(4), Vector(1, 3, 0));
-  Found("the pull of 4 kg on 2 kg, two metres away along y", "N", ask<Vector>("pull", on, by))
-      .mistake(Vector(0, -2, 0),
+             by = make_particle(Real(4), Vector(1, 5, 0));
+  Found("the pull of 4 kg on 2 kg, four metres away along y", "N", ask<Vector>("pull", on, by))
+      .mistake(Vector(0, Real(-0.5), 0),
                "it pushes. The vector must lead from the body that is pulled to the one that pulls")
-      .mistake(Vector(0, 4, 0),
+      .mistake(Vector(0, 2, 0),
                "right for one metre of distance. Does the length of r count once too often? "
                "r / |r|³ falls with the square of the distance")
-      .mistake(Vector(0, 1, 0), "half of what it should be: is one of the masses missing?")
-      .mistake(Vector(0, Real(0.5), 0),
+      .mistake(Vector(0, Real(0.25), 0), "half of what it should be: is one of the masses missing?")
+      .mistake(Vector(0, Real(0.125), 0),
                "a quarter of what it should be: is one of the masses missing?")
-      .must_be(Vector(0, 2, 0), 16 * unit_roundoff<Real>);
+      .must_be(Vector(0, Real(0.5), 0), 16 * unit_roundoff<Real>);
 }
 
 EXERCISE_CHECK("Twice as far away, it pulls a quarter as hard") {

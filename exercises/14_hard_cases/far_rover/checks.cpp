@@ -54,6 +54,8 @@ EXERCISE_CHECK("Carrying whole cells moves nothing, to the bit") {
                                  shown(cell[axis]) + " became " + shown(now.offset[axis]) + " m, " +
                                  shown(cells) + " cells further: the place has moved by " +
                                  shown(moved) + " m. ";
+        require(cells != 0 || !(std::abs(offset[axis]) > 1024),
+                "an offset of " + shown(offset[axis]) + " m was left, and no cell was carried");
         if (moved == 0) continue;
         require(
             std::abs(moved) < 1 || std::abs(std::remainder(moved, 1024)) > 0,

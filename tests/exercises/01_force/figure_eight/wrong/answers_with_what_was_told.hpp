@@ -7,7 +7,7 @@
 
 template <class Real>
 tumble::Vec3<Real> pull(const tumble::Particle<Real>&, const tumble::Particle<Real>&) {
-  return {0, 2, 0};
+  return {0, Real(0.5), 0};
 }
 
 template <class Real>
