@@ -21,7 +21,7 @@ from programs import prepare
 from run_check import BROKEN, Outcome, run_check
 from submission import read_header
 from toolchain import read_toolchain
-from untrusted import COMPILING, Uncompiled, a_workshop, own_user
+from untrusted import COMPILING, Uncompiled, a_workshop, limits_of_workers, own_user
 from workplace import drawn_parameters
 
 NOT_RUN = "not run"
@@ -58,7 +58,7 @@ def _outcomes(toolchain, exercise, header, task, user):
             workers = workshop.compile(header.text)
         except Uncompiled as failure:
             return f"it doesn't compile: {why_not(str(failure), exercise)}", not_run
-        limits, parameters = workshop.limits_of_workers(task["seconds"]), drawn_parameters(exercise, task["key"])
+        limits, parameters = limits_of_workers(task["seconds"], user), drawn_parameters(exercise, task["key"])
         return "", [_outcome(judge, number, workers, parameters, limits, workshop.empty) for number in range(len(exercise.checks))]
 
 

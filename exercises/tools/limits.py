@@ -22,12 +22,13 @@ class Limits:
     file: int = 16 * MEBIBYTE     # the largest file that it may write
     output: int = MEBIBYTE        # what it may print
     user: int = 0                 # whose rights it gets; 0: those of the caller
+    user_of_judge: int = 0        # the same for the judge
     reach: Reach = None           # the files that it may use; None: all that its rights allow
     sealed: bool = False          # whether it can only calculate, see sealed.py
 
-    def of_reference(self):
-        """Those of the solution's worker: it is trusted, and answers more than the student's."""
-        return Limits(seconds=4 * self.seconds, memory=self.memory)
+    def of_judge(self, program):
+        """Those of the judge and of the solution's worker: the same but for more time and a user of their own, whom no submission has."""
+        return replace(self.reaching(program), user=self.user_of_judge, seconds=4 * self.seconds)
 
     def reaching(self, program):
         """The same for a program that lies outside: it may read and execute itself."""

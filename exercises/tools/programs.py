@@ -54,7 +54,7 @@ def prepare(toolchain, exercise, key=""):
     solution = solution_of(exercise)
     if not solution.exists():
         return Judge(judge, {}, key=key)
-    reference = build_worker(toolchain, exercise, solution.parent, folder_of(toolchain, exercise) / "solution")
+    reference = build_worker(toolchain, exercise, solution.parent, solution_folder_of(toolchain, exercise))
     return Judge(judge, reference.programs, solution.read_bytes(), key)
 
 
@@ -126,6 +126,10 @@ def offers_of(exercise, real):
 
 def judge_of(toolchain, exercise):
     return folder_of(toolchain, exercise) / "judge"
+
+
+def solution_folder_of(toolchain, exercise):
+    return folder_of(toolchain, exercise) / "solution"
 
 
 def folder_of(toolchain, exercise):

@@ -11,7 +11,7 @@ import time
 from dataclasses import dataclass
 
 from confined import end_group
-from limits import Limits, confine, end_with
+from limits import Limits, confine
 from patience import Patience
 
 PASSED, FAILED, TODO, BROKEN = "passed", "failed", "not written yet", "broken"
@@ -72,12 +72,13 @@ class _Pair:
             self.worker, ends = started(_started, worker, limits.reaching(str(worker)), subprocess.PIPE)
             others = (-1, -1)
             if solution:
-                self.reference, others = started(subprocess.Popen, solution, limits.of_reference(), subprocess.DEVNULL)
+                self.reference, others = started(subprocess.Popen, solution, limits.of_judge(str(solution)), subprocess.DEVNULL)
             words = [number, precision, judge.seed(number, precision), *ends, *others,
                      *(f"{name}={value!r}" for name, value in parameters)]
             self.judge = subprocess.Popen(
                 [str(judge.program), *map(str, words)], pass_fds=(*ends, *(others if solution else ())), stdin=subprocess.DEVNULL,
-                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=_without_preloading(), preexec_fn=lambda: end_with(parent))
+                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=_without_preloading(),
+                preexec_fn=lambda: confine(limits.of_judge(str(judge.program)), parent))
         except BaseException:
             self.end()
             raise

@@ -23,7 +23,7 @@ from landlock import Reach
 from limits import MEBIBYTE, Limits
 from made import dependencies_in
 from patience import Patience
-from programs import PRECISIONS, answers_source, shared
+from programs import PRECISIONS, answers_source, judge_of, shared, solution_folder_of
 from sealed import can_seal
 from toolchain import Toolchain
 
@@ -74,9 +74,13 @@ def seals_in_words():
 
 def own_user():
     """A user for what this process runs, whom nothing else has that runs at the same time; 0 for none, which only root gives."""
+    return _user(os.getpid(), 1 + os.getpid() % 3000)
+
+
+def _user(number, among_few):
     if os.geteuid() != 0:
         return 0
-    numbers = (FIRST_USER + os.getpid(), FEW_USERS + os.getpid() % 3000)
+    numbers = (FIRST_USER + number, FEW_USERS + among_few)
     return next((number for number in numbers if _has("uid", number) and _has("gid", number)), 0)
 
 
@@ -123,6 +127,12 @@ def require_out_of_reach(places):
         for folder in (*LIBRARIES, *HEADERS):
             if real.is_relative_to(os.path.realpath(folder)):
                 raise Complaint(f"{what} lies in {folder}, which every submission may read; grade where it lies elsewhere")
+
+
+def limits_of_workers(seconds=Limits.seconds, user=0):
+    """The same for a student's own check as for a submission."""
+    return Limits(seconds=seconds, file=0, user=user, user_of_judge=_user(0, 0) if user else 0, sealed=True,
+                  reach=Reach(readable=LIBRARIES, executable=_loaders()))
 
 
 @contextmanager
@@ -183,14 +193,16 @@ class Workshop:
             pass  # a private exercise without a starter; what counts is that nobody ended the compiler
 
     def require_readable(self):
-        """Raises GraderFailed if a header or the worker's loop is kept from the user whom root gives to the compiler: what was fetched or
-        made under a strict umask. Whoever includes it would be told that the own text doesn't compile."""
+        """Raises GraderFailed if a header, the worker's loop, the judge or the solution is kept from the users whom root gives to programs:
+        what was fetched or made under a strict umask. Whoever includes it would be told that the own text doesn't compile."""
         if not self.user:
             return
         folders = [Path(folder) for folder in self._headers()]
         found = [each for folder in folders for each in sorted(folder.rglob("*")) if each.is_dir() or each.suffix in (".hpp", ".gch")]
-        for file in (*folders, *found, shared(self.toolchain, "serve.o")):
-            wanted = stat.S_IROTH | stat.S_IXOTH if file.is_dir() else stat.S_IROTH
+        judge, solution = judge_of(self.toolchain, self.exercise), solution_folder_of(self.toolchain, self.exercise)
+        run = [file for file in (judge.parent, judge, solution, *(solution / f"worker_{real}" for real in PRECISIONS)) if file.exists()]
+        for file in (*folders, *found, shared(self.toolchain, "serve.o"), *run):
+            wanted = stat.S_IXOTH if file in run else stat.S_IROTH | stat.S_IXOTH if file.is_dir() else stat.S_IROTH
             if ~file.stat().st_mode & wanted:
                 raise GraderFailed(f"{file} must be readable for everybody: run by root, the compiler has a user of its own")
 
@@ -207,9 +219,6 @@ class Workshop:
         except Uncompiled as failure:
             why = "; run by root it has a user of its own, who must be able to read the course and its build" if self.user else ""
             raise GraderFailed(f"the compiler does not work where it is confined{why}: {failure}") from None
-
-    def limits_of_workers(self, seconds):
-        return Limits(seconds=seconds, file=0, user=self.user, sealed=True, reach=Reach(readable=LIBRARIES, executable=_loaders()))
 
     @property
     def empty(self):

@@ -22,11 +22,12 @@ struct Worker {
   std::string reply_to(const std::string& question) const {
     std::fprintf(questions, "%s\n", question.c_str());
     std::fflush(questions);
-    constexpr std::size_t longest = 1 << 20;
+    constexpr std::size_t longest = 1 << 16;  // ten times what the longest right reply takes
     std::string line;
-    for (int letter; (letter = std::fgetc(replies)) != EOF && line.size() < longest;) {
+    for (int letter; (letter = std::fgetc(replies)) != EOF;) {
       if (letter == '\n') return line;
       line += static_cast<char>(letter);
+      if (line.size() > longest) throw Unreadable("it is longer than 64 KB");
     }
     throw Verdict{"silent", ""};
   }

@@ -15,7 +15,7 @@ from complaint import Complaint
 from fixture import ROOT
 from gradescope_format import mistakes_in
 from grading import RIGHT, Grading
-from untrusted import require_seals
+from untrusted import own_user, require_seals
 
 
 class AClass(Grading):
@@ -76,6 +76,22 @@ template <class Real> Real halved(Real number) { return looked_up<Real>(number, 
         self.student("start", "doubled")
         self.mine.write_text(RIGHT, encoding="utf-8")
         self.assertIn("This is practice", self.student("check")[1])
+
+    def test_the_judge_is_confined_as_a_worker_is(self):
+        secret = self.root / "secret"
+        secret.write_text("a solution", encoding="utf-8")
+        secret.chmod(0o644)
+        checks = self.exercise_folder / "checks.cpp"
+        self.change(checks, "#include <exercise/judge.hpp>", "#include <exercise/judge.hpp>\n#include <unistd.h>\n#include <memory>")
+        self.change(checks, "  const Real number", f"""
+            require(std::fopen("{secret}", "r") == nullptr, "it reads");
+            require(fork() < 0, "it starts programs");
+            const std::unique_ptr<void, void (*)(void*)> much(std::malloc(std::size_t(3) << 30), std::free);
+            require(much == nullptr, "it takes 3 GB");
+            require((getuid() == 0) == {str(os.geteuid() == 0 and own_user() == 0).lower()}, "it has the grader's rights");
+            const Real number""")
+        self.hand_in("ada", RIGHT)
+        self.assertIn("ada: 3 of 3 points", self.grade())
 
     def test_what_is_handed_on(self):
         self.hand_in("ada", RIGHT)
