@@ -22,7 +22,7 @@ from complaint import Complaint
 from exercise import read_exercise
 from hints import read_hints
 from made import CommandFailed
-from programs import build_worker, folder_of, prepare
+from programs import build_worker, folder_of, prepare, write_if_new
 from replay import has_replay, make_replay
 from run_check import PASSED, TODO
 from starter import starter_of
@@ -120,8 +120,7 @@ def look_at_behaviour(root, toolchain, exercise, quick=False):
             complaints += _look_at_replay(toolchain, exercise, places.solution(exercise))
         for wrong in read_wrong_answers(exercise, places.wrong(exercise)):
             folder = folder_of(toolchain, exercise) / "wrong" / wrong.name
-            folder.mkdir(parents=True, exist_ok=True)
-            _put(wrong.file, folder / exercise.header)
+            write_if_new(folder / exercise.header, wrong.file.read_bytes())
             for outcomes in verdicts(folder, f"wrong/{wrong.name}"):
                 outcome = outcomes[wrong.caught_by]
                 if outcome.status in (PASSED, TODO):
@@ -148,13 +147,6 @@ def _look_at_replay(toolchain, exercise, header_folder):
         return [f"{exercise.path}: the compiler warns of show.cpp:\n{warnings[:1000]}"]
     return [] if page.exists() and "player-recording" in page.read_text(encoding="utf-8") else [
         f"{exercise.path}: show.cpp wrote no page that replays anything"]
-
-
-def _put(source, target):
-    """Copies a file unless it is there already, so that nothing is compiled again for a new time stamp."""
-    text = source.read_bytes()
-    if not target.exists() or target.read_bytes() != text:
-        target.write_bytes(text)
 
 
 def _sentences(judge_program):

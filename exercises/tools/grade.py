@@ -16,7 +16,6 @@ import argparse
 import contextlib
 import hashlib
 import os
-import resource
 import sys
 import tempfile
 from pathlib import Path
@@ -24,6 +23,7 @@ from pathlib import Path
 from catalogue import find_all, read_catalogue
 from complaint import Complaint, GraderFailed
 from grade_class import grade_class, job_of, require_results
+from limits import Limits, seconds_computed
 from made import CommandFailed
 from outputs import Outputs, occupy_standard_descriptors, require_a_place_of_its_own
 from plain_text import complain, one_line, say, why_unheard
@@ -34,7 +34,7 @@ from submission import places_of, places_of_header, read_header, when_submitted
 from toolchain import read_toolchain
 from untrusted import require_out_of_reach, require_seals, seals_in_words
 
-SECONDS, MOST_SECONDS = 5, 3600  # of computing, for one check
+MOST_SECONDS = 3600  # of computing, for one check
 NO_RESULT = 3
 
 
@@ -214,7 +214,7 @@ def parsers():
     grading.add_argument("--private", type=Path, help="a folder of further exercises, laid out as exercises/ is")
     grading.add_argument("--seed", default="", help="students' numbers are drawn with the key SEED-STUDENT")
     grading.add_argument("--similarity", type=Path, help="a folder for programs that look for copied code")
-    grading.add_argument("--seconds", type=float, default=SECONDS, help="of computing time, for one check")
+    grading.add_argument("--seconds", type=float, default=Limits.seconds, help="of computing time, for one check")
     grading.add_argument("--unsealed", action="store_true", help="grade even where a submission can't be confined")
     grading.add_argument("--follow-links", action="store_true", help="grade submissions that are symbolic links, wherever they lead")
     grading.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="submissions that are graded at the same time")
@@ -252,12 +252,6 @@ def told_apart(words):
             raise Complaint(f"{one_line(word)} could be an option or the name of what lies here; write ./* for all that lies here, or "
                             "give the option from another folder")
     return [*options, *(f"./{word}" if word.startswith("-") else word for word in words[len(options) + 1:])]
-
-
-def seconds_computed():
-    """By the processes that were started and have ended."""
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
 
 
 def tell_throughput(submissions, exercises, seconds):

@@ -17,7 +17,8 @@ END_WITH_PARENT = 1  # an order to prctl
 
 @dataclass(frozen=True)
 class Limits:
-    seconds: float = 2            # of computing, for one check; of the wall's clock, four times as many
+    seconds: float = 5            # of computing, for one check
+    clock: float = 4              # times as many by the clock, since others may use the machine as well
     memory: int = 1024 * MEBIBYTE  # of address space
     file: int = 16 * MEBIBYTE     # the largest file that it may write
     output: int = MEBIBYTE        # what it may print
@@ -53,6 +54,12 @@ def confine(limits, parent):
         restrict(limits.reach)
     if limits.sealed:
         seal()
+
+
+def seconds_computed():
+    """By the processes that were started and have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def _limit(kind, warned, ended):

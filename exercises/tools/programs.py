@@ -5,7 +5,7 @@ from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
-from made import end_running, held, make
+from made import dependencies_in, end_running, held, make
 from outputs import write_whole
 
 
@@ -41,8 +41,7 @@ def solution_of(exercise):
 def prepare(toolchain, exercise, key=""):
     """Makes what doesn't depend on a student's code: precompiled header, worker's loop, judge, and the solution. Returns the judge."""
     header, command, target, dependencies = toolchain.precompile()
-    header.parent.mkdir(parents=True, exist_ok=True)
-    _write(header, "#include <exercise/precompiled.hpp>\n")
+    write_if_new(header, b"#include <exercise/precompiled.hpp>\n")
     make(target, command, dependencies=dependencies)
     compile_shared(toolchain, "serve")
     compile_shared(toolchain, "judge")
@@ -65,9 +64,14 @@ def build_worker(toolchain, exercise, header_folder, folder):
     return Worker({real: folder / f"worker_{real}" for real in PRECISIONS}, made[0].output)
 
 
+def read_for_worker(folder):
+    """The files that the compiler read for the worker in this folder."""
+    return sorted({file for real in PRECISIONS for file in dependencies_in(folder / f"answers_{real}.o.d")})
+
+
 def _build_answers(toolchain, exercise, real, header_folder, folder):
     source = folder / f"answers_{real}.cpp"
-    _write(source, answers_source(exercise, real))
+    write_if_new(source, answers_source(exercise, real).encode())
     compiled, worker = folder / f"answers_{real}.o", folder / f"worker_{real}"
     command, dependencies = toolchain.compile(source, compiled, exercise.chapter, first_folders=[header_folder])
     read = [toolchain.precompiled_header, header_folder / exercise.header]
@@ -153,8 +157,9 @@ def _compile(toolchain, source, target, floor):
     make(target, command, inputs=[toolchain.precompiled_header, source], dependencies=dependencies)
 
 
-def _write(file, text):
-    """Unless it says so already. Others may be about to compile it, so it is never there in part."""
+def write_if_new(file, data):
+    """Unless it holds that already. Others may be about to compile it, so it is never there in part."""
+    file.parent.mkdir(parents=True, exist_ok=True)
     with held(file):
-        if not file.exists() or file.read_text(encoding="utf-8") != text:
-            write_whole(file, text.encode())
+        if not file.exists() or file.read_bytes() != data:
+            write_whole(file, data)

@@ -3,7 +3,6 @@
 import errno
 import json
 import os
-import resource
 import selectors
 import signal
 import subprocess
@@ -11,7 +10,7 @@ import time
 from dataclasses import dataclass
 
 from confined import end_group
-from limits import Limits, confine
+from limits import Limits, confine, seconds_computed
 from patience import Patience
 
 PASSED, FAILED, TODO, BROKEN = "passed", "failed", "not written yet", "broken"
@@ -56,7 +55,7 @@ class _Pair:
         self.limits, self.printed = limits, {"judge": b"", "worker": b""}
         self.judged = False  # whether the judge has said all that it had to say
         self.ended_from_outside = False
-        self.computing = _computing_of_children()
+        self.computing = seconds_computed()
         self.worker = self.judge = self.reference = None
         pipes, parent = [], os.getpid()
         solution = judge.reference.get(precision)
@@ -94,7 +93,7 @@ class _Pair:
 
     def run(self):
         """Lets them talk until the judge is done. Returns why it was cut short: "time", "output" or ""."""
-        patience = Patience(4 * self.limits.seconds)  # the machine may have more to do
+        patience = Patience(self.limits.clock * self.limits.seconds)
         with selectors.DefaultSelector() as selector:
             selector.register(self.worker.stdout, selectors.EVENT_READ, "worker")
             selector.register(self.judge.stdout, selectors.EVENT_READ, "judge")
@@ -134,7 +133,7 @@ class _Pair:
                 pass
             end_group(self.worker.pid)
             self.worker.wait()
-            self.computing = _computing_of_children() - self.computing
+            self.computing = seconds_computed() - self.computing
             os.set_blocking(self.worker.stdout.fileno(), False)
             self.printed["worker"] += self.worker.stdout.read(1 << 16) or b""
             self.worker.stdout.close()
@@ -157,7 +156,8 @@ def _started(command, **options):
 def _outcome(pair, reason, limits):
     """Status and message, from the judge's verdict and from how the worker ended."""
     if reason == "time":
-        return FAILED, _no_end(limits)
+        return BROKEN, (f"no verdict after {limits.clock * limits.seconds:g} s by the clock, of which {pair.computing:.1f} s were spent "
+                        "computing: the machine was busy, or the program waits for something that never happens")
     if reason == "output":
         return FAILED, f"stopped after it had printed more than {limits.output // 1024} KB"
     try:
@@ -171,13 +171,9 @@ def _outcome(pair, reason, limits):
         if pair.ended_from_outside and not out_of_time:
             return BROKEN, "the program was ended from outside; is there too little memory?"
         return FAILED, _no_end(limits) if out_of_time else _silence(pair)
+    if limits.sealed and f'"{os.strerror(errno.EPERM)}' in message:
+        message += ". What is graded can only calculate: it may start no thread and no program, and open no file"
     return {"passed": PASSED, "todo": TODO}.get(status, FAILED), message
-
-
-def _computing_of_children():
-    """Seconds of all that have ended so far."""
-    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return usage.ru_utime + usage.ru_stime
 
 
 def _no_end(limits):

@@ -20,7 +20,7 @@ import landlock
 from complaint import Complaint, GraderFailed
 from confined import end_strays, environment, run_confined
 from landlock import Reach
-from limits import MEBIBYTE, Limits
+from limits import MEBIBYTE, Limits, seconds_computed
 from made import dependencies_in
 from patience import Patience
 from programs import PRECISIONS, answers_source, judge_of, shared, solution_folder_of
@@ -173,7 +173,7 @@ class Workshop:
             raise
 
     def _patience(self):
-        return Patience(4 * self.seconds)
+        return Patience(Limits.clock * self.seconds)
 
     def _workers(self, text, patience):
         self._write(self.exercise.header, text)
@@ -231,9 +231,9 @@ class Workshop:
                                             first_folders=[self.place / "text"])
         self._run(command, patience)
         self._run(self.toolchain.link([compiled, shared(self.toolchain, "serve.o")], program), patience)
-        foreign = [file for file in _listed(dependencies) if not self._allows(file)]
+        foreign = why_foreign(_listed(dependencies), self.toolchain, self.exercise, self.place / "text")
         if foreign:
-            raise Uncompiled(f"it includes {Path(foreign[0]).name}, which is no part of the chapters up to {self.exercise.chapter}")
+            raise Uncompiled(foreign)
         return program
 
     def _run(self, command, patience):
@@ -242,6 +242,7 @@ class Workshop:
         limits = Limits(seconds=self.seconds, memory=MEMORY_OF_COMPILERS, file=FILES_OF_COMPILERS, user=self.user,
                         reach=Reach(readable=(*LIBRARIES, *HEADERS, *self._headers(), shared(self.toolchain, "serve.o")),
                                     executable=(*_tools(self.toolchain.compiler), *_loaders()), writable=(made,)))
+        before = seconds_computed()
         try:
             ran = run_confined(command, limits, made, patience)
         except (OSError, subprocess.SubprocessError) as error:
@@ -250,8 +251,11 @@ class Workshop:
         said = self._without_places(ran.output.decode("utf-8", "replace"))
         if ran.code == -signal.SIGKILL and not ran.cut:
             raise GraderFailed("the compiler was ended from outside; is there too little memory?")
-        if ran.cut == "time" or "CPU time limit exceeded" in said or ran.code == -signal.SIGXCPU:
+        if seconds_computed() - before > self.seconds or "CPU time limit exceeded" in said or ran.code == -signal.SIGXCPU:
             raise Uncompiled(f"it took more than {self.seconds:g} seconds")
+        if ran.cut == "time":
+            raise GraderFailed(f"the compiler came to no end in {Limits.clock * self.seconds:g} s by the clock, though it computed for less "
+                               f"than {self.seconds:g} s; was the machine busy?")
         if ran.cut == "output":
             raise Uncompiled(f"it printed more than {limits.output // 1024} KB")
         if ran.code != 0 and ENDED_FROM_OUTSIDE.search(said):
@@ -272,18 +276,24 @@ class Workshop:
         return said
 
     def _headers(self):
-        return (*self.toolchain.folders_of(self.exercise.chapter), *self.toolchain.system_folders, self.toolchain.common,
-                self.toolchain.precompiled, self.place / "text")
-
-    def _allows(self, file):
-        """Whether a student's header may make the compiler read this file."""
-        real = Path(os.path.realpath(file))
-        return any(real.is_relative_to(os.path.realpath(folder)) for folder in (*HEADERS, *LIBRARIES, *self._headers()))
+        return _headers(self.toolchain, self.exercise, self.place / "text")
 
     def _write(self, name, text):
         file = self.place / "text" / name
         file.write_text(text, encoding="utf-8", newline="")
         file.chmod(0o644)
+
+
+def why_foreign(files, toolchain, exercise, own, *more):
+    """Which of these files a student's header, which lies in the folder `own`, may not make the compiler read; empty if none is. `more`:
+    other folders with headers of the compiler."""
+    allowed = [os.path.realpath(folder) for folder in (*HEADERS, *LIBRARIES, *_headers(toolchain, exercise, own), *more)]
+    foreign = [file for file in files if not any(Path(os.path.realpath(file)).is_relative_to(folder) for folder in allowed)]
+    return f"it includes {Path(foreign[0]).name}, which is no part of the chapters up to {exercise.chapter}" if foreign else ""
+
+
+def _headers(toolchain, exercise, own):
+    return (*toolchain.folders_of(exercise.chapter), *toolchain.system_folders, toolchain.common, toolchain.precompiled, own)
 
 
 def _listed(dependencies):

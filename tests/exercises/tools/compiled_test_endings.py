@@ -21,10 +21,11 @@ from complaint import GraderFailed
 from confined import Ran, run_confined
 from fixture import PLACE, ROOT
 from grading import RIGHT, Grading
-from programs import prepare
+from programs import Judge, prepare
 from run_check import FAILED, run_check
-from untrusted import a_workshop, own_user, seals
+from untrusted import Uncompiled, a_workshop, own_user, seals
 
+COMPUTES = "#include <ctime>\n" + RIGHT.replace("return number", "while (clock() < CLOCKS_PER_SEC / 3) {}\n  return number")
 SLEEPS = "#include <unistd.h>\n" + RIGHT.replace("return number + number;", "for (;;) pause();\n  return number;")
 COMPILES = """template <int n> constexpr int slow() {
   int seed = n;
@@ -129,14 +130,43 @@ class Endings(Grading):
                 self.after_an_end(COMPILES, "text/answers_double.cpp", end)
 
     def test_a_job_that_is_suspended_for_longer_than_a_check_may_take_loses_nobody_a_point(self):
-        self.hand_in("ada", "#include <unistd.h>\n" + RIGHT.replace("return number", "usleep(300000);\n  return number"))
+        self.hand_in("ada", COMPUTES)
         with subprocess.Popen(self.command("--format", "json", "--seconds", "1"), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.DEVNULL) as grader:
             self.addCleanup(grader.kill)
-            self.until(lambda: any("/made/answers_double" in name_of(each).split(" ")[0] for each in descendants(grader.pid)))
+            self.until(lambda: self.worker_of(grader))
             self.freeze({grader.pid, *descendants(grader.pid)}, 5)  # a check has four seconds by the clock
             result, = json.loads(grader.communicate(timeout=300)[0])
         self.assertEqual(result["points"], 3, result["exercises"])
+
+    def worker_of(self, grader):
+        return next((each for each in descendants(grader.pid) if "/made/answers_double" in name_of(each).split(" ")[0]), None)
+
+    def test_an_answer_that_gets_no_processor_gets_the_marks_of_one_that_does(self):
+        self.hand_in("ada", COMPUTES)
+        self.hand_in("bob", COMPUTES)
+        with subprocess.Popen(self.command("--format", "json", "--seconds", "1", "--jobs", "1"), stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as grader:
+            self.addCleanup(grader.kill)
+            while not (worker := self.worker_of(grader)):
+                time.sleep(0.05)
+            os.kill(worker, signal.SIGSTOP)  # as where others have all the machine's time
+            results = json.loads(grader.communicate(timeout=600)[0])
+        self.assertEqual([result["points"] for result in results], [3, 3], results)
+
+    def test_who_waits_for_ever_has_no_result(self):
+        self.hand_in("ada", RIGHT)
+        self.hand_in("eve", "#include <mutex>\n" + RIGHT.replace("return number", "std::mutex once;\n  once.lock();\n  once.lock();\n  return number"))
+        said = self.grade("--seconds", "0.25", code=3)
+        self.assertRegex(said, "course: eve has no result: GraderFailed: 01_force/doubled: no verdict after 5 s by the clock, of which 0")
+        self.assertNotIn("ada", said)
+
+    def test_the_clock_alone_ends_no_compiler_at_a_students_cost(self):
+        for ran, error, expected in ((Ran(-9, b"", "time"), GraderFailed, "the compiler came to no end in 240 s by the clock"),
+                                     (Ran(1, b"CPU time limit exceeded"), Uncompiled, "it took more than 60 seconds")):
+            with a_workshop(self.toolchain, self.exercise, own_user(), 60) as workshop:
+                with mock.patch.object(untrusted, "run_confined", lambda *_, ran=ran: ran), self.assertRaisesRegex(error, expected):
+                    workshop._workers(RIGHT, workshop._patience())
 
     def test_a_compiler_that_is_suspended_is_waited_for(self):
         program = ("from confined import run_confined; from limits import Limits; from patience import Patience;"
@@ -243,7 +273,7 @@ class Endings(Grading):
         worker = self.root / "worker"
         worker.write_text("no program", encoding="utf-8")
         worker.chmod(0o755)
-        outcome = run_check(self.build / PLACE / "judge", 0, {"double": worker})
+        outcome = run_check(Judge(self.build / PLACE / "judge", {}), 0, {"double": worker})
         self.assertEqual((outcome.status, outcome.message), (FAILED, "the program could not be started: Exec format error"))
 
     @unittest.skipUnless(seals()["files"], "there is none to take away")
