@@ -26,7 +26,7 @@ from grade_class import grade_class, job_of, require_results
 from limits import Limits, seconds_computed
 from made import CommandFailed
 from outputs import Outputs, occupy_standard_descriptors, require_a_place_of_its_own
-from plain_text import complain, one_line, say, why_unheard
+from plain_text import complain, one_line, plain, say, why_unheard
 from programs import prepare_all
 from reports import FORMATS, marks
 from shards import WHOLE, Part, Stopped, job_of_part, merge, shard_of, stoppable
@@ -83,8 +83,7 @@ def file_name_of(submission):
 
 def write_outputs(arguments, outputs, by_name, missing):
     """Whole tables, or none: who has no result is told, and is in none with --incomplete alone. Returns the exit status."""
-    for name, why in missing.items():
-        complain(f"{one_line(name)} has no result{': ' + why if why else ''}")
+    complain_of(missing)
     if missing and not arguments.incomplete:
         complain(f"{len(missing)} submissions have no result, which is not 0 points, so no output is written. --resume grades what is "
                  "missing; --incomplete writes the others'")
@@ -103,6 +102,12 @@ def write_outputs(arguments, outputs, by_name, missing):
     if "marks" in outputs:
         outputs["marks"](marks(results).encode())
     return NO_RESULT if missing else 0
+
+
+def complain_of(missing):
+    """Whatever follows in further lines may be a compiler's words."""
+    for name, why in missing.items():
+        complain(f"{one_line(name)} has no result{': ' + plain(why).replace(chr(10), chr(10) + '| ') if why else ''}")
 
 
 def merged(parts):
@@ -160,8 +165,7 @@ def grade_into(part, kept, arguments, toolchain, submissions, exercises, outputs
     results, failed = grade_class(arguments, submissions, exercises, part, show_how_far)
     tell_throughput(len(part.done) - before, len(exercises), seconds_computed() - computed)
     if arguments.shard != WHOLE:
-        for name, why in failed.items():
-            complain(f"{one_line(name)} has no result: {why}")
+        complain_of(failed)
         say(f"{len(results)} of {len(results) + len(failed)} results of shard {arguments.shard.number}/{arguments.shard.of} are in {kept}")
         return NO_RESULT if failed else 0
     status = write_outputs(arguments, outputs, results, failed)
