@@ -200,11 +200,13 @@ class Workshop:
         folders = [Path(folder) for folder in self._headers()]
         found = [each for folder in folders for each in sorted(folder.rglob("*")) if each.is_dir() or each.suffix in (".hpp", ".gch")]
         judge, solution = judge_of(self.toolchain, self.exercise), solution_folder_of(self.toolchain, self.exercise)
-        run = [file for file in (judge.parent, judge, solution, *(solution / f"worker_{real}" for real in PRECISIONS)) if file.exists()]
+        way = sorted({above for folder in folders for above in Path(os.path.realpath(folder)).parents} - {Path(os.path.realpath(self.place))})
+        run = [file for file in (*way, judge.parent, judge, solution, *(solution / f"worker_{real}" for real in PRECISIONS)) if file.exists()]
         for file in (*folders, *found, shared(self.toolchain, "serve.o"), *run):
             wanted = stat.S_IXOTH if file in run else stat.S_IROTH | stat.S_IXOTH if file.is_dir() else stat.S_IROTH
             if ~file.stat().st_mode & wanted:
-                raise GraderFailed(f"{file} must be readable for everybody: run by root, the compiler has a user of its own")
+                raise GraderFailed(f"{file} must be readable for everybody: run by root, the compiler has a user of its own. chmod "
+                                   f"o+{'x' if file in way else 'rX'} lets it in; or grade without root, or a course that lies elsewhere")
 
     def try_out(self):
         """Raises GraderFailed unless the compiler works here, on a text that is beyond doubt."""

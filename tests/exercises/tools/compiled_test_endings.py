@@ -206,7 +206,7 @@ class Endings(Grading):
         judge = self.build / PLACE / "judge"
         # As long as the judge itself: one of another size would be made anew.
         judge.write_text("#!/bin/sh\necho no memory\nexit 1\n".ljust(judge.stat().st_size, "#"), encoding="utf-8")
-        self.assertIn("no memory", self.fails(RIGHT))
+        self.assertRegex(self.fails(RIGHT), "no memory|judge")  # whose script no seal lets in
 
     def test_a_compiler_that_fails_is_no_fault_of_a_student(self):
         broken = replace(self.toolchain, options=[*self.toolchain.options, "-include", str(self.root / "missing.hpp")])
@@ -267,7 +267,29 @@ class Endings(Grading):
                     self.assertIn("must be readable for everybody", self.grade(folders=[ada], code=2))
                 finally:
                     file.chmod(mode)
+        made = (self.build / "precompiled").resolve()
+        (self.build / "precompiled").unlink()
+        shutil.copytree(made, self.build / "precompiled")
+        self.root.chmod(0o750)  # as many systems make a home
+        self.assertIn(f"{self.root} must be readable for everybody: run by root, the compiler has a user of its own. chmod o+x lets it in",
+                      self.grade(folders=[ada], code=2))
+        self.root.chmod(0o755)
         self.assertEqual(self.graded(folders=[ada])["ada"]["points"], 3)
+
+    def test_where_a_cache_comes_first_on_the_path_the_compiler_itself_is_confined(self):
+        cache = self.root / "ccache"
+        cache.write_text("#!/bin/sh\necho no home >&2\nexit 1\n", encoding="utf-8")
+        cache.chmod(0o755)
+        toolchain = json.loads(self.toolchain_file.read_text(encoding="utf-8"))
+        first = self.root / "first" / Path(toolchain["compiler"]).name
+        first.parent.mkdir()
+        first.symlink_to(cache)
+        self.toolchain_file.write_text(json.dumps({**toolchain, "compiler": str(first)}), encoding="utf-8")
+        ada = self.hand_in("ada", RIGHT)
+        with mock.patch.dict(os.environ, PATH=f"{first.parent}:{os.environ['PATH']}"):
+            self.assertEqual(self.graded(folders=[ada])["ada"]["points"], 3)
+        with mock.patch.dict(os.environ, PATH=str(first.parent)):
+            self.assertIn(f"{first} is {cache}, and the PATH holds no {first.name} besides", self.grade(folders=[ada], code=2))
 
     def test_what_the_system_does_not_start_earns_nothing(self):
         worker = self.root / "worker"
