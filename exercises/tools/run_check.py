@@ -8,6 +8,7 @@ import signal
 import subprocess
 import time
 from dataclasses import dataclass
+from pathlib import Path
 
 from confined import end_group
 from limits import Limits, confine, seconds_computed
@@ -92,8 +93,8 @@ class _Pair:
         self.end()
 
     def run(self):
-        """Lets them talk until the judge is done. Returns why it was cut short: "time", "output" or ""."""
-        patience = Patience(self.limits.clock * self.limits.seconds)
+        """Lets them talk until the judge is done. Returns why it was cut short: "time", "asleep", "output" or ""."""
+        patience, asleep = Patience(self.limits.clock * self.limits.seconds), 0
         with selectors.DefaultSelector() as selector:
             selector.register(self.worker.stdout, selectors.EVENT_READ, "worker")
             selector.register(self.judge.stdout, selectors.EVENT_READ, "judge")
@@ -101,8 +102,10 @@ class _Pair:
             while "judge" in listening:
                 tick = patience.tick()
                 if tick == 0:
-                    return "time"
-                for key, _ in selector.select(tick):
+                    return "asleep" if asleep >= 4 else "time"
+                heard = selector.select(tick)
+                asleep = 0 if heard or not self._all_asleep() else asleep + 1
+                for key, _ in heard:
                     piece = os.read(key.fd, 1 << 16)
                     if not piece:
                         selector.unregister(key.fileobj)
@@ -112,6 +115,10 @@ class _Pair:
                         return "output"
         self.judged = True
         return ""
+
+    def _all_asleep(self):
+        """Whether each waits for another, as none does that only lacks a processor (Linux)."""
+        return all(_is_asleep(process.pid) for process in (self.worker, self.judge, self.reference) if process)
 
     def end(self):
         """Ends what still runs, with all that the worker may have started in its session."""
@@ -139,6 +146,15 @@ class _Pair:
             self.worker.stdout.close()
 
 
+def _is_asleep(process):
+    """Whether the system says so of all its threads."""
+    try:
+        states = [stat.read_bytes().rpartition(b") ")[2][:1] for stat in Path(f"/proc/{process}/task").glob("*/stat")]
+    except OSError:
+        return False
+    return set(states) == {b"S"}
+
+
 def _without_preloading():
     """What a caller has preloaded, or in vain, is not to speak among the judge's words."""
     return {name: value for name, value in os.environ.items() if name != "LD_PRELOAD"}
@@ -157,7 +173,9 @@ def _outcome(pair, reason, limits):
     """Status and message, from the judge's verdict and from how the worker ended."""
     if reason == "time":
         return BROKEN, (f"no verdict after {limits.clock * limits.seconds:g} s by the clock, of which {pair.computing:.1f} s were spent "
-                        "computing: the machine was busy, or the program waits for something that never happens")
+                        "computing: the machine was busy")
+    if reason == "asleep":
+        return FAILED, "no answer: it waits for something that never happens, such as a lock that it holds itself"
     if reason == "output":
         return FAILED, f"stopped after it had printed more than {limits.output // 1024} KB"
     try:

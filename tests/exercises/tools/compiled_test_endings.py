@@ -21,8 +21,9 @@ from complaint import GraderFailed
 from confined import Ran, run_confined
 from fixture import PLACE, ROOT
 from grading import RIGHT, Grading
+from limits import Limits
 from programs import Judge, prepare
-from run_check import FAILED, run_check
+from run_check import BROKEN, FAILED, run_check
 from untrusted import Uncompiled, a_workshop, own_user, seals
 
 COMPUTES = "#include <ctime>\n" + RIGHT.replace("return number", "while (clock() < CLOCKS_PER_SEC / 3) {}\n  return number")
@@ -154,12 +155,17 @@ class Endings(Grading):
             results = json.loads(grader.communicate(timeout=600)[0])
         self.assertEqual([result["points"] for result in results], [3, 3], results)
 
-    def test_who_waits_for_ever_has_no_result(self):
-        self.hand_in("ada", RIGHT)
+    def test_who_waits_for_ever_has_no_points_and_who_is_never_let_run_has_no_result(self):
         self.hand_in("eve", "#include <mutex>\n" + RIGHT.replace("return number", "std::mutex once;\n  once.lock();\n  once.lock();\n  return number"))
-        said = self.grade("--seconds", "0.25", code=3)
-        self.assertRegex(said, "course: eve has no result: GraderFailed: 01_force/doubled: no verdict after 5 s by the clock, of which 0")
-        self.assertNotIn("ada", said)
+        graded = self.graded("--seconds", "0.5")["eve"]
+        self.assertEqual(graded["points"], 0)
+        self.assertIn("no answer: it waits for something that never happens", graded["exercises"][0]["checks"][0]["message"])
+        stopped = self.root / "stopped"
+        stopped.write_text("#!/bin/sh\nkill -STOP $$\n", encoding="utf-8")
+        stopped.chmod(0o755)
+        outcome = run_check(prepare(self.toolchain, self.exercise), 0, {"double": stopped}, (("number", 2),), Limits(seconds=0.5))
+        self.assertEqual(outcome.status, BROKEN)
+        self.assertIn("no verdict after 2 s by the clock, of which 0.0 s", outcome.message)
 
     def test_the_clock_alone_ends_no_compiler_at_a_students_cost(self):
         for ran, error, expected in ((Ran(-9, b"", "time"), GraderFailed, "the compiler came to no end in 240 s by the clock"),
