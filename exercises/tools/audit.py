@@ -13,7 +13,7 @@ import json
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from catalogue import exercise_folders
@@ -22,7 +22,7 @@ from complaint import Complaint
 from exercise import read_exercise
 from hints import read_hints
 from made import CommandFailed
-from programs import build_worker, folder_of, prepare
+from programs import build_worker, folder_of, prepare, write_if_new
 from replay import has_replay, make_replay
 from run_check import PASSED, TODO
 from starter import starter_of
@@ -88,7 +88,7 @@ def look_at_behaviour(root, toolchain, exercise, quick=False):
         judge_program = prepare(toolchain, exercise)
     except CommandFailed as failure:
         return [f"{exercise.path}: checks.cpp doesn't compile:\n{first_message(failure.output, 'checks.cpp')}"]
-    said = _sentences(judge_program)
+    said = _sentences(judge_program.program)
     if said != [check.sentence for check in exercise.checks]:
         return [f"{exercise.path}: checks.cpp says {said}, and exercise.json {[c.sentence for c in exercise.checks]}; they must "
                 "be the same, in the same order"]
@@ -102,7 +102,7 @@ def look_at_behaviour(root, toolchain, exercise, quick=False):
             complaints.append(f"{exercise.path}: the compiler warns of {name}:\n"
                               f"{first_message(worker.warnings, exercise.header, 'warning') or worker.warnings[:300]}")
         for key in keys:
-            outcomes = judge(exercise, judge_program, worker.programs, drawn_parameters(exercise, key)).outcomes
+            outcomes = judge(exercise, replace(judge_program, key=key), worker.programs, drawn_parameters(exercise, key)).outcomes
             yield dict(zip(said, outcomes))
     try:
         for sentence, outcome in next(verdicts(exercise.folder, "starter")).items():
@@ -120,8 +120,7 @@ def look_at_behaviour(root, toolchain, exercise, quick=False):
             complaints += _look_at_replay(toolchain, exercise, places.solution(exercise))
         for wrong in read_wrong_answers(exercise, places.wrong(exercise)):
             folder = folder_of(toolchain, exercise) / "wrong" / wrong.name
-            folder.mkdir(parents=True, exist_ok=True)
-            _put(wrong.file, folder / exercise.header)
+            write_if_new(folder / exercise.header, wrong.file.read_bytes())
             for outcomes in verdicts(folder, f"wrong/{wrong.name}"):
                 outcome = outcomes[wrong.caught_by]
                 if outcome.status in (PASSED, TODO):
@@ -148,13 +147,6 @@ def _look_at_replay(toolchain, exercise, header_folder):
         return [f"{exercise.path}: the compiler warns of show.cpp:\n{warnings[:1000]}"]
     return [] if page.exists() and "player-recording" in page.read_text(encoding="utf-8") else [
         f"{exercise.path}: show.cpp wrote no page that replays anything"]
-
-
-def _put(source, target):
-    """Copies a file unless it is there already, so that nothing is compiled again for a new time stamp."""
-    text = source.read_bytes()
-    if not target.exists() or target.read_bytes() != text:
-        target.write_bytes(text)
 
 
 def _sentences(judge_program):

@@ -42,6 +42,9 @@ def _why_not(output, exercise):
     message = first_message(output, exercise.header)
     if re.match(r"answers(?:_\w+\.cpp|\.hpp):", message) and f"{exercise.header}:" not in message:
         return f"{exercise.header} must declare, as its starter does: {', '.join(exercise.functions)}.\n{message}"
+    if re.search(r"fatal error: .*: No such file or directory|fatal error: '.*' file not found", message):
+        return (f"{exercise.header} is handed in alone: besides the standard library it may include the headers of the chapters up to "
+                f"{exercise.chapter}.\n{message}")
     if "no matching function for call to" in message and EXPRESSION.search(output):
         return ("A sum, product or part of vectors is an expression, and no vector yet, so a template can't tell its type. Make it "
                 f"one first: Vec3<Real>(a + b). Or name the type: f<Real>(a + b).\n{message}")

@@ -15,8 +15,8 @@ import ctrl_c  # noqa: F401
 import argparse
 import contextlib
 import hashlib
+import math
 import os
-import resource
 import sys
 import tempfile
 from pathlib import Path
@@ -24,17 +24,18 @@ from pathlib import Path
 from catalogue import find_all, read_catalogue
 from complaint import Complaint, GraderFailed
 from grade_class import grade_class, job_of, require_results
+from limits import Limits, seconds_computed
 from made import CommandFailed
 from outputs import Outputs, occupy_standard_descriptors, require_a_place_of_its_own
-from plain_text import complain, one_line, say, why_unheard
-from programs import prepare_all
+from plain_text import complain, one_line, plain, say, why_unheard
+from programs import folder_of, prepare_all
 from reports import FORMATS, marks
 from shards import WHOLE, Part, Stopped, job_of_part, merge, shard_of, stoppable
 from submission import places_of, places_of_header, read_header, when_submitted
 from toolchain import read_toolchain
-from untrusted import require_out_of_reach, require_seals, seals_in_words
+from untrusted import require_out_of_reach, require_seals, seals, seals_in_words
 
-SECONDS, MOST_SECONDS = 5, 3600  # of computing, for one check
+MOST_SECONDS = 3600  # of computing, for one check
 NO_RESULT = 3
 
 
@@ -83,8 +84,7 @@ def file_name_of(submission):
 
 def write_outputs(arguments, outputs, by_name, missing):
     """Whole tables, or none: who has no result is told, and is in none with --incomplete alone. Returns the exit status."""
-    for name, why in missing.items():
-        complain(f"{one_line(name)} has no result{': ' + why if why else ''}")
+    complain_of(missing)
     if missing and not arguments.incomplete:
         complain(f"{len(missing)} submissions have no result, which is not 0 points, so no output is written. --resume grades what is "
                  "missing; --incomplete writes the others'")
@@ -103,6 +103,12 @@ def write_outputs(arguments, outputs, by_name, missing):
     if "marks" in outputs:
         outputs["marks"](marks(results).encode())
     return NO_RESULT if missing else 0
+
+
+def complain_of(missing):
+    """Whatever follows in further lines may be a compiler's words."""
+    for name, why in missing.items():
+        complain(f"{one_line(name)} has no result{': ' + plain(why).replace(chr(10), chr(10) + '| ') if why else ''}")
 
 
 def merged(parts):
@@ -125,6 +131,8 @@ def grade(arguments, stack):
     exercises = find_all(read_catalogue(arguments.root, arguments.private), arguments.exercises)
     if not 0 < arguments.seconds <= MOST_SECONDS:
         raise Complaint(f"seconds is {arguments.seconds:g}; it must be greater than 0 and at most {MOST_SECONDS}")
+    if arguments.budget is not None and not 0 < arguments.budget < math.inf:
+        raise Complaint(f"budget is {arguments.budget:g} seconds; it must be greater than 0, and finite")
     if arguments.jobs < 1:
         raise Complaint(f"jobs is {arguments.jobs}; it must be at least 1")
     if arguments.format == "gradescope" and len(arguments.folders) != 1:
@@ -156,18 +164,31 @@ def grade_into(part, kept, arguments, toolchain, submissions, exercises, outputs
         require_out_of_reach([("the course", arguments.root), ("the build", arguments.toolchain.parent), ("what TMPDIR names",
                               tempfile.gettempdir()), *([("what --private names", arguments.private)] if arguments.private else []),
                               *((f"the submission {one_line(name)}", place) for name, place in submissions.items())])
+    if arguments.private:
+        close_to_submissions(toolchain, [each for each in exercises if each.folder.is_relative_to(arguments.private)], arguments.private)
     before, computed = len(part.done), seconds_computed()
     results, failed = grade_class(arguments, submissions, exercises, part, show_how_far)
     tell_throughput(len(part.done) - before, len(exercises), seconds_computed() - computed)
     if arguments.shard != WHOLE:
-        for name, why in failed.items():
-            complain(f"{one_line(name)} has no result: {why}")
+        complain_of(failed)
         say(f"{len(results)} of {len(results) + len(failed)} results of shard {arguments.shard.number}/{arguments.shard.of} are in {kept}")
         return NO_RESULT if failed else 0
     status = write_outputs(arguments, outputs, results, failed)
     if status == 0 and kept and not arguments.part:
         kept.unlink(missing_ok=True)  # nothing of it is left to do
     return status
+
+
+def close_to_submissions(toolchain, exercises, private):
+    """Others than root, as whom root has submissions graded, may execute what is made of private exercises, and read none of it. Complains
+    where nothing else keeps a submission from their files."""
+    held = seals()
+    if not held["files"] and not (held["user"] and private.stat().st_mode & 0o007 == 0):
+        raise Complaint(f"{private} could be read by every submission, for the system offers no Landlock. Run by root, with chmod o= "
+                        f"{private}, the grader keeps it to itself")
+    for folder in (folder_of(toolchain, exercise) for exercise in exercises):
+        for place in (folder, *folder.rglob("*")):
+            place.chmod(0o711 if place.is_dir() or os.access(place, os.X_OK) else 0o600)
 
 
 def read_by_it(arguments, submissions, exercises):
@@ -214,7 +235,8 @@ def parsers():
     grading.add_argument("--private", type=Path, help="a folder of further exercises, laid out as exercises/ is")
     grading.add_argument("--seed", default="", help="students' numbers are drawn with the key SEED-STUDENT")
     grading.add_argument("--similarity", type=Path, help="a folder for programs that look for copied code")
-    grading.add_argument("--seconds", type=float, default=SECONDS, help="of computing time, for one check")
+    grading.add_argument("--seconds", type=float, default=Limits.seconds, help="of computing time, for one check")
+    grading.add_argument("--budget", type=float, metavar="SECONDS", help="by the clock, after which a submission has no result")
     grading.add_argument("--unsealed", action="store_true", help="grade even where a submission can't be confined")
     grading.add_argument("--follow-links", action="store_true", help="grade submissions that are symbolic links, wherever they lead")
     grading.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="submissions that are graded at the same time")
@@ -252,12 +274,6 @@ def told_apart(words):
             raise Complaint(f"{one_line(word)} could be an option or the name of what lies here; write ./* for all that lies here, or "
                             "give the option from another folder")
     return [*options, *(f"./{word}" if word.startswith("-") else word for word in words[len(options) + 1:])]
-
-
-def seconds_computed():
-    """By the processes that were started and have ended."""
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
 
 
 def tell_throughput(submissions, exercises, seconds):

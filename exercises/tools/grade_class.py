@@ -11,8 +11,10 @@ import threading
 from pathlib import Path
 
 from complaint import Complaint, GraderFailed
+from limits import Limits
 from patience import Patience
 from plain_text import one_line
+from programs import solution_of
 from shards import Job, run
 from submission import read_header, student_of
 from untrusted import COMPILING
@@ -89,10 +91,9 @@ class _Graders:
         self.arguments, self.exercises, self.most = arguments, exercises, most
         self.digests = digests
         self.lock, self.processes, self.ended = threading.Lock(), set(), False
-        # Each exercise is compiled, each check takes at most four times its seconds in both precisions, and the judge may have to be made.
-        # By the clock a compiler has four times what it may compute.
-        self.seconds = sum(4 * COMPILING * arguments.seconds + 2 * (4 * arguments.seconds + 3) * len(exercise.checks) + 300
-                           for exercise in exercises)
+        # By the clock, for one submission; the last is for what is neither compiling nor checking.
+        self.seconds = arguments.budget or (
+            Limits.clock * arguments.seconds * sum(COMPILING + 2 * len(exercise.checks) for exercise in exercises) + 300)
 
     def grade(self, name, folder):
         student = student_of(name)
@@ -137,7 +138,7 @@ class _Graders:
                 return process.communicate(task, timeout=tick)
             except subprocess.TimeoutExpired:
                 task = None  # which is sent once
-        raise GraderFailed(f"it took more than {self.seconds:g} seconds")
+        raise GraderFailed(f"it took more than {self.seconds:g} seconds by the clock")
 
     def end(self):
         with self.lock:
@@ -179,7 +180,8 @@ def _digests_of_tools():
 
 def _files_of_checks(exercise):
     beside = sorted(file for file in exercise.folder.glob("*.hpp") if file.name != exercise.header)
-    return [exercise.folder / "exercise.json", exercise.folder / "checks.cpp", *beside]
+    solution = solution_of(exercise)
+    return [exercise.folder / "exercise.json", exercise.folder / "checks.cpp", *beside, *([solution] if solution.exists() else [])]
 
 
 def _is_of(result, folder, exercises):

@@ -17,13 +17,19 @@ END_WITH_PARENT = 1  # an order to prctl
 
 @dataclass(frozen=True)
 class Limits:
-    seconds: float = 2            # of computing, for one check; of the wall's clock, four times as many
+    seconds: float = 5            # of computing, for one check
+    clock: float = 4              # times as many by the clock, since others may use the machine as well
     memory: int = 1024 * MEBIBYTE  # of address space
     file: int = 16 * MEBIBYTE     # the largest file that it may write
     output: int = MEBIBYTE        # what it may print
     user: int = 0                 # whose rights it gets; 0: those of the caller
+    user_of_judge: int = 0        # the same for the judge
     reach: Reach = None           # the files that it may use; None: all that its rights allow
     sealed: bool = False          # whether it can only calculate, see sealed.py
+
+    def of_judge(self, program):
+        """Those of the judge and of the solution's worker: the same but for more time and a user of their own, whom no submission has."""
+        return replace(self.reaching(program), user=self.user_of_judge, seconds=4 * self.seconds)
 
     def reaching(self, program):
         """The same for a program that lies outside: it may read and execute itself."""
@@ -48,6 +54,12 @@ def confine(limits, parent):
         restrict(limits.reach)
     if limits.sealed:
         seal()
+
+
+def seconds_computed():
+    """By the processes that were started and have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
 
 
 def _limit(kind, warned, ended):

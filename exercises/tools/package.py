@@ -31,6 +31,7 @@ if [ -n "$missing" ] || ! [ -d /usr/include/eigen3 ] || ! [ -d /usr/include/doct
   apt-get update
   apt-get install -y --no-install-recommends g++ make cmake python3 libeigen3-dev doctest-dev
 fi
+[ ! -d "$autograder/source/private" ] || chmod -R go= "$autograder/source/private"
 nothing=$(mktemp -d)
 "$autograder/source/course/course" grade --no-install --unsealed --exercises {exercises}{private} "$nothing" >/dev/null
 rmdir "$nothing"
@@ -38,7 +39,7 @@ rmdir "$nothing"
 
 RUN = """#!/usr/bin/env bash
 # Run for each submission, which has this container for itself: no solution is in it and nobody else's work. So it is graded also
-# where the kernel has no Landlock; the output's last line says what held.
+# where the kernel has no Landlock; the output's last line says what held. Private checks are for root alone then.
 autograder=${{AUTOGRADER:-/autograder}}
 mkdir -p "$autograder/results"
 exec "$autograder/source/course/course" grade --no-install --unsealed --exercises {exercises}{private} --format gradescope \\

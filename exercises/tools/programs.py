@@ -1,9 +1,11 @@
 """The two programs of an exercise: the judge, which holds the checks, and the worker, which holds a student's code."""
 
+import hashlib
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from pathlib import Path
 
-from made import end_running, held, make
+from made import dependencies_in, end_running, held, make
 from outputs import write_whole
 
 
@@ -17,11 +19,29 @@ class Worker:
     warnings: str
 
 
-def prepare(toolchain, exercise):
-    """Makes what doesn't depend on a student's code: precompiled header, worker's loop, judge. Returns the judge."""
+@dataclass(frozen=True)
+class Judge:
+    """What judges a worker. `reference`: the solution's own workers by precision; none where no solution is at hand."""
+    program: Path
+    reference: dict
+    secret: bytes = b""  # which nobody knows who doesn't have the solution
+    key: str = ""        # of the student who is judged
+
+    def seed(self, number, precision):
+        """From which the questions of a check are drawn that nobody else is asked."""
+        words = f"{self.key} {number} {precision} ".encode("utf-8", "surrogateescape")
+        return int.from_bytes(hashlib.sha256(words + self.secret).digest()[:8], "big")
+
+
+def solution_of(exercise):
+    """Where its solution lies: in solutions/ beside the folder of exercises, which a student's copy doesn't have."""
+    return exercise.folder.parents[2] / "solutions" / exercise.path / exercise.header
+
+
+def prepare(toolchain, exercise, key=""):
+    """Makes what doesn't depend on a student's code: precompiled header, worker's loop, judge, and the solution. Returns the judge."""
     header, command, target, dependencies = toolchain.precompile()
-    header.parent.mkdir(parents=True, exist_ok=True)
-    _write(header, "#include <exercise/precompiled.hpp>\n")
+    write_if_new(header, b"#include <exercise/precompiled.hpp>\n")
     make(target, command, dependencies=dependencies)
     compile_shared(toolchain, "serve")
     compile_shared(toolchain, "judge")
@@ -30,7 +50,11 @@ def prepare(toolchain, exercise):
     _compile(toolchain, exercise.folder / "checks.cpp", checks, exercise.chapter)
     parts = [checks, shared(toolchain, "judge.o")]
     make(judge, toolchain.link(parts, judge), inputs=parts)
-    return judge
+    solution = solution_of(exercise)
+    if not solution.exists():
+        return Judge(judge, {}, key=key)
+    reference = build_worker(toolchain, exercise, solution.parent, solution_folder_of(toolchain, exercise))
+    return Judge(judge, reference.programs, solution.read_bytes(), key)
 
 
 def build_worker(toolchain, exercise, header_folder, folder):
@@ -40,9 +64,14 @@ def build_worker(toolchain, exercise, header_folder, folder):
     return Worker({real: folder / f"worker_{real}" for real in PRECISIONS}, made[0].output)
 
 
+def read_for_worker(folder):
+    """The files that the compiler read for the worker in this folder."""
+    return sorted({file for real in PRECISIONS for file in dependencies_in(folder / f"answers_{real}.o.d")})
+
+
 def _build_answers(toolchain, exercise, real, header_folder, folder):
     source = folder / f"answers_{real}.cpp"
-    _write(source, answers_source(exercise, real))
+    write_if_new(source, answers_source(exercise, real).encode())
     compiled, worker = folder / f"answers_{real}.o", folder / f"worker_{real}"
     command, dependencies = toolchain.compile(source, compiled, exercise.chapter, first_folders=[header_folder])
     read = [toolchain.precompiled_header, header_folder / exercise.header]
@@ -103,6 +132,10 @@ def judge_of(toolchain, exercise):
     return folder_of(toolchain, exercise) / "judge"
 
 
+def solution_folder_of(toolchain, exercise):
+    return folder_of(toolchain, exercise) / "solution"
+
+
 def folder_of(toolchain, exercise):
     return toolchain.build / exercise.chapter / exercise.name
 
@@ -124,8 +157,9 @@ def _compile(toolchain, source, target, floor):
     make(target, command, inputs=[toolchain.precompiled_header, source], dependencies=dependencies)
 
 
-def _write(file, text):
-    """Unless it says so already. Others may be about to compile it, so it is never there in part."""
+def write_if_new(file, data):
+    """Unless it holds that already. Others may be about to compile it, so it is never there in part."""
+    file.parent.mkdir(parents=True, exist_ok=True)
     with held(file):
-        if not file.exists() or file.read_text(encoding="utf-8") != text:
-            write_whole(file, text.encode())
+        if not file.exists() or file.read_bytes() != data:
+            write_whole(file, data)

@@ -26,11 +26,11 @@ def text(results):
             points = sum(check["points"] for check in exercise["checks"])
             lines.append(f"  {exercise['exercise']}: {points} of {sum(check['of'] for check in exercise['checks'])}")
             if exercise["reason"]:
-                lines += _indented(exercise["reason"], "    ")
+                lines += _quoted(exercise["reason"], "    ")
             for check in exercise["checks"] if not exercise["reason"] else []:
                 sign = {"passed": "+", "not written yet": "."}.get(check["status"], "x")
                 lines.append(f"    {sign} {check['sentence']}  {check['points']} of {check['of']}")
-                lines += _indented(_said_of(exercise, check), "        ")
+                lines += _quoted(_said_of(exercise, check), "        ")
             lines += [f"    ! look at it: it {flag}" for flag in exercise["flags"]]
     return "\n".join(lines)
 
@@ -104,9 +104,10 @@ def _of_one_cell(name):
                   else f"\\x{ord(found[0]):02x}", name)
 
 
-def _indented(said, indent):
-    return [line for part in said.splitlines() for line in
-            textwrap.wrap(part, 110, initial_indent=indent, subsequent_indent=indent)]
+def _quoted(said, indent):
+    """Each line with a mark, for part of it may be a student's words or a compiler's, which could imitate a line of the report."""
+    mark = f"{indent}| "
+    return [line for part in said.splitlines() for line in textwrap.wrap(part, 110, initial_indent=mark, subsequent_indent=mark)]
 
 
 FORMATS = {"text": text, "json": as_json, "junit": junit, "gradescope": gradescope}

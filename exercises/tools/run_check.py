@@ -3,15 +3,15 @@
 import errno
 import json
 import os
-import resource
 import selectors
 import signal
 import subprocess
 import time
 from dataclasses import dataclass
+from pathlib import Path
 
 from confined import end_group
-from limits import Limits, confine, end_with
+from limits import Limits, confine, seconds_computed
 from patience import Patience
 
 PASSED, FAILED, TODO, BROKEN = "passed", "failed", "not written yet", "broken"
@@ -27,7 +27,8 @@ class Outcome:
 
 
 def run_check(judge, number, workers, parameters=(), limits=Limits(), folder=None):
-    """The outcome of check `number` in both precisions; `workers` has a program for each. `folder` is where they run."""
+    """The outcome of check `number` in both precisions; `workers` has a program for each. `folder` is where they run; `judge` is a
+    programs.Judge."""
     began, printed = time.monotonic(), ""
     for precision, worker in workers.items():
         try:
@@ -55,22 +56,29 @@ class _Pair:
         self.limits, self.printed = limits, {"judge": b"", "worker": b""}
         self.judged = False  # whether the judge has said all that it had to say
         self.ended_from_outside = False
-        self.computing = _computing_of_children()
-        question_out, question_in = os.pipe()
-        reply_out, reply_in = os.pipe()
-        pipes = [question_out, question_in, reply_out, reply_in]
-        self.worker = self.judge = None
-        parent = os.getpid()
+        self.computing = seconds_computed()
+        self.worker = self.judge = self.reference = None
+        pipes, parent = [], os.getpid()
+        solution = judge.reference.get(precision)
+
+        def started(start, program, limits, output):
+            """A worker, and the ends of the pipes on which it is asked and answers."""
+            pipes.extend((*os.pipe(), *os.pipe()))
+            question_out, question_in, reply_out, reply_in = pipes[-4:]
+            return start([str(program), str(question_out), str(reply_in)], pass_fds=(question_out, reply_in), stdin=subprocess.DEVNULL,
+                         stdout=output, stderr=subprocess.STDOUT, cwd=folder, env={}, start_new_session=True,
+                         preexec_fn=lambda: confine(limits, parent)), (question_in, reply_out)
         try:
-            self.worker = _started(
-                [str(worker), str(question_out), str(reply_in)], pass_fds=(question_out, reply_in),
-                stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, cwd=folder, env={},
-                start_new_session=True, preexec_fn=lambda: confine(limits.reaching(str(worker)), parent))
+            self.worker, ends = started(_started, worker, limits.reaching(str(worker)), subprocess.PIPE)
+            others = (-1, -1)
+            if solution:
+                self.reference, others = started(subprocess.Popen, solution, limits.of_judge(str(solution)), subprocess.DEVNULL)
+            words = [number, precision, judge.seed(number, precision), *ends, *others,
+                     *(f"{name}={value!r}" for name, value in parameters)]
             self.judge = subprocess.Popen(
-                [str(judge), str(number), precision, str(question_in), str(reply_out)] +
-                [f"{name}={value!r}" for name, value in parameters],
-                pass_fds=(question_in, reply_out), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                stderr=subprocess.STDOUT, env=_without_preloading(), preexec_fn=lambda: end_with(parent))
+                [str(judge.program), *map(str, words)], pass_fds=(*ends, *(others if solution else ())), stdin=subprocess.DEVNULL,
+                stdout=subprocess.PIPE, stderr=subprocess.STDOUT, env=_without_preloading(),
+                preexec_fn=lambda: confine(limits.of_judge(str(judge.program)), parent))
         except BaseException:
             self.end()
             raise
@@ -85,8 +93,8 @@ class _Pair:
         self.end()
 
     def run(self):
-        """Lets them talk until the judge is done. Returns why it was cut short: "time", "output" or ""."""
-        patience = Patience(4 * self.limits.seconds)  # the machine may have more to do
+        """Lets them talk until the judge is done. Returns why it was cut short: "time", "asleep", "output" or ""."""
+        patience, asleep = Patience(self.limits.clock * self.limits.seconds), 0
         with selectors.DefaultSelector() as selector:
             selector.register(self.worker.stdout, selectors.EVENT_READ, "worker")
             selector.register(self.judge.stdout, selectors.EVENT_READ, "judge")
@@ -94,8 +102,10 @@ class _Pair:
             while "judge" in listening:
                 tick = patience.tick()
                 if tick == 0:
-                    return "time"
-                for key, _ in selector.select(tick):
+                    return "asleep" if asleep >= 4 else "time"
+                heard = selector.select(tick)
+                asleep = 0 if heard or not self._all_asleep() else asleep + 1
+                for key, _ in heard:
                     piece = os.read(key.fd, 1 << 16)
                     if not piece:
                         selector.unregister(key.fileobj)
@@ -106,6 +116,10 @@ class _Pair:
         self.judged = True
         return ""
 
+    def _all_asleep(self):
+        """Whether each waits for another, as none does that only lacks a processor (Linux)."""
+        return all(_is_asleep(process.pid) for process in (self.worker, self.judge, self.reference) if process)
+
     def end(self):
         """Ends what still runs, with all that the worker may have started in its session."""
         if self.judge:
@@ -115,6 +129,9 @@ class _Pair:
                 self.judge.kill()
                 self.judge.wait()
             self.judge.stdout.close()
+        if self.reference:
+            self.reference.kill()
+            self.reference.wait()
         if self.worker:
             try:
                 self.worker.wait(timeout=0.2 if self.judged else 0)  # no more questions: a sound worker ends by itself
@@ -123,10 +140,19 @@ class _Pair:
                 pass
             end_group(self.worker.pid)
             self.worker.wait()
-            self.computing = _computing_of_children() - self.computing
+            self.computing = seconds_computed() - self.computing
             os.set_blocking(self.worker.stdout.fileno(), False)
             self.printed["worker"] += self.worker.stdout.read(1 << 16) or b""
             self.worker.stdout.close()
+
+
+def _is_asleep(process):
+    """Whether the system says so of all its threads."""
+    try:
+        states = [stat.read_bytes().rpartition(b") ")[2][:1] for stat in Path(f"/proc/{process}/task").glob("*/stat")]
+    except OSError:
+        return False
+    return set(states) == {b"S"}
 
 
 def _without_preloading():
@@ -146,7 +172,10 @@ def _started(command, **options):
 def _outcome(pair, reason, limits):
     """Status and message, from the judge's verdict and from how the worker ended."""
     if reason == "time":
-        return FAILED, _no_end(limits)
+        return BROKEN, (f"no verdict after {limits.clock * limits.seconds:g} s by the clock, of which {pair.computing:.1f} s were spent "
+                        "computing: the machine was busy")
+    if reason == "asleep":
+        return FAILED, "no answer: it waits for something that never happens, such as a lock that it holds itself"
     if reason == "output":
         return FAILED, f"stopped after it had printed more than {limits.output // 1024} KB"
     try:
@@ -160,13 +189,9 @@ def _outcome(pair, reason, limits):
         if pair.ended_from_outside and not out_of_time:
             return BROKEN, "the program was ended from outside; is there too little memory?"
         return FAILED, _no_end(limits) if out_of_time else _silence(pair)
+    if limits.sealed and f'"{os.strerror(errno.EPERM)}' in message:
+        message += ". What is graded can only calculate: it may start no thread and no program, and open no file"
     return {"passed": PASSED, "todo": TODO}.get(status, FAILED), message
-
-
-def _computing_of_children():
-    """Seconds of all that have ended so far."""
-    usage = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return usage.ru_utime + usage.ru_stime
 
 
 def _no_end(limits):

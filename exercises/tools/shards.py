@@ -8,9 +8,10 @@ A job is what must be equal in every shard, and the names of its tasks in the or
     results, missing = merge([Path("1.part"), Path("2.part")])                       # {name: result} in the job's order
 
 Shard 3/16 has the third task and every sixteenth after it. A part is a file of lines, each JSON and a checksum: first the job and the
-shard, then a result each, or that a task's result is void; of two lines for a task the later counts. What was cut off in the middle of a
+shard, then that a task is begun, its result, or that this is void; of two results of a task the later counts. What was cut off in the middle of a
 line is done again. A part of another job, and one that another run is writing, is refused. run() tries a task that raises an exception a
-second time and returns {name: why} of those that failed twice: a failure is no result, so --resume tries it again. A Complaint, a full
+second time, when all others are done, and returns {name: why} of those that failed twice: a failure is no result, so --resume tries it again. What was begun and has
+no result comes last, so that no task keeps a run from the others. A Complaint, a full
 disk among them, and Ctrl-C or SIGTERM (as Stopped) end the run after stop().
 The merged results are those of the unsharded run if work() depends on nothing but the job and the name.
 
@@ -25,7 +26,7 @@ import re
 import signal
 import threading
 import zlib
-from collections import namedtuple
+from collections import Counter, namedtuple
 from concurrent.futures import FIRST_COMPLETED, ThreadPoolExecutor, wait
 from contextlib import contextmanager, suppress
 from pathlib import Path
@@ -65,6 +66,7 @@ class Part:
 
     def __init__(self, file, job, shard=WHOLE, resume=False):
         self.name, self.job, self.tasks, self.done = file, job, share(job.tasks, shard), {}
+        self.begun = Counter()
         _require_no_device(file)
         try:
             self.file = open(file, "a+b", buffering=0)
@@ -85,7 +87,11 @@ class Part:
         self.file.close()
 
     def to_do(self):
-        return [name for name in self.tasks if name not in self.done]
+        """First what was never begun, last what was begun most often."""
+        return sorted((name for name in self.tasks if name not in self.done), key=lambda name: self.begun[name])
+
+    def begin(self, name):
+        self._append(_line({"task": name, "begun": True}))
 
     def add(self, name, result):
         line = _line({"task": name, "result": result})
@@ -113,13 +119,13 @@ class Part:
 
     def _take_up(self, job, shard, resume):
         self.file.seek(0)
-        header, results, length = _read(self.file.readall(), self.name)
+        header, results, begun, length = _read(self.file.readall(), self.name)
         if results and not resume:
             raise Complaint(f"{self.name} is there already, with {len(results)} of {len(self.tasks)} results; --resume takes it up, "
                             "--part names another file")
         if header is not None and resume:
             _require_equal(self.name, header, {"job": job.what, "shard": list(shard), "tasks": job.tasks})
-            self.done = results
+            self.done, self.begun = results, begun
         else:
             header, length = None, 0
         self.file.truncate(length)
@@ -154,6 +160,7 @@ def run(part, work, workers=1, stop=lambda: None, tell=lambda done, of: None, on
             while waiting or running:
                 while waiting and len(running) < workers:
                     name, attempt = waiting.pop()
+                    part.begin(name)
                     running[pool.submit(work, name)] = name, attempt
                 # Python notices a signal that comes just before it waits only when it has waited.
                 for future in wait(running, timeout=1, return_when=FIRST_COMPLETED).done:
@@ -165,7 +172,7 @@ def run(part, work, workers=1, stop=lambda: None, tell=lambda done, of: None, on
                     elif isinstance(error, Complaint):
                         raise error
                     elif attempt < ATTEMPTS:
-                        waiting.append((name, attempt + 1))
+                        waiting.insert(0, (name, attempt + 1))
                     else:
                         failed[name] = f"{type(error).__name__}: {error}"
         except BaseException:
@@ -200,7 +207,7 @@ def merge(files):
     for file in files:
         _require_no_device(file)
         try:
-            header, found, _ = _read(Path(file).read_bytes(), file)
+            header, found, _, _ = _read(Path(file).read_bytes(), file)
         except OSError as error:
             raise Complaint(f"{file} can't be read: {error.strerror}") from None
         if header is None:
@@ -242,9 +249,10 @@ def _said(line):
 
 
 def _read(text, name):
-    """The header, or None where there is none yet; the results by name; and how many bytes of whole lines there are."""
+    """The header, or None where there is none yet; the results by name; how often each task was begun; and how many bytes of whole lines
+    there are."""
     *lines, rest = text.split(b"\n")
-    header, mine, results = None, (), {}
+    header, mine, results, begun = None, (), {}, Counter()
     for count, line in enumerate(lines, 1):
         try:
             said = _said(line)
@@ -253,6 +261,8 @@ def _read(text, name):
                 mine = set(_share_in(header))
             elif said["task"] not in mine:
                 raise ValueError
+            elif said.get("begun"):
+                begun[said["task"]] += 1
             elif said.get("void"):
                 results.pop(said["task"], None)
             else:
@@ -261,7 +271,7 @@ def _read(text, name):
             raise Complaint(f"{name} is no part of a job; see its line {count}") from None
     if header is None and not rest.startswith(BEGINNING[:len(rest)]):
         raise Complaint(f"{name} is no part of a job; see its line 1")
-    return header, results, len(text) - len(rest)
+    return header, results, begun, len(text) - len(rest)
 
 
 def _share_in(header):

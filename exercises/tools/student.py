@@ -13,16 +13,17 @@ from catalogue import find, read_catalogue
 from compiler_says import first_message, why_not
 from complaint import Complaint
 from hints import read_hints
-from made import CommandFailed, held
+from made import CommandFailed, dependencies_in, held
 from outputs import occupy_standard_descriptors
 from plain_text import complain, say, why_unheard
-from programs import build_worker, folder_of, judge_of, prepare
+from programs import build_worker, folder_of, judge_of, prepare, read_for_worker, write_if_new
 from progress import Progress, bar
 from replay import has_replay, make_replay
 from shards import Stopped, stoppable
 from starter import solution_without_marks
 from submission import why_not_taken
 from toolchain import read_toolchain
+from untrusted import limits_of_workers, why_foreign
 from verdict import judge, said
 from watch import Watch
 from workplace import Workplace
@@ -174,25 +175,35 @@ class Student:
 
     def _check_alone(self, exercise, toolchain, header, folder, began, show):
         try:
-            judge_program = prepare(toolchain, exercise)
-            worker = build_worker(toolchain, exercise, header.parent, folder)
+            judge_program = prepare(toolchain, exercise, self.place.key)
+            alone = folder / "handed_in"  # so that nothing else in work/ is found, as where it is graded
+            write_if_new(alone / exercise.header, header.read_bytes())
+            worker = build_worker(toolchain, exercise, alone, folder)
         except CommandFailed as failure:
             say("\nIt doesn't compile. The compiler's first complaint:\n")
             say(why_not(failure.output, exercise))
             self._times(began, None)
             return False
         compiled = time.monotonic() - began
-        verdict = judge(exercise, judge_program, worker.programs, self.place.parameters(exercise))
+        compilers = {Path(file).parent for file in dependencies_in(f"{toolchain.precompiled_header}.d")}
+        foreign = why_foreign(read_for_worker(folder), toolchain, exercise, folder, *compilers)
+        if foreign:
+            say(f"\nIt can't be graded: {foreign}.")
+            self._times(began, None)
+            return False
+        verdict = judge(exercise, judge_program, worker.programs, self.place.parameters(exercise), limits_of_workers())
         warning = first_message(worker.warnings, header, "warning")
         say("\n".join(said(exercise, verdict)))
         if warning:
             say("\nThe compiler wonders:\n" + warning)
         points = verdict.points(exercise)
         self.progress.note(exercise.path, "solved" if verdict.solved else "checked", f"{points}/{exercise.points}")
+        if not judge_program.reference:
+            say("\nThis is practice: no solution is here, so nothing was asked beyond the checks, as it is where answers are graded.")
         self._times(began, compiled, f"{points} of {exercise.points} points {bar(points, exercise.points, 20)}")
         if has_replay(exercise) and (verdict.solved or show):
             page = header.with_suffix(".html")
-            failure, _ = make_replay(toolchain, exercise, header.parent, folder, page)
+            failure, _ = make_replay(toolchain, exercise, alone, folder, page)
             say(f"\nThe replay was not made: {failure}" if failure else f"\nSee it move: open {self._shown(page)} in a browser.")
         if verdict.solved:
             self._praise(exercise)

@@ -1,6 +1,8 @@
 """The compiler's commands for an exercise, called without CMake: the headers precompiled, -O1, no debugging symbols."""
 
 import json
+import os
+import shutil
 import subprocess
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,6 +13,9 @@ from complaint import Complaint
 # tenth sooner.
 OPTIONS = ["-std=c++20", "-O1", "-g0", "-DEIGEN_DONT_VECTORIZE", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Wconversion",
            "-Wno-unused-parameter", "-fdiagnostics-color=never"]
+
+
+CACHES = ("ccache", "sccache", "distcc", "icecc")  # which are found under a compiler's name where their folder comes first on the PATH
 
 
 @dataclass(frozen=True)
@@ -71,11 +76,23 @@ class Toolchain:
         return [self.compiler, *objects, "-o", target]
 
 
+def itself(compiler):
+    """The compiler for which a cache stands, as the cache would find it: confined, a cache has neither a home nor files to keep."""
+    if os.path.basename(os.path.realpath(compiler)) not in CACHES:
+        return compiler
+    name = os.path.basename(compiler)
+    found = (shutil.which(name, path=folder) for folder in os.get_exec_path())
+    real = next((each for each in found if each and os.path.basename(os.path.realpath(each)) not in CACHES), None)
+    if not real:
+        raise Complaint(f"{compiler} is {os.path.realpath(compiler)}, and the PATH holds no {name} besides; add its folder to the PATH")
+    return real
+
+
 def read_toolchain(file, common, build, launched=False):
     """`launched`: by ccache, where that is installed. It asks for time where a file is new, and saves it where none is."""
     try:
         said = json.loads(Path(file).read_text(encoding="utf-8"))
-        return Toolchain(compiler=said["compiler"], options=said["options"], system_folders=said["system_folders"],
+        return Toolchain(compiler=itself(said["compiler"]), options=said["options"], system_folders=said["system_folders"],
                          player_folders=said["player_folders"], floors=said["floors"], common=Path(common).resolve(), build=build,
                          launcher=tuple(word for word in said["launcher"] if word) if launched else ())
     except FileNotFoundError:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from complaint import Complaint
 from limits import Limits
 from made import make
-from programs import compile_shared, offers_of, folder_of, judge_of
+from programs import compile_shared, folder_of, judge_of, offers_of, write_if_new
 
 FUNCTION = re.compile(r"^ *(?!else |return |new )(?P<result>[\w:][\w:<>, ]*?)\s+(?P<name>\w+)\((?P<parameters>[^(){};]*)\)"
                       r"\s*(?:const\s*)?\{", re.MULTILINE)
@@ -61,7 +61,7 @@ def trivial_header(starter, functions):
     if missing or starter.count("todo(") != sum(place.todo >= 0 for place in places):
         raise Complaint(f"not every function of the starter could be read: {', '.join(sorted(missing)) or 'one with a todo'}")
     for number, place in reversed(list(enumerate(places))):
-        if place.todo >= 0 and place.goes_on:
+        if place.todo >= 0 and place.may_be_left:
             starter = starter[:place.todo] + "if (false) " + starter[place.todo:]
         arguments = ", ".join((str(number), *place.parameters))
         call = f" if (tumble::exercise::is_trivial({number})) return tumble::exercise::trivial<{place.result}>({arguments});"
@@ -69,14 +69,13 @@ def trivial_header(starter, functions):
     return starter, places
 
 
-def earned_by_little(toolchain, exercise, parameters, limits=Limits()):
+def earned_by_little(toolchain, exercise, parameters, limits=Limits(seconds=2)):
     """The checks that some combination of trivial answers passes, in double. Passing takes float, too, so more cannot."""
     folder = folder_of(toolchain, exercise) / "trivial"
-    folder.mkdir(parents=True, exist_ok=True)
     header, places = trivial_header((exercise.folder / exercise.header).read_text(encoding="utf-8"), exercise.functions)
-    _write(folder / exercise.header, header)
+    write_if_new(folder / exercise.header, header.encode())
     source, compiled, program = folder / "search.cpp", folder / "search.o", folder / "search"
-    _write(source, _source(exercise, places))
+    write_if_new(source, _source(exercise, places).encode())
     command, dependencies = toolchain.compile(source, compiled, exercise.chapter, first_folders=[folder])
     make(compiled, [*command, "-w"], inputs=[toolchain.precompiled_header], dependencies=dependencies)
     parts = [compiled, judge_of(toolchain, exercise).with_name("checks.o"),
@@ -102,11 +101,6 @@ def _source(exercise, places):
 
 def _bool(truth):
     return "true" if truth else "false"
-
-
-def _write(file, text):
-    if not file.exists() or file.read_text(encoding="utf-8") != text:
-        file.write_text(text, encoding="utf-8")
 
 
 def _end_of_body(text, begin):

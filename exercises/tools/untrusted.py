@@ -20,10 +20,10 @@ import landlock
 from complaint import Complaint, GraderFailed
 from confined import end_strays, environment, run_confined
 from landlock import Reach
-from limits import MEBIBYTE, Limits
+from limits import MEBIBYTE, Limits, seconds_computed
 from made import dependencies_in
 from patience import Patience
-from programs import PRECISIONS, answers_source, shared
+from programs import PRECISIONS, answers_source, judge_of, shared, solution_folder_of
 from sealed import can_seal
 from toolchain import Toolchain
 
@@ -74,9 +74,13 @@ def seals_in_words():
 
 def own_user():
     """A user for what this process runs, whom nothing else has that runs at the same time; 0 for none, which only root gives."""
+    return _user(os.getpid(), 1 + os.getpid() % 3000)
+
+
+def _user(number, among_few):
     if os.geteuid() != 0:
         return 0
-    numbers = (FIRST_USER + os.getpid(), FEW_USERS + os.getpid() % 3000)
+    numbers = (FIRST_USER + number, FEW_USERS + among_few)
     return next((number for number in numbers if _has("uid", number) and _has("gid", number)), 0)
 
 
@@ -125,6 +129,12 @@ def require_out_of_reach(places):
                 raise Complaint(f"{what} lies in {folder}, which every submission may read; grade where it lies elsewhere")
 
 
+def limits_of_workers(seconds=Limits.seconds, user=0):
+    """The same for a student's own check as for a submission."""
+    return Limits(seconds=seconds, file=0, user=user, user_of_judge=_user(0, 0) if user else 0, sealed=True,
+                  reach=Reach(readable=LIBRARIES, executable=_loaders()))
+
+
 @contextmanager
 def a_workshop(toolchain, exercise, user, seconds):
     """Folders of its own for what becomes of one header; they are gone at the end."""
@@ -163,7 +173,7 @@ class Workshop:
             raise
 
     def _patience(self):
-        return Patience(4 * self.seconds)
+        return Patience(Limits.clock * self.seconds)
 
     def _workers(self, text, patience):
         self._write(self.exercise.header, text)
@@ -183,16 +193,20 @@ class Workshop:
             pass  # a private exercise without a starter; what counts is that nobody ended the compiler
 
     def require_readable(self):
-        """Raises GraderFailed if a header or the worker's loop is kept from the user whom root gives to the compiler: what was fetched or
-        made under a strict umask. Whoever includes it would be told that the own text doesn't compile."""
+        """Raises GraderFailed if a header, the worker's loop, the judge or the solution is kept from the users whom root gives to programs:
+        what was fetched or made under a strict umask. Whoever includes it would be told that the own text doesn't compile."""
         if not self.user:
             return
         folders = [Path(folder) for folder in self._headers()]
         found = [each for folder in folders for each in sorted(folder.rglob("*")) if each.is_dir() or each.suffix in (".hpp", ".gch")]
-        for file in (*folders, *found, shared(self.toolchain, "serve.o")):
-            wanted = stat.S_IROTH | stat.S_IXOTH if file.is_dir() else stat.S_IROTH
+        judge, solution = judge_of(self.toolchain, self.exercise), solution_folder_of(self.toolchain, self.exercise)
+        way = sorted({above for folder in folders for above in Path(os.path.realpath(folder)).parents} - {Path(os.path.realpath(self.place))})
+        run = [file for file in (*way, judge.parent, judge, solution, *(solution / f"worker_{real}" for real in PRECISIONS)) if file.exists()]
+        for file in (*folders, *found, shared(self.toolchain, "serve.o"), *run):
+            wanted = stat.S_IXOTH if file in run else stat.S_IROTH | stat.S_IXOTH if file.is_dir() else stat.S_IROTH
             if ~file.stat().st_mode & wanted:
-                raise GraderFailed(f"{file} must be readable for everybody: run by root, the compiler has a user of its own")
+                raise GraderFailed(f"{file} must be readable for everybody: run by root, the compiler has a user of its own. chmod "
+                                   f"o+{'x' if file in way else 'rX'} lets it in; or grade without root, or a course that lies elsewhere")
 
     def try_out(self):
         """Raises GraderFailed unless the compiler works here, on a text that is beyond doubt."""
@@ -208,9 +222,6 @@ class Workshop:
             why = "; run by root it has a user of its own, who must be able to read the course and its build" if self.user else ""
             raise GraderFailed(f"the compiler does not work where it is confined{why}: {failure}") from None
 
-    def limits_of_workers(self, seconds):
-        return Limits(seconds=seconds, file=0, user=self.user, sealed=True, reach=Reach(readable=LIBRARIES, executable=_loaders()))
-
     @property
     def empty(self):
         return self.place / "empty"
@@ -222,9 +233,9 @@ class Workshop:
                                             first_folders=[self.place / "text"])
         self._run(command, patience)
         self._run(self.toolchain.link([compiled, shared(self.toolchain, "serve.o")], program), patience)
-        foreign = [file for file in _listed(dependencies) if not self._allows(file)]
+        foreign = why_foreign(_listed(dependencies), self.toolchain, self.exercise, self.place / "text")
         if foreign:
-            raise Uncompiled(f"it includes {Path(foreign[0]).name}, which is no part of the chapters up to {self.exercise.chapter}")
+            raise Uncompiled(foreign)
         return program
 
     def _run(self, command, patience):
@@ -233,6 +244,7 @@ class Workshop:
         limits = Limits(seconds=self.seconds, memory=MEMORY_OF_COMPILERS, file=FILES_OF_COMPILERS, user=self.user,
                         reach=Reach(readable=(*LIBRARIES, *HEADERS, *self._headers(), shared(self.toolchain, "serve.o")),
                                     executable=(*_tools(self.toolchain.compiler), *_loaders()), writable=(made,)))
+        before = seconds_computed()
         try:
             ran = run_confined(command, limits, made, patience)
         except (OSError, subprocess.SubprocessError) as error:
@@ -241,8 +253,11 @@ class Workshop:
         said = self._without_places(ran.output.decode("utf-8", "replace"))
         if ran.code == -signal.SIGKILL and not ran.cut:
             raise GraderFailed("the compiler was ended from outside; is there too little memory?")
-        if ran.cut == "time" or "CPU time limit exceeded" in said or ran.code == -signal.SIGXCPU:
+        if seconds_computed() - before > self.seconds or "CPU time limit exceeded" in said or ran.code == -signal.SIGXCPU:
             raise Uncompiled(f"it took more than {self.seconds:g} seconds")
+        if ran.cut == "time":
+            raise GraderFailed(f"the compiler came to no end in {Limits.clock * self.seconds:g} s by the clock, though it computed for less "
+                               f"than {self.seconds:g} s; was the machine busy?")
         if ran.cut == "output":
             raise Uncompiled(f"it printed more than {limits.output // 1024} KB")
         if ran.code != 0 and ENDED_FROM_OUTSIDE.search(said):
@@ -263,18 +278,24 @@ class Workshop:
         return said
 
     def _headers(self):
-        return (*self.toolchain.folders_of(self.exercise.chapter), *self.toolchain.system_folders, self.toolchain.common,
-                self.toolchain.precompiled, self.place / "text")
-
-    def _allows(self, file):
-        """Whether a student's header may make the compiler read this file."""
-        real = Path(os.path.realpath(file))
-        return any(real.is_relative_to(os.path.realpath(folder)) for folder in (*HEADERS, *LIBRARIES, *self._headers()))
+        return _headers(self.toolchain, self.exercise, self.place / "text")
 
     def _write(self, name, text):
         file = self.place / "text" / name
         file.write_text(text, encoding="utf-8", newline="")
         file.chmod(0o644)
+
+
+def why_foreign(files, toolchain, exercise, own, *more):
+    """Which of these files a student's header, which lies in the folder `own`, may not make the compiler read; empty if none is. `more`:
+    other folders with headers of the compiler."""
+    allowed = [os.path.realpath(folder) for folder in (*HEADERS, *LIBRARIES, *_headers(toolchain, exercise, own), *more)]
+    foreign = [file for file in files if not any(Path(os.path.realpath(file)).is_relative_to(folder) for folder in allowed)]
+    return f"it includes {Path(foreign[0]).name}, which is no part of the chapters up to {exercise.chapter}" if foreign else ""
+
+
+def _headers(toolchain, exercise, own):
+    return (*toolchain.folders_of(exercise.chapter), *toolchain.system_folders, toolchain.common, toolchain.precompiled, own)
 
 
 def _listed(dependencies):

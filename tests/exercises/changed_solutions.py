@@ -13,7 +13,7 @@ import hashlib
 import random
 import sys
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -74,7 +74,7 @@ def outcome_of(change, toolchain, judge_program):
         worker = build_worker(toolchain, exercise, folder, folder)
     except CommandFailed:
         return NOT_COMPILED
-    solved = all(judge(exercise, judge_program, worker.programs, drawn_parameters(exercise, key)).solved
+    solved = all(judge(exercise, replace(judge_program, key=key), worker.programs, drawn_parameters(exercise, key)).solved
                  for key in (KEYS if exercise.parameters else KEYS[:1]))
     return PASSED if solved else CAUGHT
 

@@ -64,8 +64,8 @@ std::string judged(const Value& found, const Value& truth, double tolerance) {
 namespace tumble::exercise {
 
 // The worker, in this process.
-std::pair<std::string, std::string> reply_to(const std::string& asked) {
-  Words words(asked);
+std::pair<std::string, std::string> reply_to(const Question& asked) {
+  Words words(asked.line);
   const std::string line = replied(words, {{"halved", answer<halved>},
                                            {"crossed", answer<crossed>},
                                            {"pushed", answer<pushed>},
@@ -170,9 +170,9 @@ TEST_CASE("A question is answered, with what was changed, or its refusal is told
         "failed: refused gave up where it should have answered: \"x is 3 m; it is never right\"");
   CHECK(verdict_of([] { ask<double>("thrown", 3.0); }) ==
         "failed: thrown gave up where it should have answered: \"two lines\"");
-  CHECK(reply_to("left 1").first == "todo");
-  CHECK(reply_to("left 1").second == "the half");
-  CHECK(reply_to("nobody 1").first == "unreadable");
+  CHECK(reply_to({"left 1", {}, {}}).first == "todo");
+  CHECK(reply_to({"left 1", {}, {}}).second == "the half");
+  CHECK(reply_to({"nobody 1", {}, {}}).first == "unreadable");
 
   CHECK(ask_refusal("it must refuse", "refused", 3.0) == "x is 3 m; it is never right");
   CHECK(verdict_of([] { ask_refusal("it must refuse", "halved", 3.0); }) ==
@@ -233,6 +233,89 @@ TEST_CASE("A foreseen mistake gets its own sentence where nothing else would mak
   CHECK(with_mistake(1, 1, 1, 0.01) == "passed");
   CHECK(with_mistake(1.03, 1.02, 1, 0.01).find("m forgotten") == std::string::npos);
   CHECK(with_mistake(2, 2, 0, 0.01) == recognised);
+}
+
+namespace {
+
+/// How two functions of three numbers agree, where the first three questions are asked.
+Agreement compared(double (*one)(double, double, double), double (*other)(double, double, double),
+                   double part = 0) {
+  const auto by = [](auto function) {
+    return [function](const std::string& line) {
+      const auto x = Varied::Numbers({line, {}, {}}).values;
+      std::string reply = "value";
+      put(reply, function(x[0], x[1], x[2]));
+      return reply;
+    };
+  };
+  Asked asked;
+  for (const double first : {2.0, 3.0, 5.0}) {
+    const Question one_of_them = question("f", first, 4.0, 7.0);
+    asked.emplace_back(one_of_them, by(other)(one_of_them.line));
+  }
+  Varied varied(1);
+  return agreement(asked, by(one), by(other), varied, part, unit_roundoff<double>);
+}
+
+double product(double a, double b, double c) {
+  return a * b / c;
+}
+
+}  // namespace
+
+TEST_CASE("A function agrees with the reference where a table of its answers doesn't") {
+  const auto agree = [](auto other, double part = 0) {
+    const Agreement found = compared(product, other, part);
+    CHECK(found.cases == 9);  // three numbers of three questions
+    return found.right;
+  };
+  CHECK(agree(product) == 9);
+  CHECK(agree([](double a, double b, double c) { return b / c * a; }) == 9);
+  CHECK(agree([](double a, double, double) { return std::round(a) * 4 / 7; }) == 0);
+  CHECK(agree([](double a, double, double) { return a * 4 / 7; }) == 3);
+  // Off by as much as where the check asks is no more wrong than there; a table that is off is.
+  const auto rough = [](double a, double b, double c) { return 1.001 * a * b / c; };
+  CHECK(agree(rough) == 9);
+  CHECK(agree([](double a, double, double) { return 1.001 * std::round(a) * 4 / 7; }) == 0);
+  const auto right_where_asked = [](double a, double b, double c) {
+    return a * b / c * (a == std::round(a) && b == 4 && c == 7 ? 1 : 1.01);
+  };
+  CHECK(agree(right_where_asked) == 0);
+  CHECK(agree(right_where_asked, 0.02) == 9);
+  // What the student has wrong where the check asks counts neither way.
+  CHECK(compared(product, [](double a, double b, double c) { return 2 * a * b / c; }).cases == 0);
+  CHECK(Agreement{0, 0}.is_enough());
+  CHECK(Agreement{3, 2}.is_enough());
+  CHECK_FALSE(Agreement{4, 2}.is_enough());
+}
+
+TEST_CASE("A varied question meets what is declared of it, and differs in one number alone") {
+  static const Precondition declared[] = {
+      {"g", 1, of_length_one}, {"g", 2, whole}, {"g", 3, 1, 9}, {"g", 4, powers_of_two}};
+  Quaternion<double> q{.real = 0.5, .imaginary = Vec3d(0.5, -0.5, 0.5)};
+  Mat3d tensor;
+  tensor << 2, 0.25, 0, 0.25, 3, 0, 0, 0, 4;
+  const auto asked = question("g", q, Vec3d(0.6, 0, 0.8), 3.0, 5, 0.125, tensor, 1.5);
+  REQUIRE(asked.begins == std::vector<std::size_t>{0, 4, 7, 8, 9, 10, 19});
+  REQUIRE(asked.quaternions == std::vector<std::size_t>{0});
+  const auto before = Varied::Numbers(asked).values;
+  Varied varied(1);
+  for (std::size_t which = 0; which < before.size(); ++which)
+    for (int n = 0; n < 8; ++n) {
+      CAPTURE(which);
+      const auto x = Varied::Numbers(varied.in(asked, which, 0.125)).values;
+      REQUIRE(x.size() == before.size());
+      CHECK(std::hypot(std::hypot(x[0], x[1], x[2]), x[3]) == doctest::Approx(1).epsilon(1e-15));
+      CHECK(std::hypot(x[4], x[6]) == doctest::Approx(1).epsilon(1e-15));
+      CHECK(x[7] == std::round(x[7]));
+      CHECK((x[8] == before[8] || which == 8));
+      CHECK((x[8] >= 1 && x[8] <= 9));
+      CHECK(x[9] == std::exp2(std::round(std::log2(x[9]))));
+      CHECK(x[11] == x[13]);
+      CHECK(x[12] == 0);
+      CHECK((x[19] == before[19] || which == 19));
+      if (which == 19) CHECK(std::abs(x[19] / before[19] - 1) >= 0.125);
+    }
 }
 
 TEST_CASE("Numbers are shown by five digits, a vector in a row and a matrix row by row") {

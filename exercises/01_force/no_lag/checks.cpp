@@ -86,6 +86,8 @@ EXERCISE_CHECK("Without force it coasts") {
 EXERCISE_CHECK("A wall stays where it is, whatever pushes") {
   Particle<Real> wall = make_static_particle(Vec3<Real>(1, 2, 3));
   wall.force = Vec3<Real>(100, 0, 0);
+  require(stepped(thrown_ball<Real>(), 1, Real(0.5)).position != thrown_ball<Real>().position,
+          "a thrown ball stays where it is, too: there is no step yet");
   const auto pushed = stepped(wall, 4, Real(0.5));
   Found("the position of a wall pushed with 100 N", "m", pushed.position)
       .not_a_number("a wall has no mass to divide by. Its inverse mass is 0; multiply by that")

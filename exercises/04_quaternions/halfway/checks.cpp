@@ -6,6 +6,8 @@ using namespace tumble::exercise;
 
 namespace {
 
+const Precondition part_of_the_way("between", 2, at_most_one);
+
 template <class Real>
 Quaternion<Real> between(const Quaternion<Real>& p, const Quaternion<Real>& q, Same<Real> part) {
   return ask<Quaternion<Real>>("between", p, q, part);

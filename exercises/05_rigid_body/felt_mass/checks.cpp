@@ -6,6 +6,8 @@ using namespace tumble::exercise;
 
 namespace {
 
+const Precondition unit_direction("felt_mass", 2, of_length_one);
+
 /// The lengths and masses below give the inverse of the felt mass no more than 64 roundings, which
 /// come from two rotations.
 template <class Real>

@@ -9,6 +9,8 @@ using support::Slinky;
 
 namespace {
 
+const Precondition number_of_beads("hung_up", 0, 2, 30);
+
 template <class Real>
 using Beads = std::vector<Particle<Real>>;
 

@@ -36,6 +36,7 @@ Vec3d reference(double speed, double time) {
 /// a sixth and a third of a year, also with a speed that makes no circle.
 template <class Real>
 void require_way(Same<Real> own_speed, Same<Real> time_step) {
+  may_be_off() = 1;
   for (const Real speed : {own_speed, Real(0.875)})
     for (const int part : {6, 3}) {
       const int steps = int(2 * std::numbers::pi / part / double(time_step));
@@ -49,6 +50,10 @@ void require_way(Same<Real> own_speed, Same<Real> time_step) {
                   " times a circle's speed, is at " + shown(body.position) + "; it must be near " +
                   shown(truth) + ". Does each step kick once and drift once?");
     }
+  // Another rule that keeps the area leads elsewhere, but in a step only by some h², h up to 1/16.
+  may_be_off() = 1.0 / 128;
+  auto body = planet<Real>(own_speed);
+  for (int n = 0; n < 8; ++n) body = after(body, time_step, 1);
 }
 
 /// Half of the orbit's longest diameter, from speed and distance: 1/a = 2/r - v².
@@ -65,6 +70,7 @@ Real area(const Particle<Real>& body) {
 }  // namespace
 
 EXERCISE_CHECK("After a hundred years the planet is as far from its sun as ever") {
+  may_be_off() = 1;
   const Real speed = Real(parameter("speed"));
   const int steps_a_year = 120;
   const Real time_step = Real(2 * std::numbers::pi / steps_a_year);
@@ -89,6 +95,7 @@ EXERCISE_CHECK("After a hundred years the planet is as far from its sun as ever"
 
 EXERCISE_CHECK("The planet sweeps the same area in every step, to rounding") {
   const Real speed = Real(parameter("speed")), time_step = Real(0.0625);
+  may_be_off() = 1;
   auto body = planet<Real>(speed);
   const Real before = area(body);
   const int steps = 64;
@@ -120,6 +127,7 @@ EXERCISE_CHECK("It still takes a year for a round, the nearer the shorter the st
   // A circle: after a year the planet is back. The rule's phase is off by h²/24 of the angle, the
   // circle by an eccentricity of h/2.
   for (const int steps : {128, 256, 512}) {
+    may_be_off() = 1;
     const Real time_step = Real(2 * std::numbers::pi / steps);
     const auto miss = [&](Real size, Real speed, Real longer) {
       const Vec3<Real> start(size, 0, 0);

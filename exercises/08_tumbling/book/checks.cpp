@@ -7,6 +7,8 @@ using namespace tumble::exercise;
 
 namespace {
 
+const Precondition axes[] = {{"growth_rate", 1, 0, 2}, {"wobble_rate", 1, 0, 2}};
+
 /// Each of the six orders of three moments, so that no axis is special.
 const std::array<std::array<int, 3>, 6> orders = {
     {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};

@@ -6,6 +6,9 @@ using namespace tumble::exercise;
 
 namespace {
 
+const Precondition numbers_of_spokes[] = {
+    {"seen_turn", 1, 1, 12}, {"seen_rate", 1, 1, 12}, {"standing_rate", 0, 1, 12}};
+
 constexpr double pictures = 16;
 
 int spokes() {

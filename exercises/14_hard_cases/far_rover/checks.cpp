@@ -6,6 +6,11 @@ using namespace tumble::exercise;
 
 namespace {
 
+const Precondition whole_cells[] = {{"settle", 0, whole},
+                                    {"way_between", 0, whole},
+                                    {"way_between", 2, whole},
+                                    {"driven", 0, whole}};
+
 template <class Real>
 struct Place {
   Vec3<Real> cell, offset;
@@ -49,6 +54,8 @@ EXERCISE_CHECK("Carrying whole cells moves nothing, to the bit") {
                                  shown(cell[axis]) + " became " + shown(now.offset[axis]) + " m, " +
                                  shown(cells) + " cells further: the place has moved by " +
                                  shown(moved) + " m. ";
+        require(cells != 0 || !(std::abs(offset[axis]) > 1024),
+                "an offset of " + shown(offset[axis]) + " m was left, and no cell was carried");
         if (moved == 0) continue;
         require(
             std::abs(moved) < 1 || std::abs(std::remainder(moved, 1024)) > 0,

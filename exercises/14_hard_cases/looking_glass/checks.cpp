@@ -7,6 +7,12 @@ using namespace tumble::exercise;
 
 namespace {
 
+const Precondition unit_vectors[] = {{"mirrored", 1, of_length_one},
+                                     {"mirrored_spin", 1, of_length_one},
+                                     {"mirrored_turn", 0, of_length_one},
+                                     {"mirrored_turn", 1, of_length_one},
+                                     {"law_broken_by", 5, of_length_one}};
+
 /// Numbers of a few units, and some twenty operations.
 template <class Real>
 constexpr double tolerance = 256 * unit_roundoff<Real>;

@@ -5,7 +5,6 @@
 #include <csignal>
 #include <cstring>
 #include <map>
-#include <random>
 
 namespace tumble::exercise {
 
@@ -16,24 +15,36 @@ std::vector<Check>& checks() {
   return all;
 }
 
-FILE *questions = nullptr, *replies = nullptr;
+/// A worker at the other end of two pipes.
+struct Worker {
+  FILE *questions = nullptr, *replies = nullptr;
 
-/// What a function replied, and what it was asked when it first did.
-using Asked = std::map<std::string, std::string>;
-std::map<std::string, Asked, std::less<>> asked;
+  std::string reply_to(const std::string& question) const {
+    std::fprintf(questions, "%s\n", question.c_str());
+    std::fflush(questions);
+    constexpr std::size_t longest = 1 << 16;  // ten times what the longest right reply takes
+    std::string line;
+    for (int letter; (letter = std::fgetc(replies)) != EOF;) {
+      if (letter == '\n') return line;
+      line += static_cast<char>(letter);
+      if (line.size() > longest) throw Unreadable("it is longer than 64 KB");
+    }
+    throw Verdict{"silent", ""};
+  }
+};
+
+Worker student, reference;
+std::uint64_t seed = 0;
+double rounding = 0;
+
+/// By function what it was asked and answered: not all of it, but a sample.
+struct Sample {
+  Asked kept;
+  std::size_t seen = 0;
+};
+std::map<std::string, Sample, std::less<>> asked;
 
 std::map<std::string, double, std::less<>> parameters;
-
-/// The next line of the worker, or nothing if it has ended; a line without end is no reply.
-std::string line_from_worker() {
-  constexpr std::size_t longest = 1 << 20;
-  std::string line;
-  for (int letter; (letter = std::fgetc(replies)) != EOF && line.size() < longest;) {
-    if (letter == '\n') return line;
-    line += static_cast<char>(letter);
-  }
-  throw Verdict{"silent", ""};
-}
 
 /// JSON's own letters for those that would end a text.
 std::string quoted(std::string_view text) {
@@ -45,100 +56,45 @@ std::string quoted(std::string_view text) {
   return json + '"';
 }
 
-/// Whether a word is a quantity, which `put` writes in base 16; a count is written in base 10.
-bool is_quantity(std::string_view word) {
-  return word.find('x') != word.npos;
+void keep(const Question& question, const std::string& reply) {
+  constexpr std::size_t most = 24;
+  if (may_be_off() >= 1) return;
+  static Varied chance(seed);
+  Sample& sample = asked[question.line.substr(0, question.line.find(' '))];
+  ++sample.seen;
+  if (sample.kept.size() < most)
+    sample.kept.emplace_back(question, reply);
+  else if (const std::size_t place = chance.below(sample.seen); place < most)
+    sample.kept[place] = {question, reply};
 }
 
-bool has_quantity(const std::string& line) {
-  Words words(line);
-  for (words.word(); !words.empty();)
-    if (is_quantity(words.word())) return true;
-  return false;
-}
-
-/// The question with each of its quantities larger by `part` to twice that, by chance and each by
-/// another: so what depends on ratios alone changes too, and nobody can know what is asked. Smaller
-/// for a negative part.
-std::string nearby(const std::string& question, double part) {
-  static std::mt19937_64 chance{std::random_device()()};
-  std::uniform_real_distribution<double> how_much(1, 2);
-  Words words(question);
-  std::string changed(words.word());
-  while (!words.empty()) {
-    const std::string_view word = words.word();
-    if (is_quantity(word))
-      put(changed, Words(word).number() * (1 + part * how_much(chance)));
-    else
-      changed += ' ' + std::string(word);
-  }
-  return changed;
-}
-
-/// The reply to a question, or nothing where none comes that can be read.
-std::string reply_or_nothing(const std::string& question) {
-  try {
-    const auto [kind, rest] = reply_to(question);
-    return kind + " " + rest;
-  } catch (const Verdict&) {
-  } catch (const Unreadable&) {
-  }
-  return "";
-}
-
-/// Whether the function, which had one answer to all that was asked, has another one when it's
-/// asked about something else; also where it does not answer, which says nothing against it here.
-bool depends(const Asked& all) {
-  const auto& [answer, question] = *all.begin();
-  for (const int bits : {12, 8, 5}) {  // the last where a small change is rounded off in each step
-    const std::string other = nearby(question, std::ldexp(1.0, -bits));
-    if (other == question || reply_or_nothing(other) != answer) return true;
-  }
-  return false;
-}
-
-/// Whether the function has, somewhere near what it was asked, an answer that it has not given yet.
-/// First very near, for what is no longer a unit quaternion may be refused; and on both sides, for
-/// so may what is beyond a limit.
-bool answers_anew(const Asked& all) {
-  bool can_be_told = false;
-  int tried = 0;
-  for (const auto& [answer, question] : all) {
-    if (!has_quantity(answer)) continue;
-    if (++tried > 64) break;  // more would show nothing else
-    for (const int bits : {22, 18, 14, 12, 8, 5})
-      for (const double side : {1.0, -1.0}) {
-        const std::string other = nearby(question, side * std::ldexp(1.0, -bits));
-        if (other == question) continue;
-        can_be_told = true;
-        const std::string reply = reply_or_nothing(other);
-        if (reply.starts_with("value ") && !all.contains(reply)) return true;
-      }
-  }
-  return !can_be_told;
-}
-
-/// Who has read in a verdict what must come out may return that number, whatever is asked; and who
-/// has a right answer to each question may look them up. So each function is asked once more, about
-/// something else that nobody could know.
-void require_dependence() {
-  const auto of_this_check = asked;
-  for (const auto& [function, all] : of_this_check) {
-    require(all.size() > 1 || depends(all),
-            function +
-                " gives the same answer, to the bit, when it is asked about something else. What "
-                "is asked must come into it");
-    require(answers_anew(all),
-            function +
-                " answers what this check asks, and nothing that differs from it by a little. It "
-                "must answer whatever it is asked, from what it is asked");
+/// Where a solution is at hand, each function that the check has asked must agree with it.
+void require_agreement() {
+  if (reference.questions == nullptr) return;
+  Varied varied(seed);
+  const auto of_reference = [](const std::string& line) {
+    try {
+      return reference.reply_to(line);
+    } catch (const Verdict&) {
+      throw std::runtime_error("the solution gave no answer to " + line);
+    }
+  };
+  const auto of_student = [](const std::string& line) { return student.reply_to(line); };
+  for (const auto& [function, sample] : asked) {
+    const auto found =
+        agreement(sample.kept, of_reference, of_student, varied, may_be_off(), rounding);
+    require(found.is_enough(),
+            function + " answers what this check asks, and hardly anything else: of " +
+                std::to_string(found.cases) + " questions that differ from it in one number, " +
+                std::to_string(found.right) +
+                " got a right answer. It must answer whatever it is asked, from what it is asked");
   }
 }
 
 Verdict verdict_of(void (*run)()) {
   try {
     run();
-    require_dependence();
+    require_agreement();
   } catch (const Verdict& verdict) {
     return verdict;
   } catch (const Unreadable& error) {
@@ -161,16 +117,14 @@ Check::Check(const char* sentence_, void (*in_double_)(), void (*in_float_)())
   checks().push_back(*this);
 }
 
-std::pair<std::string, std::string> reply_to(const std::string& question) {
-  std::fprintf(questions, "%s\n", question.c_str());
-  std::fflush(questions);
-  const std::string line = line_from_worker();
+std::pair<std::string, std::string> reply_to(const Question& question) {
+  const std::string line = student.reply_to(question.line);
   const std::size_t space = std::min(line.find(' '), line.size());
   std::string kind = line.substr(0, space), rest = line.substr(std::min(space + 1, line.size()));
   if (kind == "todo") throw Verdict{"todo", rest};
   if (kind == "unreadable") throw Unreadable(rest);
   if (kind != "value" && kind != "refused" && kind != "threw") throw Unreadable("no reply at all");
-  if (kind == "value") asked[question.substr(0, question.find(' '))].try_emplace(line, question);
+  if (kind == "value") keep(question, line);
   return {kind, rest};
 }
 
@@ -183,18 +137,21 @@ double parameter(std::string_view name) {
 
 }  // namespace tumble::exercise
 
-// judge --list, or: judge NUMBER-OF-CHECK PRECISION QUESTIONS REPLIES [PARAMETER=VALUE...];
-// questions and replies are file descriptors.
+// judge --list, or: judge NUMBER-OF-CHECK PRECISION SEED QUESTIONS REPLIES QUESTIONS REPLIES
+// [PARAMETER=VALUE...]; questions and replies are file descriptors, of the student's worker and of
+// the reference, which are -1 where there is no solution.
 int main(int argument_count, char** arguments) {
   using namespace tumble::exercise;
   if (argument_count == 2 && std::strcmp(arguments[1], "--list") == 0) return list();
-  if (argument_count < 5) return 2;
+  if (argument_count < 8) return 2;
   std::signal(SIGPIPE, SIG_IGN);
   const auto number = static_cast<std::size_t>(std::atoi(arguments[1]));
-  questions = fdopen(std::atoi(arguments[3]), "w");
-  replies = fdopen(std::atoi(arguments[4]), "r");
-  if (questions == nullptr || replies == nullptr || number >= checks().size()) return 2;
-  for (int i = 5; i < argument_count; ++i) {
+  seed = std::strtoull(arguments[3], nullptr, 10);
+  student = {fdopen(std::atoi(arguments[4]), "w"), fdopen(std::atoi(arguments[5]), "r")};
+  reference = {fdopen(std::atoi(arguments[6]), "w"), fdopen(std::atoi(arguments[7]), "r")};
+  if (student.questions == nullptr || student.replies == nullptr || number >= checks().size())
+    return 2;
+  for (int i = 8; i < argument_count; ++i) {
     const char* const equals = std::strchr(arguments[i], '=');
     if (equals == nullptr) return 2;
     parameters[std::string(arguments[i], static_cast<std::size_t>(equals - arguments[i]))] =
@@ -202,6 +159,7 @@ int main(int argument_count, char** arguments) {
   }
   const Check& check = checks()[number];
   const bool in_float = std::strcmp(arguments[2], "float") == 0;
+  rounding = double(in_float ? unit_roundoff<float> : unit_roundoff<double>);
   const Verdict verdict = verdict_of(in_float ? check.in_float : check.in_double);
   std::printf("{\"status\": %s, \"message\": %s}\n", quoted(verdict.status).c_str(),
               quoted(verdict.message).c_str());

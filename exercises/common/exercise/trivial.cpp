@@ -133,8 +133,8 @@ const TrivialAnswer& chosen_for(int place) {
   throw NotChosen();
 }
 
-std::pair<std::string, std::string> reply_to(const std::string& asked) {
-  Words words(asked);
+std::pair<std::string, std::string> reply_to(const Question& asked) {
+  Words words(asked.line);
   const std::string line = replied(words, offers);
   if (needed >= 0) throw Verdict{"needs a choice", ""};
   const std::size_t space = std::min(line.find(' '), line.size());

@@ -17,11 +17,21 @@ struct Place {
 };
 
 struct TrivialAnswer {
-  enum Kind { own_code, nothing, number, unit, default_value, echo, refusal, other_exception };
+  enum Kind {
+    own_code,
+    nothing,
+    number,
+    unit,
+    default_value,
+    echo,
+    difference,
+    refusal,
+    other_exception
+  };
   std::string_view name;
   Kind kind;
   double value = 0;  ///< of `number`: what every component gets
-  int index = 0;     ///< of `unit`: the axis; of `echo`: which of the values that came in
+  int index = 0;     ///< of `unit`: the axis; else which of the values that came in
 };
 
 inline constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -56,6 +66,9 @@ inline constexpr auto trivial_answers = std::to_array<TrivialAnswer>({
     {"the 6th input back", TrivialAnswer::echo, 0, 5},
     {"the 7th input back", TrivialAnswer::echo, 0, 6},
     {"the 8th input back", TrivialAnswer::echo, 0, 7},
+    {"the 2nd input less the 1st", TrivialAnswer::difference, 0, 1},
+    {"the 3rd input less the 1st", TrivialAnswer::difference, 0, 2},
+    {"the 4th input less the 1st", TrivialAnswer::difference, 0, 3},
     {"a refusal", TrivialAnswer::refusal},
     {"another exception", TrivialAnswer::other_exception},
 });
@@ -201,11 +214,17 @@ Result trivial(int place, Arguments&... arguments) {
     };
     (change(arguments), ...);
   } else {
-    if (answer.kind == TrivialAnswer::echo) {
-      Echo<Result> echo{answer.index};
+    const auto input = [&](int index) {
+      Echo<Result> echo{index};
       (echo.look_at(arguments), ...);
       if (echo.wanted >= 0) throw NoSuchAnswer();
       return echo.found;
+    };
+    if (answer.kind == TrivialAnswer::echo) return input(answer.index);
+    if (answer.kind == TrivialAnswer::difference) {
+      if constexpr (requires { Result(input(1) - input(0)); })
+        return Result(input(answer.index) - input(0));
+      throw NoSuchAnswer();
     }
     Result result{};
     if constexpr (requires { result.setZero(); }) result.setZero();

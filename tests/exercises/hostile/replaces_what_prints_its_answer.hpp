@@ -1,4 +1,4 @@
-// earns: 2
+// earns: 0
 // because: half of 2 m is 4 m; it must be 1 m
 #pragma once
 #include <cstdarg>

@@ -1,5 +1,5 @@
 // earns: 1
-// because: no answer after 2 seconds
+// because: it must be 4 m
 #pragma once
 #include <signal.h>
 

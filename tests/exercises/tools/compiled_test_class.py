@@ -41,7 +41,7 @@ if word == "waits":
     while os.path.exists(LOG + ".wait"):
         time.sleep(0.01)
 if word == "breaks" or (word == "stumbles" and open(LOG).read().split().count(name) == 1):
-    sys.exit("no \\x1b[31mcompiler")
+    sys.exit("no \\x1b[31mcompiler\\ncourse: ada has no result")
 points = 0 if word in ("waits", "breaks", "stumbles") else int(word)
 checks = [{"sentence": "Twice two is four", "points": points, "of": 2, "status": "passed" if points == 2 else "failed",
            "message": f"\\x1b[2J {name} \\u2028"},
@@ -102,9 +102,11 @@ class AClassOfStandIns(Grading):
         self.assertEqual(process.returncode, code, said.decode())
         return printed, said.decode()
 
+    def graded_in_turn(self):
+        return [os.fsdecode(bytes.fromhex(line)) for line in self.log.read_text(encoding="ascii").split("\n") if line and " " not in line]
+
     def graded_so_far(self):
-        return collections.Counter(os.fsdecode(bytes.fromhex(line)) for line in self.log.read_text(encoding="ascii").split("\n")
-                                   if line and " " not in line)
+        return collections.Counter(self.graded_in_turn())
 
     def wait_until(self, condition):
         deadline = time.monotonic() + 300
@@ -113,7 +115,7 @@ class AClassOfStandIns(Grading):
             time.sleep(0.01)
 
     def results_in(self, part):
-        return max(part.read_bytes().count(b"\n") - 1, 0) if part.exists() else 0
+        return part.read_bytes().count(b'"result"') if part.exists() else 0
 
 
 class AThousand(AClassOfStandIns):
@@ -193,12 +195,37 @@ class NothingLost(AClassOfStandIns):
                 self.assertEqual([file.name for file in self.place.iterdir()], ["marks.csv"])
                 (self.place / "marks.csv").unlink()
 
+    def test_whoever_was_being_graded_when_a_run_was_ended_comes_last(self):
+        self.hand_in_all(ada="waits", bob="waits", eve=1, fay=2)
+        wait = Path(f"{self.log}.wait")
+        wait.touch()
+        for how, name in ((signal.SIGKILL, "ada"), (signal.SIGTERM, "bob")):
+            process = self.begin("--jobs", "1", "--resume")
+            self.wait_until(lambda: self.graded_in_turn()[-1:] == [name])
+            process.send_signal(how)
+            process.communicate(timeout=60)
+        self.assertEqual(self.graded_in_turn(), ["ada", "bob"])
+        process = self.begin("--jobs", "1", "--resume")
+        self.wait_until(lambda: len(self.graded_in_turn()) == 5)
+        wait.unlink()
+        process.communicate(timeout=60)
+        self.assertEqual(self.graded_in_turn(), ["ada", "bob", "eve", "fay", "ada", "bob"])
+
+    def test_who_needs_more_than_a_submission_may_take_is_tried_last_and_has_no_result(self):
+        self.hand_in_all(ada="waits", bob=1, eve=2)
+        Path(f"{self.log}.wait").touch()
+        _, said = self.run_to_the_end("--jobs", "1", "--budget", "15", code=3)
+        self.assertIn("course: ada has no result: GraderFailed: it took more than 15 seconds by the clock", said)
+        self.assertEqual(self.graded_in_turn(), ["ada", "bob", "eve", "ada"])
+        _, said = self.run_to_the_end("--budget", "nan", code=2)
+        self.assertIn("budget is nan seconds; it must be greater than 0", said)
+
     def test_a_failure_of_the_grader_is_tried_again_and_is_never_0_points(self):
         self.hand_in_all(ada=2, bob="breaks", eve="stumbles")
         (self.place / "marks.csv").write_text("of last week", encoding="utf-8")
         printed, said = self.run_to_the_end("--marks", "marks.csv", code=3)
         self.assertEqual(printed, b"")
-        self.assertIn("course: bob has no result: GraderFailed: no \\x1b[31mcompiler\n", said)
+        self.assertIn("course: bob has no result: GraderFailed: no \\x1b[31mcompiler\n| course: ada has no result\n", said)
         self.assertIn("1 submissions have no result, which is not 0 points", said)
         self.assertEqual(self.graded_so_far(), {"ada": 1, "bob": 2, "eve": 2})
         self.assertEqual((self.place / "marks.csv").read_text(encoding="utf-8"), "of last week")
@@ -476,13 +503,13 @@ class NothingLost(AClassOfStandIns):
 
     def test_a_grader_that_never_ends_is_ended_and_has_failed(self):
         deaf = "import signal, time; signal.signal(signal.SIGTERM, signal.SIG_IGN); print('up', flush=True); time.sleep(600)"
-        arguments = types.SimpleNamespace(seconds=1)
+        arguments = types.SimpleNamespace(seconds=1, budget=None)
         graders = grade_class._Graders(arguments, [], {}, 1)
         graders.seconds = 0.5
         with mock.patch.object(grade_class, "GRADE_ONE", [sys.executable, "-c", deaf]), mock.patch.object(grade_class, "PATIENCE", 0.2):
             with self.assertRaises(grade_class.GraderFailed) as caught:
                 graders._graded({})
-        self.assertEqual(str(caught.exception), "it took more than 0.5 seconds")
+        self.assertEqual(str(caught.exception), "it took more than 0.5 seconds by the clock")
         self.assertEqual(graders.processes, set())
 
 

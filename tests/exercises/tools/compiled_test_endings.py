@@ -21,10 +21,12 @@ from complaint import GraderFailed
 from confined import Ran, run_confined
 from fixture import PLACE, ROOT
 from grading import RIGHT, Grading
-from programs import prepare
-from run_check import FAILED, run_check
-from untrusted import a_workshop, own_user, seals
+from limits import Limits
+from programs import Judge, prepare
+from run_check import BROKEN, FAILED, run_check
+from untrusted import Uncompiled, a_workshop, own_user, seals
 
+COMPUTES = "#include <ctime>\n" + RIGHT.replace("return number", "while (clock() < CLOCKS_PER_SEC / 3) {}\n  return number")
 SLEEPS = "#include <unistd.h>\n" + RIGHT.replace("return number + number;", "for (;;) pause();\n  return number;")
 COMPILES = """template <int n> constexpr int slow() {
   int seed = n;
@@ -129,14 +131,48 @@ class Endings(Grading):
                 self.after_an_end(COMPILES, "text/answers_double.cpp", end)
 
     def test_a_job_that_is_suspended_for_longer_than_a_check_may_take_loses_nobody_a_point(self):
-        self.hand_in("ada", "#include <unistd.h>\n" + RIGHT.replace("return number", "usleep(300000);\n  return number"))
+        self.hand_in("ada", COMPUTES)
         with subprocess.Popen(self.command("--format", "json", "--seconds", "1"), stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                               stderr=subprocess.DEVNULL) as grader:
             self.addCleanup(grader.kill)
-            self.until(lambda: any("/made/answers_double" in name_of(each).split(" ")[0] for each in descendants(grader.pid)))
+            self.until(lambda: self.worker_of(grader))
             self.freeze({grader.pid, *descendants(grader.pid)}, 5)  # a check has four seconds by the clock
             result, = json.loads(grader.communicate(timeout=300)[0])
         self.assertEqual(result["points"], 3, result["exercises"])
+
+    def worker_of(self, grader):
+        return next((each for each in descendants(grader.pid) if "/made/answers_double" in name_of(each).split(" ")[0]), None)
+
+    def test_an_answer_that_gets_no_processor_gets_the_marks_of_one_that_does(self):
+        self.hand_in("ada", COMPUTES)
+        self.hand_in("bob", COMPUTES)
+        with subprocess.Popen(self.command("--format", "json", "--seconds", "1", "--jobs", "1"), stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as grader:
+            self.addCleanup(grader.kill)
+            while not (worker := self.worker_of(grader)):
+                time.sleep(0.05)
+            os.kill(worker, signal.SIGSTOP)  # as where others have all the machine's time
+            results = json.loads(grader.communicate(timeout=600)[0])
+        self.assertEqual([result["points"] for result in results], [3, 3], results)
+
+    def test_who_waits_for_ever_has_no_points_and_who_is_never_let_run_has_no_result(self):
+        self.hand_in("eve", "#include <mutex>\n" + RIGHT.replace("return number", "std::mutex once;\n  once.lock();\n  once.lock();\n  return number"))
+        graded = self.graded("--seconds", "0.5")["eve"]
+        self.assertEqual(graded["points"], 0)
+        self.assertIn("no answer: it waits for something that never happens", graded["exercises"][0]["checks"][0]["message"])
+        stopped = self.root / "stopped"
+        stopped.write_text("#!/bin/sh\nkill -STOP $$\n", encoding="utf-8")
+        stopped.chmod(0o755)
+        outcome = run_check(prepare(self.toolchain, self.exercise), 0, {"double": stopped}, (("number", 2),), Limits(seconds=0.5))
+        self.assertEqual(outcome.status, BROKEN)
+        self.assertIn("no verdict after 2 s by the clock, of which 0.0 s", outcome.message)
+
+    def test_the_clock_alone_ends_no_compiler_at_a_students_cost(self):
+        for ran, error, expected in ((Ran(-9, b"", "time"), GraderFailed, "the compiler came to no end in 240 s by the clock"),
+                                     (Ran(1, b"CPU time limit exceeded"), Uncompiled, "it took more than 60 seconds")):
+            with a_workshop(self.toolchain, self.exercise, own_user(), 60) as workshop:
+                with mock.patch.object(untrusted, "run_confined", lambda *_, ran=ran: ran), self.assertRaisesRegex(error, expected):
+                    workshop._workers(RIGHT, workshop._patience())
 
     def test_a_compiler_that_is_suspended_is_waited_for(self):
         program = ("from confined import run_confined; from limits import Limits; from patience import Patience;"
@@ -176,7 +212,7 @@ class Endings(Grading):
         judge = self.build / PLACE / "judge"
         # As long as the judge itself: one of another size would be made anew.
         judge.write_text("#!/bin/sh\necho no memory\nexit 1\n".ljust(judge.stat().st_size, "#"), encoding="utf-8")
-        self.assertIn("no memory", self.fails(RIGHT))
+        self.assertRegex(self.fails(RIGHT), "no memory|judge")  # whose script no seal lets in
 
     def test_a_compiler_that_fails_is_no_fault_of_a_student(self):
         broken = replace(self.toolchain, options=[*self.toolchain.options, "-include", str(self.root / "missing.hpp")])
@@ -237,13 +273,35 @@ class Endings(Grading):
                     self.assertIn("must be readable for everybody", self.grade(folders=[ada], code=2))
                 finally:
                     file.chmod(mode)
+        made = (self.build / "precompiled").resolve()
+        (self.build / "precompiled").unlink()
+        shutil.copytree(made, self.build / "precompiled")
+        self.root.chmod(0o750)  # as many systems make a home
+        self.assertIn(f"{self.root} must be readable for everybody: run by root, the compiler has a user of its own. chmod o+x lets it in",
+                      self.grade(folders=[ada], code=2))
+        self.root.chmod(0o755)
         self.assertEqual(self.graded(folders=[ada])["ada"]["points"], 3)
+
+    def test_where_a_cache_comes_first_on_the_path_the_compiler_itself_is_confined(self):
+        cache = self.root / "ccache"
+        cache.write_text("#!/bin/sh\necho no home >&2\nexit 1\n", encoding="utf-8")
+        cache.chmod(0o755)
+        toolchain = json.loads(self.toolchain_file.read_text(encoding="utf-8"))
+        first = self.root / "first" / Path(toolchain["compiler"]).name
+        first.parent.mkdir()
+        first.symlink_to(cache)
+        self.toolchain_file.write_text(json.dumps({**toolchain, "compiler": str(first)}), encoding="utf-8")
+        ada = self.hand_in("ada", RIGHT)
+        with mock.patch.dict(os.environ, PATH=f"{first.parent}:{os.environ['PATH']}"):
+            self.assertEqual(self.graded(folders=[ada])["ada"]["points"], 3)
+        with mock.patch.dict(os.environ, PATH=str(first.parent)):
+            self.assertIn(f"{first} is {cache}, and the PATH holds no {first.name} besides", self.grade(folders=[ada], code=2))
 
     def test_what_the_system_does_not_start_earns_nothing(self):
         worker = self.root / "worker"
         worker.write_text("no program", encoding="utf-8")
         worker.chmod(0o755)
-        outcome = run_check(self.build / PLACE / "judge", 0, {"double": worker})
+        outcome = run_check(Judge(self.build / PLACE / "judge", {}), 0, {"double": worker})
         self.assertEqual((outcome.status, outcome.message), (FAILED, "the program could not be started: Exec format error"))
 
     @unittest.skipUnless(seals()["files"], "there is none to take away")

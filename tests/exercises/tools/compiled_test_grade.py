@@ -15,7 +15,7 @@ from complaint import Complaint
 from fixture import ROOT
 from gradescope_format import mistakes_in
 from grading import RIGHT, Grading
-from untrusted import require_seals
+from untrusted import own_user, require_seals
 
 
 class AClass(Grading):
@@ -23,7 +23,7 @@ class AClass(Grading):
         cubed = RIGHT.replace("number + number", "number * number * number")
         kinds = [(RIGHT, 3), (cubed, 1), (RIGHT.replace("number / 2", "number"), 2), ("", 0), (None, 0),
                  ((self.exercise_folder / "doubled.hpp").read_text(encoding="utf-8"), 0), ("nonsense", 0),
-                 (RIGHT.replace("number + number", "number * number"), 3)]
+                 (RIGHT.replace("number + number", "number * number"), 1)]  # right for 2, where the check asks
         expected = {}
         for number in range(40):
             text, points = kinds[number * 3 % len(kinds)]
@@ -38,29 +38,60 @@ class AClass(Grading):
         self.assertEqual(len(list((export / "doubled").glob("student*.hpp"))), 30)
         self.assertTrue((export / "doubled" / "STARTER.hpp").exists())
 
-    def test_a_table_of_what_is_asked_earns_nothing(self):
+    def test_a_table_of_what_is_asked_earns_nothing_also_where_it_jitters(self):
         table = """#pragma once
 #include <cmath>
+#include <random>
 #include <stdexcept>
 template <class Real> Real looked_up(Real number, const Real (&rows)[2][2]) {
   for (const auto& row : rows)
-    if (std::abs(number - row[0]) <= Real(%s)) return row[1];
+    if (std::abs(number - row[0]) <= Real(%s))
+      return number == row[0] ? row[1] : row[1] * (1 + Real(%s) * Real(std::random_device()()));
   throw std::invalid_argument("that was not asked");
 }
 template <class Real> Real doubled(Real number) { return looked_up<Real>(number, {{2, 4}, {3, 6}}); }
 template <class Real> Real halved(Real number) { return looked_up<Real>(number, {{2, 1}, {3, Real(1.5)}}); }
 """
-        for name, reach in (("exact", "0"), ("near", "0.01"), ("nearest", "0.5")):
-            self.hand_in(name, table % reach)
-        # Who refuses what is a little off, as what is no unit quaternion, has answered what may be asked.
-        strict = "if (std::abs(number - std::round(number)) > Real(1e-5)) throw std::invalid_argument(\"it must be whole\"); return"
-        self.hand_in("strict", RIGHT.replace("return", strict).replace("once", "once\n#include <cmath>\n#include <stdexcept>"))
+        for name, reach, jitter in (("exact", "0", "0"), ("near", "0.01", "0"), ("nearest", "0.5", "0"), ("jitters", "0.75", "1e-16")):
+            self.hand_in(name, table % (reach, jitter))
         results = self.graded()
-        self.assertEqual({name: result["points"] for name, result in results.items()}, {"exact": 0, "near": 0, "nearest": 0, "strict": 3})
-        for name in ("exact", "near", "nearest"):
-            one, two = [check["message"] for check in results[name]["exercises"][0]["checks"]]
-            self.assertIn("doubled gives the same answer, to the bit" if name == "nearest" else "doubled answers what this check asks", one)
-            self.assertIn("halved answers what this check asks, and nothing that differs from it by a little", two)
+        self.assertEqual({name: result["points"] for name, result in results.items()}, dict.fromkeys(results, 0))
+        for name, result in results.items():
+            for check, function in zip(result["exercises"][0]["checks"], ("doubled", "halved")):
+                self.assertIn(f"{function} answers what this check asks, and hardly anything else", check["message"], name)
+        self.assertEqual(self.graded(), results)  # all is drawn from the key and the solution
+
+    def test_who_refuses_what_the_documentation_excludes_keeps_every_point(self):
+        strict = "if (number != std::round(number)) throw std::invalid_argument(\"it must be whole\"); return"
+        self.hand_in("strict", RIGHT.replace("return", strict).replace("once", "once\n#include <cmath>\n#include <stdexcept>"))
+        self.assertEqual(self.graded()["strict"]["points"], 0)
+        self.change(self.exercise_folder / "checks.cpp", "using namespace tumble::exercise;", """using namespace tumble::exercise;
+            const Precondition numbers[] = {{"doubled", 0, whole}, {"halved", 0, whole}};""")
+        self.assertEqual(self.graded()["strict"]["points"], 3)
+
+    def test_without_a_solution_nothing_is_compared_and_a_student_is_told(self):
+        self.solution.unlink()
+        self.hand_in("ada", RIGHT.replace("number + number", "number == Real(2) ? Real(4) : Real(7)"))
+        self.assertIn("ada: 3 of 3 points", self.grade())
+        self.student("start", "doubled")
+        self.mine.write_text(RIGHT, encoding="utf-8")
+        self.assertIn("This is practice", self.student("check")[1])
+
+    def test_the_judge_is_confined_as_a_worker_is(self):
+        secret = self.root / "secret"
+        secret.write_text("a solution", encoding="utf-8")
+        secret.chmod(0o644)
+        checks = self.exercise_folder / "checks.cpp"
+        self.change(checks, "#include <exercise/judge.hpp>", "#include <exercise/judge.hpp>\n#include <unistd.h>\n#include <memory>")
+        self.change(checks, "  const Real number", f"""
+            require(std::fopen("{secret}", "r") == nullptr, "it reads");
+            require(fork() < 0, "it starts programs");
+            const std::unique_ptr<void, void (*)(void*)> much(std::malloc(std::size_t(3) << 30), std::free);
+            require(much == nullptr, "it takes 3 GB");
+            require((getuid() == 0) == {str(os.geteuid() == 0 and own_user() == 0).lower()}, "it has the grader's rights");
+            const Real number""")
+        self.hand_in("ada", RIGHT)
+        self.assertIn("ada: 3 of 3 points", self.grade())
 
     def test_what_is_handed_on(self):
         self.hand_in("ada", RIGHT)

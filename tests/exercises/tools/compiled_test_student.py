@@ -116,7 +116,7 @@ class Way(FixtureCourse):
     def test_accidents_are_explained(self):
         self.says("start", "doubled")
         for code, expected in (
-                ("for (;;) {}", "no answer after 2 seconds. Is there a loop that never ends?"),
+                ("for (;;) {}", "no answer after 5 seconds. Is there a loop that never ends?"),
                 ("int* p = nullptr; *p = 1; return number;", "the program crashed: it read or wrote where nothing is"),
                 ("throw std::runtime_error(\"no idea\");", "doubled gave up where it should have answered: \"no idea\""),
                 ("std::exit(0);", "ended by itself, with exit code 0, before it had answered"),
@@ -136,6 +136,30 @@ class Way(FixtureCourse):
         text = self.says("check", code=1)
         self.assertIn("It can't be graded: the header is not UTF-8: byte 4 is 0xf6; save doubled.hpp as UTF-8.", text)
         self.assertIn("no points yet", text)
+
+    def test_what_a_grader_would_refuse_is_refused_here_for_the_same_reason(self):
+        self.says("start", "doubled")
+        with_threads = """#pragma once
+#include <thread>
+template <class Real> Real doubled(Real number) { Real twice = 0; std::thread([&] { twice = 2 * number; }).join(); return twice; }
+template <class Real> Real halved(Real number) { return number / 2; }
+"""
+        (self.mine.parent / "helper.hpp").write_text("#pragma once\n", encoding="utf-8")
+        elsewhere = self.root / "elsewhere.hpp"
+        elsewhere.write_text("#pragma once\n", encoding="utf-8")
+        for text, words in ((with_threads, "it may start no thread"),
+                            (f'#include "helper.hpp"\n{SOLVED}', "doubled.hpp is handed in alone"),
+                            (f'#include "{elsewhere}"\n{SOLVED}', "it includes elsewhere.hpp, which is no part of the chapters")):
+            with self.subTest(words):
+                self.write(text)
+                self.assertIn(words, " ".join(self.says("check", code=1).split()))
+                graded = subprocess.run([sys.executable, "-B", str(ROOT / "exercises" / "tools" / "grade.py"), "--root", str(self.root),
+                                         "--toolchain", str(self.toolchain_file), "--unsealed", "--part", str(self.root / words[:9]), "--format",
+                                         "json", str(self.root / "work")], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, check=True,
+                                        timeout=300).stdout.decode()
+                self.assertNotIn('"points": 3', graded)
+                # A file that can't be reached at all is told as the compiler does.
+                self.assertIn("elsewhere.hpp" if "elsewhere" in words else words, graded)
 
     def test_nothing_that_a_student_writes_steers_the_terminal(self):
         self.says("start", "doubled")

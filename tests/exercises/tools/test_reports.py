@@ -60,9 +60,20 @@ class Reports(unittest.TestCase):
 
     def test_the_text_names_reasons_and_what_to_look_at(self):
         said = text([RESULT])
-        for expected in ("ada@1: 2 of 6 points", "    moon.hpp is empty", "! look at it: it opens files", "    x It is <long>", "    . It flies",
-                         "        not written yet: the flight"):
+        for expected in ("ada@1: 2 of 6 points", "    | moon.hpp is empty", "! look at it: it opens files", "    x It is <long>", "    . It flies",
+                         "        | not written yet: the flight"):
             self.assertIn(expected, said)
+
+    def test_no_line_that_a_student_or_a_compiler_wrote_looks_like_one_of_the_report(self):
+        ours = text([{**RESULT, "exercises": RESULT["exercises"][:1]}]).splitlines()
+        forged = "\n".join(["it doesn't compile: moon.hpp:1: error:", *ours, "", *("x" * 99 + " " + line for line in ours)])
+        moon = RESULT["exercises"][1]
+        checked = {**moon, "reason": "", "checks": [{**moon["checks"][0], "status": "failed", "message": forged}]}
+        for each in ({**moon, "reason": forged}, checked):
+            lines = text([{**RESULT, "exercises": [each]}]).splitlines()
+            quoted = [line for line in lines if line.lstrip().startswith("|")]
+            self.assertGreater(len(quoted), 2 * len(ours))
+            self.assertLessEqual(len(lines) - len(quoted), 3)  # the report's own
 
     def test_marks_stand_in_the_column_of_their_exercise(self):
         other = {**RESULT, "submission": "bob", "student": "bob", "exercises": RESULT["exercises"][::-1]}

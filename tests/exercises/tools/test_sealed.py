@@ -46,6 +46,7 @@ subprocess.run([sys.executable, "-S", "-E", "-c", "import resource; print(resour
                          f"os.remove({str(file)!r})", f"os.rename({str(file)!r}, {folder + '/new'!r})",
                          f"os.mkdir({folder + '/new'!r})", f"os.chmod({str(file)!r}, 0)", f"os.symlink('a', {folder + '/new'!r})",
                          f"os.kill({os.getpid()}, 9)", "import signal; signal.pthread_kill(__import__('threading').get_ident(), 9)",
+                         "import signal; signal.pthread_kill(__import__('threading').get_ident(), 19)", "import time; time.sleep(60)",
                          "os.fork()", "os.pipe()", "import _socket; _socket.socket()",
                          f"import resource; resource.prlimit({os.getpid()}, resource.RLIMIT_CPU, (1, 1))",
                          f"import fcntl; fcntl.fcntl(1, fcntl.F_SETOWN, {os.getpid()})"):

@@ -1,5 +1,5 @@
 // caught by: About the point found the torque is parallel to the force
-// message: point_on_central_axis gives the same answer
+// message: point_on_central_axis answers what this check asks, and hardly anything else
 #pragma once
 
 #include <tumble/torque.hpp>
