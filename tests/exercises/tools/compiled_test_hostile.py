@@ -24,9 +24,9 @@ SYSTEMS_PYTHON = shutil.which("python3", path="/usr/local/bin:/usr/bin:/bin")
 
 
 def attacks():
-    """(name, text, points, a part of what is said) of each attack: of those in attacks.txt, where behind "| " stand lines of `doubled`,
+    """(name, text, points, a part of what is said) of each attack: of those in attacks.list, where behind "| " stand lines of `doubled`,
     which is wrong if one point is earned, and around them what most have in common; and of whole headers, whose first lines say as much."""
-    for block in (HOSTILE / "attacks.txt").read_text(encoding="utf-8").strip().split("\n\n"):
+    for block in (HOSTILE / "attacks.list").read_text(encoding="utf-8").strip().split("\n\n"):
         headline, *lines = block.split("\n")
         name, points, because = re.fullmatch(r"(\w+) earns (\d): (.+)", headline).groups()
         text = "#pragma once\n" + "".join(f"#include <{each}>\n" for each in HEADERS)
