@@ -3,7 +3,7 @@
 from audit import audit, look_at_files
 from catalogue import exercise_folders
 from exercise import read_exercise
-from fixture import FixtureCourse
+from fixture import PLACE, FixtureCourse
 
 
 class Audit(FixtureCourse):
@@ -59,13 +59,11 @@ class Audit(FixtureCourse):
         self.rejected('the solution fails "Twice two is four": twice ')
 
     def test_a_wrong_answer_that_slips_through_is_rejected(self):
-        wrong = self.root / "tests" / "exercises" / "01_force" / "doubled" / "wrong" / "not_halved.hpp"
-        self.change(wrong, "caught by: Half of two is one", "caught by: Twice two is four")
+        self.change(self.root / "tests" / "exercises" / PLACE / "wrong.txt", "\ncaught by: Half of two is one", "")
         self.rejected('"Twice two is four" doesn\'t catch not_halved')
 
     def test_a_wrong_answer_with_another_message_is_rejected(self):
-        wrong = self.root / "tests" / "exercises" / "01_force" / "doubled" / "wrong" / "cubed.hpp"
-        self.change(wrong, "third power", "fourth power")
+        self.change(self.root / "tests" / "exercises" / PLACE / "wrong.txt", "third power", "fourth power")
         self.rejected('it must hold "that is the fourth power"')
 
     def test_checks_other_than_those_promised_are_rejected(self):
@@ -97,7 +95,8 @@ class Files(FixtureCourse):
         self.rejected("it must have ## 1, ## 2 and ## 3")
 
     def test_one_wrong_answer_is_rejected(self):
-        (self.root / "tests" / "exercises" / "01_force" / "doubled" / "wrong" / "cubed.hpp").unlink()
+        wrong = self.root / "tests" / "exercises" / PLACE / "wrong.txt"
+        wrong.write_text(wrong.read_text().partition("\n\n")[0])
         self.rejected("has 1 wrong answers")
 
     def test_a_missing_why_is_rejected(self):
