@@ -23,11 +23,15 @@ find_program(TUMBLE_GNUPLOT gnuplot)
 
 find_program(TUMBLE_CCACHE ccache)
 if(TUMBLE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
-  # A precompiled header changes its time stamp; ccache must be told to look at the content alone, and of g++'s, whose bytes are
+  # A precompiled header changes its time stamp; ccache must be told to look at the content alone, and since its bytes are
   # others each time that it is made, at the checksum beside it (tumble_precompile()). And a second checkout shall find what
   # the first has compiled.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime
     CCACHE_PCH_EXTSUM=yes CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=yes ${TUMBLE_CCACHE})
+  # CMake would say the same behind -Xclang, where ccache doesn't see that a word is a path.
+  if(CMAKE_CXX_COMPILER_ID STREQUAL Clang)
+    set(CMAKE_CXX_COMPILE_OPTIONS_USE_PCH -include-pch <PCH_FILE>)
+  endif()
 endif()
 
 add_library(tumble_flags INTERFACE)
@@ -91,8 +95,10 @@ function(tumble_precompile name use)
   target_link_libraries(${name} PUBLIC tumble_${use}_flags)
   target_precompile_headers(${name} PRIVATE ${headers_for_${use}})
   # What is in it: headers of packages alone. Of an object ccache hashes the compiler and the flags as well.
-  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${name}.dir/cmake_pch.hxx.gch.sum
-    CONTENT "${headers_for_${use}} ${Eigen3_VERSION} ${doctest_VERSION} ${CMAKE_CXX_COMPILER_VERSION}")
+  foreach(extension gch pch)  # as g++ and clang call it; clang's holds the names of folders
+    file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/CMakeFiles/${name}.dir/cmake_pch.hxx.${extension}.sum
+      CONTENT "${headers_for_${use}} ${Eigen3_VERSION} ${doctest_VERSION} ${CMAKE_CXX_COMPILER_VERSION}")
+  endforeach()
 endfunction()
 tumble_precompile(tumble_check_headers check)
 tumble_precompile(tumble_program_headers program)
