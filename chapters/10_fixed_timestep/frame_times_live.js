@@ -1,7 +1,6 @@
 // How frames are drawn that one makes slow by hand, and what there is to find.
 (() => {
   const live = tumble_live;
-  const slots = columns => columns.cost.map((_, n) => n / 4);
 
   function bars(plot, costs, colour) {
     costs.forEach((cost, n) => {

@@ -1,9 +1,7 @@
 #include <numbers>
 #include <support/checks.hpp>
 #include <tumble/drawing.hpp>
-#include <tumble/gravity.hpp>
 #include <tumble/solids.hpp>
-#include <tumble/springs.hpp>
 
 using namespace tumble;
 using namespace tumble::support;
@@ -89,7 +87,7 @@ TEST_CASE("A body put elsewhere is not drawn on the way there, and a slot's new 
   CHECK_THROWS_AS(drawing.pose(ball, 0), std::out_of_range);
 }
 
-TEST_CASE("A world lists its bodies by handle, and finds effects by name") {
+TEST_CASE("A world lists its bodies by handle") {
   World<double> world;
   std::vector<BodyHandle> came;
   for (const char* const name : {"a", "b", "c"})
@@ -97,10 +95,4 @@ TEST_CASE("A world lists its bodies by handle, and finds effects by name") {
   CHECK(world.handles() == came);
   world.remove(came[0]);  // the last takes its place
   CHECK(world.handles() == std::vector{came[2], came[1]});
-  const EffectHandle weight = world.add(Gravity<double>{});
-  const EffectHandle left = world.add(SpringToPoint<double>{.name = "left"}, {came[1]});
-  const EffectHandle also_left = world.add(SpringToPoint<double>{.name = "left"}, {came[2]});
-  CHECK(world.find_effects("gravity") == std::vector{weight});
-  CHECK(world.find_effects("left") == std::vector{left, also_left});
-  CHECK(world.find_effects("right").empty());
 }

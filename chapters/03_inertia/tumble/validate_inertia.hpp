@@ -52,12 +52,12 @@ PrincipalAxes<Real> require_possible_inertia(std::string_view name, const Mat3<R
   return principal;
 }
 
-/// Throws unless the tensor (kg m²) is possible and every moment is so far from zero that it can be
-/// inverted: a torque about any axis then has one answer.
+/// Throws unless every moment of a possible tensor (kg m²) is so far from zero that it can be
+/// inverted: a torque about any axis then has one answer. `principal` belongs to the tensor.
 template <class Real>
-PrincipalAxes<Real> require_invertible_inertia(std::string_view name, const Mat3<Real>& inertia,
-                                               Same<Real> slack = element_slack<Real>) {
-  const PrincipalAxes<Real> principal = require_possible_inertia(name, inertia, slack);
+void require_invertible_moments(std::string_view name, const Mat3<Real>& inertia,
+                                const PrincipalAxes<Real>& principal,
+                                Same<Real> slack = element_slack<Real>) {
   const Vec3<Real>& I = principal.moments;
   const std::string found =
       std::string(name) + ": the principal moments are " + text_of(I) + " kg m^2; ";
@@ -70,6 +70,14 @@ PrincipalAxes<Real> require_invertible_inertia(std::string_view name, const Mat3
   if (I(0) < smallest || I(2) > 1 / smallest)
     throw std::invalid_argument(found + "each must lie between " + text_of(smallest) + " and " +
                                 text_of(1 / smallest));
+}
+
+/// Throws unless the tensor (kg m²) is possible and can be inverted.
+template <class Real>
+PrincipalAxes<Real> require_invertible_inertia(std::string_view name, const Mat3<Real>& inertia,
+                                               Same<Real> slack = element_slack<Real>) {
+  const PrincipalAxes<Real> principal = require_possible_inertia(name, inertia, slack);
+  require_invertible_moments(name, inertia, principal, slack);
   return principal;
 }
 
@@ -95,12 +103,14 @@ Vec3<Real> inverse_moments(std::string_view name, const Vec3<Real>& moments) {
   return moments.cwiseInverse();
 }
 
-/// Throws unless the mass is positive, the centre finite and the tensor possible.
+/// The principal axes of the tensor.
+/// @throws std::invalid_argument unless the mass is positive, the centre finite and the tensor
+/// possible.
 template <class Real>
-void require_possible(std::string_view name, const MassProperties<Real>& body) {
+PrincipalAxes<Real> require_possible(std::string_view name, const MassProperties<Real>& body) {
   require_mass(std::string(name) + ": mass", body.mass);
   require_finite(std::string(name) + ": centre of mass", body.centre_of_mass, "m");
-  require_possible_inertia(name, body.inertia);
+  return require_possible_inertia(name, body.inertia);
 }
 
 }  // namespace tumble

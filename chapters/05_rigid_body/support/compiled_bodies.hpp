@@ -19,7 +19,8 @@
                                                             Real);                                 \
   how template PrincipalAxes<Real> require_invertible_inertia(std::string_view, const Mat3<Real>&, \
                                                               Real);                               \
-  how template void require_possible(std::string_view, const MassProperties<Real>&);               \
+  how template PrincipalAxes<Real> require_possible(std::string_view,                              \
+                                                    const MassProperties<Real>&);                  \
   how template Quaternion<Real> checked_orientation(const Quaternion<Real>&, std::string_view);    \
   how template Quaternion<Real> quaternion_of(const Mat3<Real>&, std::string_view);                \
   how template void set_checked_angular_velocity(std::string_view, Top<Real>&, const Vec3<Real>&); \

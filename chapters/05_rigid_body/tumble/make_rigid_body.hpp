@@ -39,7 +39,7 @@ template <class Real>
 Vec3<Real> free_inverse_moments(std::string_view name, const Mat3<Real>& inertia,
                                 const PrincipalAxes<Real>& principal, Turning turning) {
   if (turning == Turning::locked) return Vec3<Real>::Zero();
-  if (turning == Turning::free) require_invertible_inertia(name, inertia);
+  if (turning == Turning::free) require_invertible_moments(name, inertia, principal);
   const Vec3<Real> rounding = moment_slack<Real>(inertia, principal.axes, element_slack<Real>);
   const Real smallest = std::numeric_limits<Real>::min();
   Vec3<Real> inverse = Vec3<Real>::Zero();
@@ -84,8 +84,7 @@ ModelledBody<Real> make_rigid_body(std::string_view name, const MassProperties<R
                                    const Vec3<Same<Real>>& velocity = Vec3<Real>::Zero(),
                                    const Vec3<Same<Real>>& angular_velocity = Vec3<Real>::Zero(),
                                    Turning turning = Turning::free) {
-  require_possible(name, properties);
-  const PrincipalAxes<Real> principal = principal_axes(properties.inertia, name);
+  const PrincipalAxes<Real> principal = require_possible(name, properties);
   const Vec3<Real> inverses = free_inverse_moments(name, properties.inertia, principal, turning);
   const auto [a, b, c] = closest_pair_first(inverses);
   Mat3<Real> axes;

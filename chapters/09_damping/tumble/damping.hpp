@@ -32,17 +32,24 @@ constexpr Real slowest_speed = [] {
 }();
 //! [slowest_speed]
 
+/// `amount`, of a velocity or of what makes one, or 0 where `speed` (m/s or rad/s) is below
+/// slowest_speed.
+//! [stopped_if_slow]
+template <class Real>
+Real stopped_if_slow(Real amount, Same<Real> speed) {
+  using std::abs;
+  return select(abs(speed) < slowest_speed<Real>, Real(0), amount);
+}
+//! [stopped_if_slow]
+
 /// Leaves `fraction` of the velocity, see fraction_kept(). Components below slowest_speed become
 /// zero, even if the fraction is 1. A static particle keeps its velocity, whatever it is.
 //! [damp_particle]
 template <class Real>
 void damp(Particle<Real>& particle, Same<Real> fraction) {
-  using std::abs;
-  const Real kept = select(is_static(particle), Real(1), fraction);
-  const Real slowest = select(is_static(particle), Real(0), slowest_speed<Real>);
   for (Real& speed : particle.velocity) {
-    speed *= kept;
-    speed = select(abs(speed) < slowest, Real(0), speed);
+    const Real damped = speed * fraction;
+    speed = select(is_static(particle), speed, stopped_if_slow<Real>(damped, damped));
   }
 }
 //! [damp_particle]
@@ -52,13 +59,11 @@ void damp(Particle<Real>& particle, Same<Real> fraction) {
 //! [damp_top]
 template <class Real>
 void damp(Top<Real>& top, Same<Real> fraction) {
-  using std::abs;
-  top.angular_momentum_body *= fraction;
+  Vec3<Real>& momentum = top.angular_momentum_body;
+  momentum *= fraction;
   const Vec3<Real> speed = angular_velocity_body(top);
-  for (int axis = 0; axis < 3; ++axis) {
-    Real& momentum = top.angular_momentum_body[axis];
-    momentum = select(abs(speed[axis]) < slowest_speed<Real>, Real(0), momentum);
-  }
+  for (int axis = 0; axis < 3; ++axis)
+    momentum[axis] = stopped_if_slow<Real>(momentum[axis], speed[axis]);
 }
 //! [damp_top]
 

@@ -83,13 +83,6 @@ class Scenery : public SceneBodies<Real, Keeping> {
 
   /// The effects of the scene, in the order in which they came.
   const std::vector<Entry<Real>>& effects() const { return planner_.work().effects; }
-  /// Those of a name, in the order in which they came.
-  std::vector<EffectHandle> find_effects(std::string_view name) const {
-    std::vector<EffectHandle> found;
-    for (const Entry<Real>& entry : effects())
-      if (entry.effect->name() == name) found.push_back(entry.handle);
-    return found;
-  }
   /// The name of the rule by which bodies turn whose moments differ.
   const std::string& turning_method() const { return planner_.work().rule->name(); }
   Scheme scheme() const { return planner_.work().scheme; }

@@ -47,7 +47,6 @@ class Jacobi {
   }
 
   Real parameter() const { return m_; }
-  Real complement() const { return m1_; }
 
   /// K(m): a quarter of the period of sn and cn, half of that of dn; infinite where m is 1.
   Real quarter_period() const { return quarter_period_; }
