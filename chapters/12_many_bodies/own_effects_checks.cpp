@@ -40,15 +40,18 @@ struct OwnSpin {
   }
 };
 
-template <class Real>
+template <class Real, class Seen>
 struct OwnOrientation {
   static constexpr std::string_view name = "own orientation";
   static constexpr Phase phase = Phase::drift;
   Fuse<Real> fuse;
-  Quaternion<Real> orientation(const Top<Real>& top, const Moment<Real>& moment) const {
+  Quaternion<Real> orientation(const Seen& seen, const Moment<Real>& moment) const {
     Quaternion<Real> turn = quaternion_about<Real>({1, 0, 0}, (1 + moment.time) / 16);
     turn.real *= fuse(moment.time) / fuse(moment.time);  // 1, or NaN
-    return top.orientation * turn;
+    if constexpr (std::is_same_v<Seen, Top<Real>>)
+      return seen.orientation * turn;
+    else
+      return seen.top.orientation * turn;
   }
 };
 
@@ -170,7 +173,8 @@ TEST_CASE_TEMPLATE(
   CHECK(is_same_until_burnt_out<Real>(OwnSpin<Real, Phase::impulse>{}));
   CHECK(is_same_until_burnt_out<Real>(OwnSpin<Real, Phase::damping>{}));
   CHECK(is_same_until_burnt_out<Real>(OwnSpin<Real, Phase::drift>{}));
-  CHECK(is_same_until_burnt_out<Real>(OwnOrientation<Real>{}));
+  CHECK(is_same_until_burnt_out<Real>(OwnOrientation<Real, Top<Real>>{}));
+  CHECK(is_same_until_burnt_out<Real>(OwnOrientation<Real, BodyState<Real>>{}));
   CHECK(is_same_until_burnt_out<Real>(OwnAcceleration<Real>{}));
   CHECK(is_same_until_burnt_out<Real>(OwnTorque<Real>{}));
   CHECK(is_same_until_burnt_out<Real>(OwnForce<Real>{}));

@@ -93,6 +93,40 @@ TEST_CASE(
   check_same(evenly, whole, 1e-9);
 }
 
+TEST_CASE("Once an axis has gone too far, the next step is the first of a new journey") {
+  const ChangingWeight weight;
+  const double h = 1.0 / 8;  // so that times are exact
+  Topd start = symmetric_top();
+  start.orientation = {};
+  set_angular_velocity_body<double>(start, {4, 0.5, 1});
+
+  // Steps that are chosen err by as much as those that start anew.
+  using Motion = AxisTurn<ChangingWeight, double>;
+  using Steps = ReducedSteps<DormandPrince853, Motion, double>;
+  Steps steps(Motion(start, weight), 0, 1);
+  Topd top = start;
+  long count = 0;
+  for (; rotate<double>(top.orientation, Vec3d::UnitZ()).z() >= -0.5; ++count) {
+    steps.attempt(h);
+    steps.accept();
+    top = steps.body();
+  }
+  const double begin = static_cast<double>(count) * h;
+  Steps anew(Motion(top, weight), begin, 1);
+  // h rad are allowed. An error sums up what 13 stages change in h: less than 1 each, rounded some
+  // 16 times.
+  CHECK(std::abs(std::sqrt(steps.attempt(h)) - std::sqrt(anew.attempt(h))) * h <=
+        13 * 16 * unit_roundoff<double>);
+
+  // Even steps lead to the same place in one journey as in two, to 64 roundings as where one starts
+  // anew on the way, of which a step makes less than twice as many.
+  Topd in_one = start, in_two = start;
+  carry_axis_evenly<Kutta>(in_one, weight, 0.0, begin + h, count + 1);
+  carry_axis_evenly<Kutta>(in_two, weight, 0.0, begin, count);
+  carry_axis_evenly<Kutta>(in_two, weight, begin, h, 1);
+  check_same(in_one, in_two, 2 * 64 * unit_roundoff<double>);
+}
+
 TEST_CASE("Which axis is that of symmetry is found, and a top without one is refused") {
   for (int axis = 0; axis < 3; ++axis) {
     Topd top = symmetric_top();

@@ -75,6 +75,16 @@ TEST_CASE("After a step that was accepted the error before it counts too") {
   }
 }
 
+TEST_CASE("Only the error of an accepted step counts as the one before") {
+  for (const int power : {2, 5, 8}) {
+    StepControl control(power);
+    control.factor(0.25F * 0.25F);
+    control.factor(1e6F);  // rejected
+    check_roughly(control.factor(0.81F),
+                  0.85 * std::pow(0.9, -0.7 / power) * std::pow(0.25, 0.4 / power));
+  }
+}
+
 TEST_CASE(
     "A step grows to six times its length at most, shrinks to a fifth, and rests where one "
     "failed") {
@@ -145,6 +155,20 @@ TEST_CASE(
   const Journey two = travel(once_beyond, 2.0, 2, [](double, double) {});
   CHECK(two.rejected == 1);
   CHECK(two.steps == 2);
+}
+
+TEST_CASE("A journey that two steps can make is made in two, however its length rounds") {
+  // Where the first step and what is left of the journey, each rounded, add up to less, a third
+  // step of one rounding would be made.
+  long falls_short = 0;
+  for (int n = 0; n < 2000; ++n) {
+    const double seconds = 1 + n / 2000.0, first = 0.3 * seconds;
+    CAPTURE(seconds);
+    falls_short += first + (seconds - first) < seconds;
+    Scripted easy{[](double) { return 0.0; }};
+    CHECK(travel(easy, seconds, first, [](double, double) {}).steps == 2);
+  }
+  CHECK(falls_short > 0);
 }
 
 TEST_CASE("Where no step meets the tolerance, the journey fails with the time that it got to") {

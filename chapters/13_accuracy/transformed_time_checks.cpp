@@ -18,9 +18,11 @@ struct CountingStar {
   double pull_energy(const Particled& particle) const { return 1 / particle.position.norm(); }
 };
 
-/// A push that depends on the time alone; its energy is made up, so that there is one to ask for.
-struct SlowedPushInTime {
-  void operator()(Particled& particle, double time) const { particle.force = {time, 2, -time}; }
+/// A push that depends on time and place; its energy is made up, so that there is one to ask for.
+struct ChangingPush {
+  void operator()(Particled& particle, double time) const {
+    particle.force = Vec3d(time, 2, -time) + particle.position;
+  }
   double pull_energy(const Particled&) const { return 10; }
 };
 
@@ -28,17 +30,18 @@ struct SlowedPushInTime {
 
 TEST_CASE("The rest of a journey is a drift, a kick of the middle's push, and a drift") {
   const auto start = make_particle<double>(2, {1, 2, 3}, {4, 5, 6});
-  const SlowedPushInTime push;
-  TransformedTime<SlowedPushInTime, double> motion(start, push);
+  const ChangingPush push;
+  TransformedTime<ChangingPush, double> motion(start, push);
   CHECK(motion.bound() == 10 - 77);
   motion.finish(0.5);
   CHECK(motion.time() == 0.5);
-  const Vec3d gained = 0.5 * Vec3d(0.25, 2, -0.25) / 2;
+  const Vec3d middle = Vec3d(1, 2, 3) + 0.25 * Vec3d(4, 5, 6);
+  const Vec3d gained = 0.5 * (Vec3d(0.25, 2, -0.25) + middle) / 2;
   CHECK(distance(motion.particle().velocity, Vec3d(4, 5, 6) + gained) <=
         16 * unit_roundoff<double>);
   CHECK(distance(motion.particle().position, Vec3d(1, 2, 3) + 0.5 * Vec3d(4, 5, 6) +
                                                  0.25 * gained) <= 16 * unit_roundoff<double>);
-  CHECK(motion.particle().force == Vec3d(0.5, 2, -0.5));
+  CHECK(motion.particle().force == Vec3d(0.5, 2, -0.5) + motion.particle().position);
 }
 
 TEST_CASE("A particle that would just escape is refused, and what it lacks is told") {

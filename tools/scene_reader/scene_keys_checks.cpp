@@ -86,6 +86,20 @@ TEST_CASE(
   CHECK(bare.world.effects().empty());
 }
 
+TEST_CASE("Whoever reads a scene may want another step, method or scheme than the file says") {
+  const auto& methods = turning_method_words<FirstTurningRules>();
+  const auto steady = std::find(methods.begin(), methods.end(), "steady") - methods.begin();
+  const Scene<double> scene = read_scene<double>(R"({"duration": 1, "step": {"per_second": 250},
+      "turning_method": "axis_by_axis", "scheme": "verlet", "bodies": [{"name": "a", "mass": 1}]})",
+                                                 "keys.json",
+                                                 {.step = steps_per_second(100),
+                                                  .turning_method = std::size_t(steady),
+                                                  .scheme = Scheme::semi_implicit_euler});
+  CHECK(time_step_of<double>(scene.world.step_length()) == 1.0 / 100);
+  CHECK(scene.world.turning_method() == "steady");
+  CHECK(scene.world.scheme() == Scheme::semi_implicit_euler);
+}
+
 TEST_CASE("A point has the mass, the position and the velocity of the file, or zero") {
   const Scene<double> scene = read(scene_of(
       R"({"name": "p", "mass": 4, "position": [1, 2, 3], "velocity": [-4, 5, 6]}, )" + drop));
@@ -407,6 +421,8 @@ TEST_CASE("A thruster burns from its start until its end, for ever if there is n
   }
   const Scene<double> always = odd_with("thruster", more);
   for (const double time : {0.0, 1e9}) CHECK(close(push_of(always, 0, time).force, {0, 6, 0}));
+  const Scene<double> never = odd_with("thruster", more + R"(, "from": 2, "until": 2)");
+  CHECK(same_bits(push_of(never, 0, 2).force, Vec3d(0, 0, 0)));
   CHECK(scene.switches == std::vector<double>{2, 5});
 }
 
@@ -445,6 +461,17 @@ TEST_CASE("An effect has the name that the file gives it, whatever its kind") {
     CAPTURE(kind);
     const Scene<double> scene = odd_with(kind, more + R"(, "name": "mine")");
     CHECK(only_effect(scene).effect->name() == "mine");
+  }
+}
+
+TEST_CASE("Copies are numbered from 1, and so is a single one") {
+  for (const int count : {1, 3}) {
+    const Scene<double> scene = read(scene_of(R"({"name": "a", "mass": 1, "many": {"seed": 1,
+      "count": )" + std::to_string(count) + "}}"));
+    REQUIRE(scene.world.body_count() == std::size_t(count));
+    for (int n = 1; n <= count; ++n)
+      CHECK(scene.world.name_of(scene.world.handle_at(static_cast<BodyIndex>(n - 1))) ==
+            "a " + std::to_string(n));
   }
 }
 
