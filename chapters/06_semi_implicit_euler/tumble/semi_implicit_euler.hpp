@@ -1,6 +1,6 @@
 /// @file
-/// In which order to step. Semi-implicit Euler is step() of force.hpp, a kick and then a drift; here
-/// stand what comes between the two, the order that gains energy, and how long a step a spring
+/// In which order to step. Semi-implicit Euler is step() of force.hpp, a kick and then a drift;
+/// here stand what comes between the two, the order that gains energy, and how long a step a spring
 /// allows.
 #pragma once
 
