@@ -7,11 +7,13 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 import by_hand
 import switches
-from equal_list import lines_of
+from equal_list import lines_of, read_equal
 from generator import Generator
+from mutation_list import read_list
 from source import read
 
-root = Path(__file__).parent.parent.parent
+here = Path(__file__).resolve().parent
+root = here.parent.parent
 
 
 def function(body):
@@ -78,6 +80,20 @@ class Lines(unittest.TestCase):
     def test_a_change_is_told_by_its_lines(self):
         text = "one(a,\n    b);\ntwo();\n"
         self.assertEqual(lines_of(text, 4, 12, "b, a"), ("one(a, b);", "one(b, a);"))
+
+    def test_every_list_names_what_its_header_holds(self):
+        folders = [root / "common", root / "exact", root / "tools/scene_reader", *root.glob("chapters/*")]
+        for path in here.glob("*.txt"):
+            for mutation in read_list(path) if path.stem in {folder.name for folder in folders} else ():
+                header = next(folder / mutation.header for folder in folders if (folder / mutation.header).exists())
+                mutation.apply(header.read_text())  # or refuse
+
+    def test_every_equal_mutant_is_one_that_is_made(self):
+        made = set()
+        for path in [*root.glob("*/tumble/*.hpp"), *root.glob("exact/tumble/exact/*.hpp"), *root.glob("chapters/*/tumble/*.hpp")]:
+            text, name = path.read_text(), path.as_posix()[path.as_posix().index("/tumble/") + 1:]
+            made |= {(name, *lines_of(text, m.start, m.end, m.replacement)) for m in Generator(name, text, 1).everything()}
+        self.assertEqual(set(read_equal((here / "equal").glob("*.txt"))) - made, set())
 
     def test_all_headers_can_be_read(self):
         for path in root.glob("chapters/*/tumble/*.hpp"):
