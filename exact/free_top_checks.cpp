@@ -27,7 +27,6 @@ long double claimed_error(const Top<Real>& top, long double time) {
 
 }  // namespace
 
-//! [second_method]
 TEST_CASE("The free top agrees with Fehlberg's rule, whatever the signs and the axes") {
   const std::array<std::array<int, 3>, 6> orders = {
       {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
@@ -49,7 +48,6 @@ TEST_CASE("The free top agrees with Fehlberg's rule, whatever the signs and the 
         CHECK(difference(FreeTop(start).at(time), truth) <= claimed_error(start, time));
       }
 }
-//! [second_method]
 
 TEST_CASE("The free top agrees with Fehlberg's rule on the problems A to D") {
   for (const TumblingProblem& problem : tumbling_problems) {

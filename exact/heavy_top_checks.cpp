@@ -167,7 +167,6 @@ TEST_CASE("A heavy top may weigh tonnes") {
   agrees({"a carousel", 4000, 3000, 20000, 0.6, {0.3, -0.2, 4}}, {0, 0, -20000});
 }
 
-//! [steady_precession]
 TEST_CASE("A heavy top that starts with the speed of steady precession keeps its tilt") {
   // I1 cos(tilt) W² - I3 w3 W + M g l = 0 for I1 = 0.5, I3 = 0.2, w3 = 20, M g l = 1.
   const double tilt = 0.6, a = 0.5 * std::cos(tilt), b = 0.2 * 20;
@@ -192,7 +191,6 @@ TEST_CASE("A heavy top that starts with the speed of steady precession keeps its
     }
   }
 }
-//! [steady_precession]
 
 TEST_CASE("Where all roots meet to the bit a heavy top goes round steadily, and nothing is 0/0") {
   // Its axis is horizontal, L3 W = M g l = 1, and none of it rounds: the tilt has no range at all.

@@ -5,7 +5,6 @@
 using namespace tumble;
 using namespace tumble::support;
 
-//! [coasts]
 TEST_CASE_TEMPLATE("Without force a particle coasts: its velocity never changes by a single bit",
                    Real, EVERY_PRECISION) {
   const Vec3<Real> start(1, 2, 3), velocity(Real(0.1), Real(-0.7), Real(12));
@@ -19,7 +18,6 @@ TEST_CASE_TEMPLATE("Without force a particle coasts: its velocity never changes 
   const Real bound = steps * unit_roundoff<Real> * 2 * 2003;
   CHECK(distance(particle.position, start + steps * time_step * velocity) <= bound);
 }
-//! [coasts]
 
 TEST_CASE_TEMPLATE(
     "Far from the origin a slow particle stands still, and its velocity keeps every bit", Real,
@@ -41,7 +39,6 @@ TEST_CASE_TEMPLATE(
   CHECK(nearer.position.x() > before);
 }
 
-//! [gravity_both_ways]
 TEST_CASE_TEMPLATE(
     "Gravity as a force and as an acceleration give one motion, up to the roundings of both", Real,
     EVERY_PRECISION) {
@@ -72,9 +69,7 @@ TEST_CASE_TEMPLATE(
           bound * steps * time_step + 4 * steps * unit_roundoff<Real> * height);
   }
 }
-//! [gravity_both_ways]
 
-//! [parabola]
 TEST_CASE_TEMPLATE("Under constant force the step is ahead of the parabola by exactly a h t / 2",
                    Real, EVERY_PRECISION) {
   const Real acceleration = Real(-9.81), upward = 12;
@@ -104,7 +99,6 @@ TEST_CASE_TEMPLATE("Under constant force the step is ahead of the parabola by ex
     CHECK(ball.position.z() == upward * time - 8 * time * time / 2 - 8 * time_step * time / 2);
   }
 }
-//! [parabola]
 
 TEST_CASE_TEMPLATE("Halving the time step halves the distance from the parabola", Real, float,
                    double) {

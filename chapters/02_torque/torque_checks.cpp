@@ -36,7 +36,6 @@ TEST_CASE_TEMPLATE("A push along y at a point on the x axis turns the body about
   CHECK(same_bits(torque_about(centre, centre + 2 * y, 3 * x), -6 * z));
 }
 
-//! [at_the_centre]
 TEST_CASE_TEMPLATE(
     "A force at the centre of mass changes the velocity and leaves the torque as it was", Real,
     EVERY_PRECISION) {
@@ -58,7 +57,6 @@ TEST_CASE_TEMPLATE(
   CHECK(same_bits(body.velocity, 3 * push / 4));
   CHECK(same_bits(body.position, pushed.position));
 }
-//! [at_the_centre]
 
 TEST_CASE_TEMPLATE("Under a couple the centre of mass keeps its velocity", Real, EVERY_PRECISION) {
   const Vec3<Real> force(Real(0.1), -3, Real(7.7)), velocity(4, Real(-0.3), 2);
@@ -75,7 +73,6 @@ TEST_CASE_TEMPLATE("Under a couple the centre of mass keeps its velocity", Real,
   CHECK(same_bits(centre.velocity, velocity));
 }
 
-//! [couple]
 TEST_CASE_TEMPLATE("A couple has a torque, the same about every point, and no net force", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(2);
@@ -94,7 +91,6 @@ TEST_CASE_TEMPLATE("A couple has a torque, the same about every point, and no ne
     }
   }
 }
-//! [couple]
 
 TEST_CASE_TEMPLATE("A force slid along its own line keeps its torque", Real, EVERY_PRECISION) {
   std::mt19937_64 generator(3);
@@ -126,7 +122,6 @@ TEST_CASE_TEMPLATE("The size of a torque is the force times its distance from th
   }
 }
 
-//! [power]
 TEST_CASE_TEMPLATE("Torque times turning rate is the power that the force delivers at its point",
                    Real, EVERY_PRECISION) {
   std::mt19937_64 generator(5);
@@ -141,9 +136,7 @@ TEST_CASE_TEMPLATE("Torque times turning rate is the power that the force delive
     CHECK(std::abs(torque.dot(angular_velocity) - force.dot(velocity_of_point)) <= bound);
   }
 }
-//! [power]
 
-//! [another_point]
 TEST_CASE_TEMPLATE("A wrench taken about another point is what its forces give about that point",
                    Real, EVERY_PRECISION) {
   std::mt19937_64 generator(6);
@@ -169,7 +162,6 @@ TEST_CASE_TEMPLATE("A wrench taken about another point is what its forces give a
     CHECK(distance<Real>(moved.torque, about_second.torque) <= bound);
   }
 }
-//! [another_point]
 
 TEST_CASE_TEMPLATE(
     "The point of a torque may be moved along the sum of the forces, and not across it", Real,

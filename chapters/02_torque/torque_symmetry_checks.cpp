@@ -30,7 +30,6 @@ TEST_CASE_TEMPLATE("Turning the whole scene by 90 degrees turns the torque with 
                   turned(torque_about(centre, point, force))));
 }
 
-//! [far_away]
 TEST_CASE_TEMPLATE(
     "A force at an exact place has the same torque far from the origin as near it, to the bit",
     Real, float, double) {
@@ -43,7 +42,6 @@ TEST_CASE_TEMPLATE(
                     arm.cross(force)));
   }
 }
-//! [far_away]
 
 TEST_CASE_TEMPLATE(
     "A force, point or torque that is not finite is refused, and the wrench keeps its bits", Real,

@@ -33,7 +33,6 @@ TEST_CASE_TEMPLATE("A particle close to an axis keeps every digit of its small m
   CHECK(inertia_of_particle(Real(1), Vec3<Real>(1, y, 0))(0, 0) == y * y);
 }
 
-//! [energy_splits]
 TEST_CASE_TEMPLATE(
     "The kinetic energy of 1000 particles is that of their centre plus that of their turning", Real,
     EVERY_PRECISION) {
@@ -62,7 +61,6 @@ TEST_CASE_TEMPLATE(
         2 * (count + 30) * unit_roundoff<Real> * (total + cross_term_size));
   CHECK(of_the_turning > total / 10);  // so that the lines above could tell
 }
-//! [energy_splits]
 
 TEST_CASE_TEMPLATE(
     "Seen from another moving point the energy keeps a cross term, from a pivot it is all of "
@@ -103,7 +101,6 @@ TEST_CASE_TEMPLATE("Turning energy is the same number in every frame", Real, EVE
   }
 }
 
-//! [off_centre_push]
 TEST_CASE_TEMPLATE(
     "The same off-centre push moves a sphere and a long box alike and turns them differently", Real,
     EVERY_PRECISION) {
@@ -130,7 +127,6 @@ TEST_CASE_TEMPLATE(
   CHECK(std::abs(angular(box).z() - box_rate) <= 16 * unit_roundoff<Real> * box_rate);
   CHECK(angular(sphere).z() > 9 * angular(box).z());
 }
-//! [off_centre_push]
 
 TEST_CASE_TEMPLATE("A body of no particles, or of one that nothing can move, is refused", Real,
                    EVERY_PRECISION) {

@@ -21,7 +21,6 @@ std::vector<Particle<Real>> lump(unsigned seed) {
 
 }  // namespace
 
-//! [parallel_axis]
 TEST_CASE_TEMPLATE("The parallel axis theorem gives what the particles give about that point", Real,
                    EVERY_PRECISION) {
   const std::vector<Particle<Real>> particles = lump<Real>(5);
@@ -36,7 +35,6 @@ TEST_CASE_TEMPLATE("The parallel axis theorem gives what the particles give abou
           48 * unit_roundoff<Real> * directly.trace());
   }
 }
-//! [parallel_axis]
 
 TEST_CASE_TEMPLATE("There and back by the parallel axis is no journey", Real, EVERY_PRECISION) {
   const MassProperties<Real> body = mass_properties(lump<Real>(6));
@@ -83,7 +81,6 @@ TEST_CASE_TEMPLATE("A body made of parts is the body made of all their particles
   CHECK((parts.inertia - whole.inertia).norm() <= 48 * unit_roundoff<Real> * size);
 }
 
-//! [far_away]
 TEST_CASE_TEMPLATE(
     "A compound body far from the origin, at exact places, keeps the bits it has near it", Real,
     EVERY_PRECISION) {
@@ -99,7 +96,6 @@ TEST_CASE_TEMPLATE(
   CHECK(same_bits(far.inertia, near.inertia));
   CHECK(same_bits(far.centre_of_mass, Vec3<Real>(1'000'000, -2'000'000, 500'000)));
 }
-//! [far_away]
 
 TEST_CASE_TEMPLATE(
     "Far away the common centre of unequal parts is off by one rounding of its place", Real,

@@ -71,7 +71,6 @@ TEST_CASE_TEMPLATE("A mesh of a tetrahedron is a tetrahedron", Real, EVERY_PRECI
   CHECK(difference(mass_properties(mesh, 7), solid) <= 64 * unit_roundoff<Real>);
 }
 
-//! [sphere_converges]
 TEST_CASE(
     "A mesh of a sphere comes closer at second order: half the edge, a quarter of the error") {
   const double truth = 0.4;
@@ -88,7 +87,6 @@ TEST_CASE(
   }
   CHECK(departure < 0.01);
 }
-//! [sphere_converges]
 
 TEST_CASE_TEMPLATE("A hollow in a mesh is a wall that faces into it", Real, EVERY_PRECISION) {
   const Vec3<Real> outer(4, 3, 2), inner(2, 1, 1);
@@ -126,7 +124,6 @@ TEST_CASE_TEMPLATE("A mesh that was turned has a tensor that was turned", Real, 
   }
 }
 
-//! [mesh_far_away]
 TEST_CASE_TEMPLATE("A mesh far from the origin, at exact places, keeps the bits it has near it",
                    Real, EVERY_PRECISION) {
   const Vec3<Real> size(3, 1, 2), far(1'000'000, -2'000'000, 500'000);
@@ -136,7 +133,6 @@ TEST_CASE_TEMPLATE("A mesh far from the origin, at exact places, keeps the bits 
   CHECK(same_bits(here.inertia, there.inertia));
   CHECK(same_bits(there.centre_of_mass, far));
 }
-//! [mesh_far_away]
 
 TEST_CASE_TEMPLATE("A mesh scaled by a power of two scales its moments and changes no other bit",
                    Real, EVERY_PRECISION) {

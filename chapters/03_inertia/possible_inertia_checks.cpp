@@ -42,7 +42,6 @@ TEST_CASE_TEMPLATE("Every solid of this chapter is possible, the flat and the th
   }
 }
 
-//! [triangle_inequality]
 TEST_CASE_TEMPLATE("A tensor that breaks I_1 + I_2 >= I_3 is refused with its three moments", Real,
                    EVERY_PRECISION) {
   CHECK(
@@ -56,7 +55,6 @@ TEST_CASE_TEMPLATE("A tensor that breaks I_1 + I_2 >= I_3 is refused with its th
     CHECK(complaint_about(in_other_axes(diagonal<Real>(1, 2, 3), R)) == "nothing thrown");
   }
 }
-//! [triangle_inequality]
 
 TEST_CASE_TEMPLATE(
     "With its minus forgotten a bar in a plane keeps its moments, and a rod along (1, 1, 1) is "
@@ -210,7 +208,6 @@ TEST_CASE_TEMPLATE(
   CHECK(same_bits(inverse_moments("needle", moments), moments.cwiseInverse()));
 }
 
-//! [alike]
 TEST_CASE_TEMPLATE("Moments from 1e-18 to 1e18 kg m² are judged and inverted alike", Real,
                    EVERY_PRECISION) {
   Dice dice(34);
@@ -230,7 +227,6 @@ TEST_CASE_TEMPLATE("Moments from 1e-18 to 1e18 kg m² are judged and inverted al
     }
   }
 }
-//! [alike]
 
 TEST_CASE_TEMPLATE("Moments whose inverse leaves the range are refused with the limits", Real,
                    EVERY_PRECISION) {

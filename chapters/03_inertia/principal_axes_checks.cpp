@@ -154,7 +154,6 @@ TEST_CASE_TEMPLATE("A diagonal tensor comes out with its own numbers, to the bit
   }
 }
 
-//! [needle]
 TEST_CASE_TEMPLATE("A needle nearly along an axis keeps the relative accuracy of its small moment",
                    Real, EVERY_PRECISION) {
   // Moments (s, 1, 1) with s far below a rounding of 1, and the needle along v, nearly x. The
@@ -170,7 +169,6 @@ TEST_CASE_TEMPLATE("A needle nearly along an axis keeps the relative accuracy of
   CHECK(std::abs(principal_axes(Mat3<Real>(inertia.template cast<Real>())).moments(0) - s) <=
         2 * (1 + 4 * 4) * unit_roundoff<Real> * s);
 }
-//! [needle]
 
 TEST_CASE_TEMPLATE("Where mirrored elements differ by roundings, their mean counts, to the bit",
                    Real, EVERY_PRECISION) {

@@ -6,7 +6,6 @@
 using namespace tumble;
 using namespace tumble::support;
 
-//! [slope]
 TEST_CASE("The error of random particles falls as one over the root of their number") {
   const Vec3d size(3, 2, 1);
   const Mat3d truth = mass_properties(Box<double>{size}, 1).inertia;
@@ -35,7 +34,6 @@ TEST_CASE("The error of random particles falls as one over the root of their num
   const double uncertainty = std::sqrt(2.0 / seeds) / 2 / std::sqrt(xx);
   CHECK(std::abs(xy / xx + 0.5) <= 5 * uncertainty);
 }
-//! [slope]
 
 TEST_CASE_TEMPLATE("A lattice of n by n by n particles falls short of the box by exactly 1/n²",
                    Real, EVERY_PRECISION) {

@@ -10,13 +10,11 @@ using support::number;
 int main(int argument_count, char** arguments) {
   support::Notebook notebook(argument_count, arguments);
   const double length = 2, mass = 3;
-  //! [rod]
   const MassPropertiesd rod = mass_properties(ThinRod<double>{length}, mass);
   const Vec3d end(0, 0, length / 2), push(1, 0, 0);
   const double about_centre = rod.inertia(1, 1);
   const double about_end = inertia_about(rod, end)(1, 1);
   const double torque = torque_about(rod.centre_of_mass, end, push).y();
-  //! [rod]
   std::printf("about the centre   %.2f m l^2   the push turns it by %.2f rad/s^2\n",
               about_centre / (mass * length * length), torque / about_centre);
   std::printf("about the end      %.2f m l^2   the push turns it by %.2f rad/s^2\n",

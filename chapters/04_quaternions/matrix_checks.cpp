@@ -56,7 +56,6 @@ TEST_CASE_TEMPLATE("The matrix of a product is the product of the matrices", Rea
   }
 }
 
-//! [near_half_a_turn]
 TEST_CASE_TEMPLATE("From quaternion to matrix and back no digits are lost, near 180 degrees too",
                    Real, EVERY_PRECISION) {
   std::mt19937_64 generator(44);
@@ -74,7 +73,6 @@ TEST_CASE_TEMPLATE("From quaternion to matrix and back no digits are lost, near 
       CHECK(back.real >= 0);
     }
 }
-//! [near_half_a_turn]
 
 TEST_CASE_TEMPLATE("A half turn about each axis comes back to the bit", Real, EVERY_PRECISION) {
   for (int axis = 0; axis < 3; ++axis) {

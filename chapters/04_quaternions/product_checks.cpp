@@ -33,7 +33,6 @@ TEST_CASE_TEMPLATE("Our product equals Eigen's", Real, EVERY_PRECISION) {
   }
 }
 
-//! [units]
 TEST_CASE_TEMPLATE("i, j and k square to -1, and so does ijk", Real, EVERY_PRECISION) {
   const Quaternion<Real> one, i = pure<Real>({1, 0, 0}), j = pure<Real>({0, 1, 0}),
                               k = pure<Real>({0, 0, 1});
@@ -42,7 +41,6 @@ TEST_CASE_TEMPLATE("i, j and k square to -1, and so does ijk", Real, EVERY_PRECI
   CHECK(same_bits(k * k, -one));
   CHECK(same_bits(i * j * k, -one));
 }
-//! [units]
 
 TEST_CASE_TEMPLATE("ij = k, jk = i, ki = j, and in the other order the sign changes", Real,
                    EVERY_PRECISION) {

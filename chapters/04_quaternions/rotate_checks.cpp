@@ -28,7 +28,6 @@ TEST_CASE_TEMPLATE("A quarter turn about z takes x to y and y to minus x", Real,
   CHECK(same_bits(rotate(q, Vec3<Real>(0, 0, 1)), Vec3<Real>(0, 0, 1)));
 }
 
-//! [sandwich]
 TEST_CASE_TEMPLATE("To rotate a vector is to put it between the quaternion and its conjugate", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(11);
@@ -43,7 +42,6 @@ TEST_CASE_TEMPLATE("To rotate a vector is to put it between the quaternion and i
     CHECK(distance(rotate(q, v), sandwich.imaginary) <= bound);
   }
 }
-//! [sandwich]
 
 TEST_CASE_TEMPLATE("Axis and angle turn a vector as Rodrigues' formula does, without quaternions",
                    Real, EVERY_PRECISION) {
@@ -86,7 +84,6 @@ TEST_CASE_TEMPLATE("Turning back undoes the turn", Real, EVERY_PRECISION) {
   }
 }
 
-//! [double_cover]
 TEST_CASE_TEMPLATE("q and minus q turn every vector alike, to the bit", Real, EVERY_PRECISION) {
   std::mt19937_64 generator(15);
   for (int trial = 0; trial < 1000; ++trial) {
@@ -95,7 +92,6 @@ TEST_CASE_TEMPLATE("q and minus q turn every vector alike, to the bit", Real, EV
     CHECK(same_bits(rotate(q, v), rotate(-q, v)));
   }
 }
-//! [double_cover]
 
 TEST_CASE_TEMPLATE("One whole turn takes q to minus q, and two take it home", Real,
                    EVERY_PRECISION) {
@@ -106,7 +102,6 @@ TEST_CASE_TEMPLATE("One whole turn takes q to minus q, and two take it home", Re
   CHECK(distance(quaternion_about(Vec3<Real>(1, 2, 3), 4 * pi), none) <= 8 * unit_roundoff<Real>);
 }
 
-//! [order]
 TEST_CASE_TEMPLATE("The product p q turns by q first and by p then", Real, EVERY_PRECISION) {
   std::mt19937_64 generator(16);
   for (int trial = 0; trial < 1000; ++trial) {
@@ -119,9 +114,7 @@ TEST_CASE_TEMPLATE("The product p q turns by q first and by p then", Real, EVERY
     CHECK(distance(rotate(p * q, v), rotate(p, rotate(q, v))) <= bound);
   }
 }
-//! [order]
 
-//! [own_axes]
 TEST_CASE_TEMPLATE("A turn about the body's own axis multiplies on the right", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(17);
@@ -136,7 +129,6 @@ TEST_CASE_TEMPLATE("A turn about the body's own axis multiplies on the right", R
           2 * rotate_bound<Real> + (14 + 16) * unit_roundoff<Real> + 2 * norm_bound<Real>);
   }
 }
-//! [own_axes]
 
 TEST_CASE_TEMPLATE("Turning a scene by 90 degrees turns what rotate gives with it, to the bit",
                    Real, EVERY_PRECISION) {

@@ -108,7 +108,6 @@ TEST_CASE_TEMPLATE("The logarithm keeps its digits from the smallest turn to hal
     }
 }
 
-//! [there_and_back]
 TEST_CASE_TEMPLATE("Below half a turn the logarithm gives back what the exponential was given",
                    Real, EVERY_PRECISION) {
   std::mt19937_64 generator(24);
@@ -123,7 +122,6 @@ TEST_CASE_TEMPLATE("Below half a turn the logarithm gives back what the exponent
             bound + 2 * std::numeric_limits<Real>::denorm_min());
     }
 }
-//! [there_and_back]
 
 TEST_CASE_TEMPLATE("Beyond half a turn the logarithm takes the shorter way round", Real,
                    EVERY_PRECISION) {
@@ -156,7 +154,6 @@ TEST_CASE_TEMPLATE("q and minus q have one logarithm, to the bit", Real, EVERY_P
   CHECK(same_bits(rotation_vector_of(half_turn), rotation_vector_of(-half_turn)));
 }
 
-//! [small_angles]
 TEST_CASE_TEMPLATE("The angle between two orientations keeps its digits down to the smallest", Real,
                    EVERY_PRECISION) {
   const Quaternion<Real> none;
@@ -168,7 +165,6 @@ TEST_CASE_TEMPLATE("The angle between two orientations keeps its digits down to 
     CHECK(angle_between(none, -q) == angle_between(none, q));
   }
 }
-//! [small_angles]
 
 TEST_CASE_TEMPLATE("The angle between two orientations is that of the turn from one to the other",
                    Real, EVERY_PRECISION) {

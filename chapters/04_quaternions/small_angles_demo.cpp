@@ -13,12 +13,10 @@ double angle_by_arc_cosine(const Quaterniond& q) {
 }
 //! [arc_cosine]
 
-//! [unguarded]
 Quaterniond unguarded_exponential(const Vec3d& v) {
   const double angle = v.norm();
   return {.real = std::cos(angle / 2), .imaginary = std::sin(angle / 2) / angle * v};
 }
-//! [unguarded]
 
 }  // namespace
 

@@ -20,7 +20,6 @@ Real error_of_three_turns(const Vec3<Real>& v) {
 
 }  // namespace
 
-//! [slope]
 TEST_CASE_TEMPLATE("Three one-axis turns miss the one true turn by an error of second order", Real,
                    EVERY_PRECISION) {
   const Vec3<Real> direction = Vec3<Real>(1, 2, -2) / 3;
@@ -33,7 +32,6 @@ TEST_CASE_TEMPLATE("Three one-axis turns miss the one true turn by an error of s
     CHECK(ratio < 4 * (1 + angle / 2));
   }
 }
-//! [slope]
 
 TEST_CASE_TEMPLATE("What three turns miss begins with half the cross products of their vectors",
                    Real, EVERY_PRECISION) {

@@ -19,7 +19,6 @@ Quaternion<Real> quarter_turn(const Vec3<Real>& axis) {
 
 }  // namespace
 
-//! [quarter_turn]
 TEST_CASE_TEMPLATE("Turn a body by 90 degrees and its tensor in world axes turns with it", Real,
                    EVERY_PRECISION) {
   Top<Real> top = plain_top<Real>();
@@ -34,7 +33,6 @@ TEST_CASE_TEMPLATE("Turn a body by 90 degrees and its tensor in world axes turns
   const Mat3<Real> about_x = Vec3<Real>(1, 8, 2).asDiagonal();
   CHECK((world_inertia(top) - about_x).cwiseAbs().maxCoeff() <= tensor_error<Real> * 8);
 }
-//! [quarter_turn]
 
 TEST_CASE_TEMPLATE(
     "A turn about a principal axis changes the world tensor unless the other two moments are equal",
@@ -137,7 +135,6 @@ TEST_CASE_TEMPLATE("The angular momentum is the world tensor times the angular v
   }
 }
 
-//! [sphere_cannot_tell]
 TEST_CASE_TEMPLATE("The tensor of a ball or a cube is the same in every frame", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(55);
@@ -151,4 +148,3 @@ TEST_CASE_TEMPLATE("The tensor of a ball or a cube is the same in every frame", 
           tensor_error<Real> * unturned.maxCoeff());
   }
 }
-//! [sphere_cannot_tell]

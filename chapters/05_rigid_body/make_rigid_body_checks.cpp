@@ -35,7 +35,6 @@ TEST_CASE_TEMPLATE("A made body has the shape's tensor, wherever and however its
   }
 }
 
-//! [drawn_where_it_was]
 TEST_CASE_TEMPLATE("A made body's model is drawn where it was put, and keeps its place in the body",
                    Real, EVERY_PRECISION) {
   std::mt19937_64 generator(72);
@@ -58,7 +57,6 @@ TEST_CASE_TEMPLATE("A made body's model is drawn where it was put, and keeps its
           bound);
   }
 }
-//! [drawn_where_it_was]
 
 TEST_CASE_TEMPLATE("Poses compose like moves, and a pose and its inverse move nothing", Real,
                    EVERY_PRECISION) {
@@ -105,7 +103,6 @@ TEST_CASE_TEMPLATE("A made body moves and turns as asked", Real, EVERY_PRECISION
   CHECK(distance(angular_velocity_world(body.top), spin) <= 3 * rotation_error<Real> * spin.norm());
 }
 
-//! [rod]
 TEST_CASE_TEMPLATE("A rod is refused, or locked about its own line when that is asked for", Real,
                    EVERY_PRECISION) {
   const MassProperties<Real> rod = mass_properties(ThinRod<Real>{2}, 3);  // along z, 1 kg m²
@@ -131,7 +128,6 @@ TEST_CASE_TEMPLATE("A rod is refused, or locked about its own line when that is 
         "rod: angular velocity is (0, 0, 1) rad/s; the body is locked about an axis that this "
         "turns about");
 }
-//! [rod]
 
 TEST_CASE_TEMPLATE("What rounding leaves of a slanted rod's zero moment is locked, never inverted",
                    Real, EVERY_PRECISION) {

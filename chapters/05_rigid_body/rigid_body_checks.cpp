@@ -4,7 +4,6 @@
 using namespace tumble;
 using namespace tumble::support;
 
-//! [push_off_centre]
 TEST_CASE_TEMPLATE("A force at a point adds chapter 1's force and chapter 2's torque", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(61);
@@ -26,7 +25,6 @@ TEST_CASE_TEMPLATE("A force at a point adds chapter 1's force and chapter 2's to
   CHECK(same_bits(body.centre.force, Vec3<Real>::Zero()));
   CHECK(same_bits(body.top.torque, Vec3<Real>::Zero()));
 }
-//! [push_off_centre]
 
 TEST_CASE_TEMPLATE("A blow changes both momenta by what it carries", Real, EVERY_PRECISION) {
   std::mt19937_64 generator(62);
@@ -93,7 +91,6 @@ TEST_CASE_TEMPLATE("The velocity at a point is that of a particle fixed to the b
   }
 }
 
-//! [energy_adds]
 TEST_CASE_TEMPLATE("Energy and momenta are the sums over the particles of the body", Real, double,
                    long double) {
   std::mt19937_64 generator(65);
@@ -123,7 +120,6 @@ TEST_CASE_TEMPLATE("Energy and momenta are the sums over the particles of the bo
   CHECK(distance(angular_momentum_about(body, about), L) <= 20 * each * 6 * 8 / 4);
   CHECK(energy > 1);
 }
-//! [energy_adds]
 
 TEST_CASE_TEMPLATE("A static body answers to no force, torque or blow", Real, EVERY_PRECISION) {
   RigidBody<Real> wall = make_static_body<Real>("wall", {.position = Vec3<Real>(1, 2, 3)});

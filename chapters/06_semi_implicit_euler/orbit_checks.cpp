@@ -45,7 +45,6 @@ double energy_error(int steps_per_radian, int first, int last) {
 
 }  // namespace
 
-//! [orbit_momentum]
 TEST_CASE_TEMPLATE("On an orbit kick and drift keep the angular momentum", Real, EVERY_PRECISION) {
   Particle<Real> body = satellite(Real(0.5));
   const Real start = angular_momentum(body), time_step = Real(0.02);
@@ -76,9 +75,7 @@ TEST_CASE_TEMPLATE("On an orbit explicit Euler multiplies the angular momentum b
   }
   CHECK(angular_momentum(body) > Real(1.02) * angular_momentum(satellite(Real(0.5))));
 }
-//! [orbit_momentum]
 
-//! [orbit_energy]
 TEST_CASE("On an orbit the energy of kick and drift swings and does not drift") {
   // An orbit of eccentricity 0.5 that starts at distance 1 takes 2π √8 = 17.8.
   const int steps_per_radian = 50, orbit = 889;
@@ -103,4 +100,3 @@ TEST_CASE("On an orbit of eccentricity 0.5 explicit Euler gains energy in every 
     REQUIRE(orbit_energy(body) > before);
   }
 }
-//! [orbit_energy]

@@ -10,13 +10,11 @@ namespace {
 const double pi = 3.14159265358979323846;
 const double eccentricity = 0.5;
 
-//! [pull]
 void gather_pull(Particled& satellite) {
   const double distance = satellite.position.norm();
   clear_force(satellite);
   add_force(satellite, -satellite.position / (distance * distance * distance));
 }
-//! [pull]
 
 double energy(const Particled& satellite) {
   return satellite.velocity.squaredNorm() / 2 - 1 / satellite.position.norm();

@@ -78,7 +78,6 @@ TEST_CASE_TEMPLATE("Drift first with forces gathered after it is the same motion
   }
 }
 
-//! [constant_gravity]
 TEST_CASE_TEMPLATE(
     "Under constant gravity the velocity is linear in time and the place the exact sum", Real,
     EVERY_PRECISION) {
@@ -105,9 +104,7 @@ TEST_CASE_TEMPLATE(
     REQUIRE(distance(explicitly.position, parabola - offset) <= bound);
   }
 }
-//! [constant_gravity]
 
-//! [free_fall_energy]
 TEST_CASE_TEMPLATE(
     "In free fall kick and drift loses m g^2 h t / 2 of energy, explicit Euler gains it", Real,
     EVERY_PRECISION) {
@@ -139,7 +136,6 @@ TEST_CASE_TEMPLATE(
     if (n == 600) CHECK(bound < loss / 2);
   }
 }
-//! [free_fall_energy]
 
 TEST_CASE_TEMPLATE("Drifting and kicking back undoes a step", Real, EVERY_PRECISION) {
   const Real time_step = Real(0.1);
@@ -164,7 +160,6 @@ TEST_CASE_TEMPLATE("Drifting and kicking back undoes a step", Real, EVERY_PRECIS
   CHECK(distance(particle.velocity, start.velocity) <= bound);
 }
 
-//! [floor]
 TEST_CASE_TEMPLATE("An impulse between kick and drift holds a ball on the floor, to the bit", Real,
                    EVERY_PRECISION) {
   Particle<Real> ball = make_particle(Real(0.25));
@@ -178,7 +173,6 @@ TEST_CASE_TEMPLATE("An impulse between kick and drift holds a ball on the floor,
     REQUIRE(same_bits(ball.velocity, Vec3<Real>::Zero()));
   }
 }
-//! [floor]
 
 TEST_CASE_TEMPLATE("An impulse is a force times its time, and moves no static particle", Real,
                    EVERY_PRECISION) {
@@ -201,7 +195,6 @@ TEST_CASE_TEMPLATE("An impulse is a force times its time, and moves no static pa
   CHECK(same_bits(hit.velocity, before));
 }
 
-//! [growing_force]
 TEST_CASE_TEMPLATE("A force that grows with time is stepped to b (t^3 - h^2 t) / 6 exactly", Real,
                    EVERY_PRECISION) {
   const Real growth = 3;  // b, m/s³
@@ -220,7 +213,6 @@ TEST_CASE_TEMPLATE("A force that grows with time is stepped to b (t^3 - h^2 t) /
     REQUIRE(std::abs(particle.position.x() - exact) <= bound * (24 * time + 32));
   }
 }
-//! [growing_force]
 
 namespace {
 
@@ -243,7 +235,6 @@ double error_of_changing_push(int steps_per_second, double head_start) {
 
 }  // namespace
 
-//! [changing_force]
 TEST_CASE("Under a changing force the offset is h t / 2 times the first acceleration") {
   const auto rest = [](int steps_per_second) {
     const double first_acceleration = 1, offset = first_acceleration * 2 / (2.0 * steps_per_second);
@@ -269,7 +260,6 @@ TEST_CASE("A velocity started half a kick back makes the places second order") {
     CHECK(ratio(-0.5) < 4.1);
   }
 }
-//! [changing_force]
 
 TEST_CASE_TEMPLATE("A blow leaves the forces of the step and the place as they are, to the bit",
                    Real, EVERY_PRECISION) {

@@ -50,7 +50,6 @@ long double phase_per_step(Real wh) {
 
 }  // namespace
 
-//! [invariant]
 TEST_CASE_TEMPLATE("Kick and drift keep v^2 + w^2 x^2 - h w^2 x v of an oscillator", Real,
                    EVERY_PRECISION) {
   const Real time_step = Real(0.05), wh = frequency<Real> * time_step;
@@ -72,7 +71,6 @@ TEST_CASE_TEMPLATE("Kick and drift keep v^2 + w^2 x^2 - h w^2 x v of an oscillat
   CHECK(energy_off > 10 * bound);  // the energy itself is not what is kept
   CHECK(energy_off <= (wh / 2) * stretch(wh) * stretch(wh) * start_energy + bound);
 }
-//! [invariant]
 
 TEST_CASE_TEMPLATE(
     "Released from rest the energy rises by (w h / 2) / (1 - w h / 2) at most, and doubles at w h "
@@ -101,7 +99,6 @@ TEST_CASE_TEMPLATE(
   }
 }
 
-//! [closed_form]
 TEST_CASE_TEMPLATE("A step advances an oscillation by 2 asin(w h / 2), not by w h", Real,
                    EVERY_PRECISION) {
   for (const Real time_step : {Real(0.05), Real(0.25), Real(0.5), Real(0.75), Real(0.95)}) {
@@ -124,9 +121,7 @@ TEST_CASE_TEMPLATE("A step advances an oscillation by 2 asin(w h / 2), not by w 
   }
   CHECK(phase_per_step(Real(1)) > 1.04L);  // 4.7 percent too fast
 }
-//! [closed_form]
 
-//! [stability_limit]
 TEST_CASE_TEMPLATE("An oscillator released at 1 m stays within 31.63 m at w h = 1.999", Real,
                    EVERY_PRECISION) {
   const Real time_step = Real(1.999) / frequency<Real>, wh = frequency<Real> * time_step;
@@ -173,9 +168,7 @@ TEST_CASE_TEMPLATE("An oscillator grows by exp(2 acosh(w h / 2)) a step beyond w
     CHECK(std::abs(particle.position.x() / before + growth) <= bound);  // it flips sign as it grows
   }
 }
-//! [stability_limit]
 
-//! [explicit_growth]
 TEST_CASE_TEMPLATE("Explicit Euler multiplies an oscillator's energy by 1 + h^2 w^2 a step", Real,
                    EVERY_PRECISION) {
   const Real time_step = Real(0.05), wh = frequency<Real> * time_step;
@@ -193,7 +186,6 @@ TEST_CASE_TEMPLATE("Explicit Euler multiplies an oscillator's energy by 1 + h^2 
   }
   CHECK(energy(particle) > 40'000);
 }
-//! [explicit_growth]
 
 TEST_CASE_TEMPLATE("Kick and drift each keep the area of a triangle of starts", Real,
                    EVERY_PRECISION) {

@@ -47,10 +47,8 @@ int main(int argument_count, char** arguments) {
   for (const double wh : {1.97, 1.98, 1.99, 1.995}) measured.row(wh, amplitude(wh, 2000));
 
   std::printf("\n");
-  //! [stiff]
   const double stiffness = 20'000, damping = 50, mass = 1.5;
   const double limit = largest_stable_time_step(stiffness, damping, 1 / mass);
-  //! [stiff]
   std::printf("%g kg on %g N/m with %g N s/m: stable up to h = %.2f ms, %.0f steps a second\n",
               mass, stiffness, damping, 1000 * limit, 1 / limit);
   notebook.value("stiff_rate", number("%.0f", 1 / limit));

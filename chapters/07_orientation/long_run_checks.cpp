@@ -5,7 +5,6 @@
 using namespace tumble;
 using namespace tumble::support;
 
-//! [growth]
 TEST_CASE_TEMPLATE("Not normalised, the norm grows by the root of 1 + (omega h / 2)^2 every step",
                    Real, EVERY_PRECISION) {
   const Vec3<Real> axis = Vec3<Real>(1, 2, -2) / 3;
@@ -23,9 +22,7 @@ TEST_CASE_TEMPLATE("Not normalised, the norm grows by the root of 1 + (omega h /
     }
   }
 }
-//! [growth]
 
-//! [long_run]
 TEST_CASE_TEMPLATE("However many steps it takes, the norm stays 1 to a few roundings", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(77);
@@ -44,9 +41,7 @@ TEST_CASE_TEMPLATE("However many steps it takes, the norm stays 1 to a few round
   // Left alone within 16 units of roundoff of the square, 8 of the norm; and 3 for measuring it.
   CHECK(worst <= (8 + 3) * unit_roundoff<Real>);
 }
-//! [long_run]
 
-//! [tiny_turns]
 TEST_CASE_TEMPLATE(
     "A million turns of a ten-millionth of a radian make a tenth, in float within 8 per cent", Real,
     EVERY_PRECISION) {
@@ -64,7 +59,6 @@ TEST_CASE_TEMPLATE(
   CHECK(std::abs(angle_between({}, exact) - Real(0.1)) <= bound);
   CHECK(std::abs(angle_between({}, first) - Real(0.1)) <= bound);
 }
-//! [tiny_turns]
 
 TEST_CASE_TEMPLATE("In double, turns of a ten-millionth of a radian add up from any orientation",
                    Real, double) {
@@ -85,7 +79,6 @@ TEST_CASE_TEMPLATE("In double, turns of a ten-millionth of a radian add up from 
   CHECK(bound < Real(1e-9));
 }
 
-//! [orders]
 TEST_CASE_TEMPLATE("Under constant omega the first-order rule loses angle by second order", Real,
                    EVERY_PRECISION) {
   const Vec3<Real> omega(0, 0, 1);
@@ -138,7 +131,6 @@ TEST_CASE_TEMPLATE("When omega changes, either rule is of the order of the omega
   CHECK(std::abs(ratio(exponential, Real(0.5)) - 4) < Real(0.1));  // the middle
   CHECK(std::abs(ratio(first_order, Real(0.5)) - 4) < Real(0.1));
 }
-//! [orders]
 
 TEST_CASE_TEMPLATE("A scene turned as a whole turns its bodies as before, to a few roundings", Real,
                    EVERY_PRECISION) {

@@ -14,7 +14,6 @@ constexpr Real step_bound = 2 * 2 * (8 + 7 + 8) * unit_roundoff<Real>;
 
 }  // namespace
 
-//! [rate]
 TEST_CASE_TEMPLATE("The rate of an orientation is half omega times q: the difference tends to it",
                    Real, EVERY_PRECISION) {
   std::mt19937_64 generator(71);
@@ -30,7 +29,6 @@ TEST_CASE_TEMPLATE("The rate of an orientation is half omega times q: the differ
     CHECK(error(h) / error(h / 2) < Real(2.1));
   }
 }
-//! [rate]
 
 TEST_CASE_TEMPLATE("A point fixed to the body moves with omega cross r", Real, EVERY_PRECISION) {
   std::mt19937_64 generator(72);
@@ -48,7 +46,6 @@ TEST_CASE_TEMPLATE("A point fixed to the body moves with omega cross r", Real, E
   }
 }
 
-//! [two_sides]
 TEST_CASE_TEMPLATE("World omega on the left and body omega on the right are one motion", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(73);
@@ -67,9 +64,7 @@ TEST_CASE_TEMPLATE("World omega on the left and body omega on the right are one 
           (40 + 14) * unit_roundoff<Real> * omega_body.norm());
   }
 }
-//! [two_sides]
 
-//! [angle_per_step]
 TEST_CASE_TEMPLATE("The exponential turns by omega h, the first-order rule by 2 atan(omega h / 2)",
                    Real, EVERY_PRECISION) {
   std::mt19937_64 generator(74);
@@ -88,7 +83,6 @@ TEST_CASE_TEMPLATE("The exponential turns by omega h, the first-order rule by 2 
       CHECK(distance<Real>(rotation_vector_of(first), 2 * std::atan(turn / 2) * axis) <= bound);
     }
 }
-//! [angle_per_step]
 
 TEST_CASE_TEMPLATE("The first-order rule turns by 0.9992, 0.9273 and 0.6552 of 0.1, 1 and 3 rad",
                    Real, EVERY_PRECISION) {
@@ -102,7 +96,6 @@ TEST_CASE_TEMPLATE("The first-order rule turns by 0.9992, 0.9273 and 0.6552 of 0
   CHECK(std::abs(ratio(Real(3)) - Real(0.6552)) <= half_a_digit);
 }
 
-//! [steady]
 TEST_CASE_TEMPLATE("Under constant omega the body spins steadily, by both rules", Real,
                    EVERY_PRECISION) {
   const Vec3<Real> axis = Vec3<Real>(1, 2, -2) / 3;
@@ -117,7 +110,6 @@ TEST_CASE_TEMPLATE("Under constant omega the body spins steadily, by both rules"
             bound);
   }
 }
-//! [steady]
 
 TEST_CASE_TEMPLATE("Without turning the orientation stays as it is, to the bit", Real,
                    EVERY_PRECISION) {
@@ -147,7 +139,6 @@ TEST_CASE_TEMPLATE("An omega too small to square turns without a NaN", Real, EVE
   }
 }
 
-//! [half_turn]
 TEST_CASE_TEMPLATE("A little more than half a turn one way is a little less the other way", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(76);
@@ -162,7 +153,6 @@ TEST_CASE_TEMPLATE("A little more than half a turn one way is a little less the 
             2 * step_bound<Real> + 16 * pi * unit_roundoff<Real>);
     }
 }
-//! [half_turn]
 
 TEST_CASE_TEMPLATE("A step of many whole turns ends where its remainder would", Real,
                    EVERY_PRECISION) {

@@ -38,7 +38,6 @@ int main(int argument_count, char** arguments) {
 
   std::printf("\na wheel, 60 steps a second, first order: after 10 s it is behind by\n");
   for (const double turns_per_second : {0.1, 1.0, 5.0}) {
-    //! [wheel]
     Quaterniond exact, first;
     double behind = 0;  // summed step by step, since one turn looks like none
     for (int n = 0; n < 600; ++n) {
@@ -47,7 +46,6 @@ int main(int argument_count, char** arguments) {
       first = turn_first_order(first, Vec3d(0, 0, 2 * pi * turns_per_second), 1.0 / 60);
       behind += std::remainder(turned(conjugate(first) * exact) - angle_before, 2 * pi);
     }
-    //! [wheel]
     const std::string degrees = support::number("%.3g", behind * 180 / pi);
     std::printf("  %8s degrees at %g turns a second\n", degrees.c_str(), turns_per_second);
     if (turns_per_second == 0.1) notebook.value("behind_slow", degrees);

@@ -18,7 +18,6 @@ constexpr Real turn_error = 40 * unit_roundoff<Real>;
 
 }  // namespace
 
-//! [thin_rod]
 TEST_CASE(
     "The thin rod at 60 steps a second: energy within 1e-4, L within 1e-10, phase within 1e-3") {
   const Motion motion = watched<double>(tumbling_problems[2], chosen_rule<double>);
@@ -31,9 +30,7 @@ TEST_CASE(
   CHECK(in_float.energy_error < 1e-4);
   CHECK(in_float.momentum_error < 1e-4);
 }
-//! [thin_rod]
 
-//! [needle]
 TEST_CASE_TEMPLATE(
     "The needle of 1 to a million: finite, and the energy within 1e-4 for 3600 steps", Real, float,
     double) {
@@ -41,9 +38,7 @@ TEST_CASE_TEMPLATE(
   CHECK(motion.diverged == 0);
   CHECK(motion.energy_error < 1e-4);
 }
-//! [needle]
 
-//! [symmetric]
 TEST_CASE_TEMPLATE("A symmetric top is turned exactly, however long the step", Real, float,
                    double) {
   // The last one is so nearly round that only a difference of the inverse moments themselves keeps
@@ -72,7 +67,6 @@ TEST_CASE_TEMPLATE("A symmetric top is turned exactly, however long the step", R
           (8 * round + 20) * unit_roundoff<Real> * L.norm());
   }
 }
-//! [symmetric]
 
 TEST_CASE_TEMPLATE("A step turns up to the sine's limit, and a needle beyond it if L is across",
                    Real, EVERY_PRECISION) {
@@ -95,7 +89,6 @@ TEST_CASE_TEMPLATE("A step turns up to the sine's limit, and a needle beyond it 
   CHECK_FALSE(answered({thin, thin, 1}, Real(1.5) * limit * z));
 }
 
-//! [round]
 TEST_CASE_TEMPLATE(
     "A ball needs none of it: every rule turns it steadily, and the default skips the work", Real,
     EVERY_PRECISION) {
@@ -118,7 +111,6 @@ TEST_CASE_TEMPLATE(
     CHECK(distance(other.angular_momentum_body, ball.angular_momentum_body) <= turn_error<Real>);
   }
 }
-//! [round]
 
 TEST_CASE_TEMPLATE("Only unequal moments about three free axes are gyroscopic", Real,
                    EVERY_PRECISION) {
@@ -157,7 +149,6 @@ TEST_CASE_TEMPLATE(
   CHECK(same_bits(wall.angular_momentum_body, Vec3<Real>::Zero()));
 }
 
-//! [kick]
 TEST_CASE_TEMPLATE("A kick changes L in the world by the torque times the time step", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(81);
@@ -170,7 +161,6 @@ TEST_CASE_TEMPLATE("A kick changes L in the world by the torque times the time s
           3 * rotation_error<Real> * (before.norm() + torque.norm()));
   }
 }
-//! [kick]
 
 TEST_CASE_TEMPLATE("A body is kicked and drifts as its particle and its top do", Real,
                    EVERY_PRECISION) {
@@ -213,7 +203,6 @@ TEST_CASE_TEMPLATE("A turn about one axis is the quaternion's turn, and leaves L
   }
 }
 
-//! [frame]
 TEST_CASE_TEMPLATE("Turn the scene, step, turn back: the body can't tell, to the bit", Real, float,
                    double) {
   std::mt19937_64 generator(83);
@@ -229,9 +218,7 @@ TEST_CASE_TEMPLATE("Turn the scene, step, turn back: the body can't tell, to the
       CHECK(angle_between(turned.orientation, scene * plain.orientation) <= 3 * turn_error<Real>);
     }
 }
-//! [frame]
 
-//! [scale]
 TEST_CASE_TEMPLATE("Moments and momentum scaled by the same power of two turn the same, to the bit",
                    Real, float, double) {
   const auto flown = [](const TumblingProblem& problem, const Rule<Real>& rule, Real scale) {
@@ -265,7 +252,6 @@ TEST_CASE_TEMPLATE("Moments and momentum scaled by the same power of two turn th
         CHECK(same_bits(scaled.angular_momentum_body, plain.angular_momentum_body));
       }
 }
-//! [scale]
 
 TEST_CASE_TEMPLATE("A top seen in a mirror turns the mirrored way, to the bit", Real, float,
                    double) {
@@ -293,7 +279,6 @@ TEST_CASE_TEMPLATE("A top seen in a mirror turns the mirrored way, to the bit", 
       }
 }
 
-//! [reversal]
 TEST_CASE_TEMPLATE("Turn L around, and the splittings retrace their steps", Real, EVERY_PRECISION) {
   for (const TumblingProblem& problem : std::span(tumbling_problems).first(3))
     for (const auto turn :
@@ -319,9 +304,7 @@ TEST_CASE_TEMPLATE("Turn L around, and the splittings retrace their steps", Real
       CHECK(angle_between(carried.orientation, start.orientation) > 1e-5);
     }
 }
-//! [reversal]
 
-//! [million]
 TEST_CASE(
     "After a million steps in float the quaternion is unit, |L| has its length, and the energy "
     "holds") {
@@ -338,9 +321,7 @@ TEST_CASE(
         walk);
   CHECK(std::abs(kinetic_energy(end) / kinetic_energy(start) - 1) <= 2e-5 + 3 * walk);
 }
-//! [million]
 
-//! [length]
 TEST_CASE_TEMPLATE("A length that is off by roundings is put right, and what is more is left", Real,
                    EVERY_PRECISION) {
   const Vec3<Real> before(3, -4, 12);
@@ -357,7 +338,6 @@ TEST_CASE_TEMPLATE("A length that is off by roundings is put right, and what is 
   for (const Real size : {std::numeric_limits<Real>::min(), std::numeric_limits<Real>::max() / 32})
     CHECK(same_bits(with_length_of<Real>(size * before, size * before), size * before));
 }
-//! [length]
 
 TEST_CASE("A needle's |L| doesn't drift in float: ten minutes leave a random walk of roundings") {
   Topf top = top_of<float>(tumbling_problems[3]);

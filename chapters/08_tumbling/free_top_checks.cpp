@@ -55,7 +55,6 @@ Exact runge_kutta_bound(Exact rate, Exact time, int steps) {
 
 }  // namespace
 
-//! [second_method]
 TEST_CASE("The exact free top agrees with a Runge-Kutta run, whatever the signs and the axes") {
   const std::array<std::array<int, 3>, 6> orders = {
       {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}}};
@@ -78,7 +77,6 @@ TEST_CASE("The exact free top agrees with a Runge-Kutta run, whatever the signs 
         CHECK(angle_between(exact.at(time).orientation, stepped.orientation) <= bound);
       }
 }
-//! [second_method]
 
 TEST_CASE("The exact free top agrees with a Runge-Kutta run on the problems A to D") {
   for (const TumblingProblem& problem : tumbling_problems) {
@@ -141,7 +139,6 @@ TEST_CASE("Where L x w is zero the exact top turns steadily") {
   }
 }
 
-//! [loops]
 TEST_CASE("The tip of L goes round axis 1 or axis 3 of the body, never across, and comes back") {
   std::mt19937_64 generator(86);
   for (int trial = 0; trial < 100; ++trial) {
@@ -169,4 +166,3 @@ TEST_CASE("The tip of L goes round axis 1 or axis 3 of the body, never across, a
     CHECK((angular_velocity_body_at(exact, period) - begin).norm() <= 1e-12L * begin.norm());
   }
 }
-//! [loops]

@@ -23,7 +23,6 @@ Real slowness(const Gyroscope<Real>& g, Same<Real> spin) {
 
 }  // namespace
 
-//! [sideways]
 TEST_CASE_TEMPLATE("The weight's kick is level and perpendicular to the axis, so L3 and Lz stay",
                    Real, EVERY_PRECISION) {
   const auto gyroscope = toy_gyroscope<Real>();
@@ -40,9 +39,7 @@ TEST_CASE_TEMPLATE("The weight's kick is level and perpendicular to the axis, so
           Real(0.01) * 48 * unit_roundoff<Real> * pull + 2 * unit_roundoff<Real> * before.z());
   }
 }
-//! [sideways]
 
-//! [steady]
 TEST_CASE_TEMPLATE("At both steady precessions the weight turns L as fast as the axis goes round",
                    Real, EVERY_PRECISION) {
   const auto gyroscope = toy_gyroscope<Real>();
@@ -69,7 +66,6 @@ TEST_CASE_TEMPLATE("At both steady precessions the weight turns L as fast as the
       }
     }
 }
-//! [steady]
 
 TEST_CASE_TEMPLATE(
     "A fast top goes round at M g l/(I3 w3), and the other way if spun the other way", Real,
@@ -90,7 +86,6 @@ TEST_CASE_TEMPLATE(
     }
 }
 
-//! [let_go]
 TEST_CASE_TEMPLATE("Let go, a top dips as far as the elliptic solution says, and stops there", Real,
                    EVERY_PRECISION) {
   const auto gyroscope = toy_gyroscope<Real>();
@@ -107,7 +102,6 @@ TEST_CASE_TEMPLATE("Let go, a top dips as far as the elliptic solution says, and
             (20 + 8 * (2 + 2 * a / root)) * unit_roundoff<Real>);
     }
 }
-//! [let_go]
 
 TEST_CASE_TEMPLATE(
     "The lowest point loses no digits, neither near upright nor for the fastest spin", Real,
@@ -129,7 +123,6 @@ TEST_CASE_TEMPLATE(
         4 * unit_roundoff<Real>);
 }
 
-//! [cusps]
 TEST_CASE("Let go, the axis comes to rest at its highest again and again: a cusp") {
   const auto gyroscope = toy_gyroscope<Exact>();
   const Top<Exact> start = set_spinning<Exact>(gyroscope, 1, 200);
@@ -147,9 +140,7 @@ TEST_CASE("Let go, the axis comes to rest at its highest again and again: a cusp
           0.1L * start.angular_momentum_body.norm());
   }
 }
-//! [cusps]
 
-//! [fast]
 TEST_CASE(
     "Twice the spin: a fast top goes round, nods and dips four times nearer, in proportion, to the "
     "simple formulas") {
@@ -169,9 +160,7 @@ TEST_CASE(
   const Exact next = 20 * slowness(gyroscope, 1000);
   for (std::size_t k = 0; k < 3; ++k) CHECK(std::abs(once[k] / twice[k] - 4) <= 4 * next);
 }
-//! [fast]
 
-//! [sleeps]
 TEST_CASE_TEMPLATE(
     "Nudged, the upright top stands above its least spin, and below it falls as far as the formula "
     "says",
@@ -202,9 +191,7 @@ TEST_CASE_TEMPLATE(
     CHECK(std::abs(nudged(ratio).lowest() - cosine) <= 2 * shift + 32 * unit_roundoff<Real>);
   }
 }
-//! [sleeps]
 
-//! [first_order]
 TEST_CASE(
     "However a sleeping top is nudged, its energy bounds its tilt for ever, at the least spin "
     "itself too") {
@@ -266,7 +253,6 @@ TEST_CASE("Half the step: kick and drift come twice as near to the exact top") {
   };
   CHECK(std::abs(off(4000) / off(8000) - 2) <= 0.05L);
 }
-//! [first_order]
 
 TEST_CASE_TEMPLATE("A top is held up for ten seconds in float as in double", Real,
                    EVERY_PRECISION) {
@@ -299,7 +285,6 @@ TEST_CASE_TEMPLATE("A top is held up for ten seconds in float as in double", Rea
   CHECK(std::abs(energy - energy_at_start) <= pull_of(gyroscope) * bend + rounding * L * 200);
 }
 
-//! [without]
 TEST_CASE("Without the gyroscopic term a fast top goes round at M g l/(I1 w3), and hardly nods") {
   const auto gyroscope = toy_gyroscope<double>();
   const double tilt = 1, seconds = 0.5;
@@ -328,7 +313,6 @@ TEST_CASE("Without the gyroscopic term a fast top goes round at M g l/(I1 w3), a
     CHECK(direction <= 4 / (spin * seconds) + 4 * wobble);
   }
 }
-//! [without]
 
 TEST_CASE_TEMPLATE(
     "Without weight a top stays where it is let go, and goes round at L / I1 or not at all", Real,

@@ -20,11 +20,9 @@ void step(Topd& top) {
 }
 
 void show_numbers(support::Notebook& notebook) {
-  //! [numbers]
   const auto [slow, fast] = steady_precessions(gyroscope, std::cos(tilt), spin);
   const double rough = pull_of(gyroscope) / (gyroscope.along * spin);
   const auto exact = support::exactly_spinning(set_spinning(gyroscope, tilt, spin), gyroscope);
-  //! [numbers]
   const double nodding = 2 * pi / exact.nutation_period(),
                rough_nodding = gyroscope.along * spin / gyroscope.across;
   std::printf("I1 about the tip %.3e kg m^2, I3 %.3e kg m^2, M g l %.5f N m\n", gyroscope.across,

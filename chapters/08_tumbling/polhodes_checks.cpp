@@ -37,7 +37,6 @@ Exact flip_of(Exact wobble, Exact h) {
 
 }  // namespace
 
-//! [flip_times]
 TEST_CASE("The exact time between flips is what a Runge-Kutta run needs, whatever the wobble") {
   const Exact h = 0.005L;
   for (Exact wobble = 1; wobble > 1e-9L; wobble /= 10) {
@@ -51,9 +50,7 @@ TEST_CASE("The exact time between flips is what a Runge-Kutta run needs, whateve
     CHECK(std::abs(flip_of(wobble, h) - period / 4) <= bound);
   }
 }
-//! [flip_times]
 
-//! [tenfold]
 TEST_CASE("Each tenth of the wobble adds 2 ln 10/kappa to the time between flips") {
   Exact before = 0;
   for (int tenths = 0; tenths <= 16; ++tenths) {
@@ -67,7 +64,6 @@ TEST_CASE("Each tenth of the wobble adds 2 ln 10/kappa to the time between flips
     before = between;
   }
 }
-//! [tenfold]
 
 TEST_CASE("A polhode lies on its sphere and on its ellipsoid, and goes round its axis") {
   const Vec3d inverse(1, 0.5, 1 / 3.0);
@@ -90,7 +86,6 @@ TEST_CASE("A polhode lies on its sphere and on its ellipsoid, and goes round its
     }
 }
 
-//! [along_polhode]
 TEST_CASE("The exact motion runs along the polhode through its start, and all the way round") {
   for (const Exact wobble : {0.05L, 0.3L, 2.0L}) {
     const Top<Exact> start = wobbling(wobble);
@@ -116,4 +111,3 @@ TEST_CASE("The exact motion runs along the polhode through its start, and all th
     CHECK(std::count(visited.begin(), visited.end(), true) == 16);
   }
 }
-//! [along_polhode]

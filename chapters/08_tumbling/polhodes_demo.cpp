@@ -88,7 +88,6 @@ void draw_sphere(support::Notebook& notebook, const Handle& handle) {
   }
 
   // A throw that is off by a third, stepped; and the loop through its start.
-  //! [on_the_curve]
   Topd top = handle.thrown(0.3);
   const double size = top.angular_momentum_body.norm();
   const double level = 2 * kinetic_energy(top) / (size * size);
@@ -100,7 +99,6 @@ void draw_sphere(support::Notebook& notebook, const Handle& handle) {
     if (n % 2 == 0) view.draw(points, {L});
     drift(top, 1.0 / 60);
   }
-  //! [on_the_curve]
   support::Table through = open("polhode_through");
   view.draw(through, support::polhode(inverse, level, 0, 400));
   std::printf(

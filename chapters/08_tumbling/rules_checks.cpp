@@ -66,7 +66,6 @@ TEST_CASE_TEMPLATE("Explicit or implicit, the body turns by the L that the step 
   }
 }
 
-//! [coasting_momentum]
 TEST_CASE_TEMPLATE(
     "The rule that keeps the angular velocity keeps the energy and |L|, and swings L about omega",
     Real, float, double) {
@@ -88,9 +87,7 @@ TEST_CASE_TEMPLATE(
   const double degrees = 180 / std::numbers::pi;
   CHECK(std::abs(2 * std::asin(sine_to_spin(top_of<double>(A))) * degrees - 28.2) <= 0.05);
 }
-//! [coasting_momentum]
 
-//! [explicit_grows]
 TEST_CASE("An explicit step adds h^2 |L x w|^2 to |L|^2, every time, until it blows up") {
   Topd top = top_of<double>(A);
   const double h = 1.0 / 60;
@@ -118,9 +115,7 @@ TEST_CASE("An explicit step adds h^2 |L x w|^2 to |L|^2, every time, until it bl
   CHECK(seconds_until(C, 60) < 1);
   CHECK(seconds_until(D, 60) < 1);
 }
-//! [explicit_grows]
 
-//! [restored_spins_up]
 TEST_CASE("Restoring |L| keeps |L| and turns a stable spin's energy into that of an unstable one") {
   Topd top = top_of<double>(B);
   const double size = top.angular_momentum_body.norm();
@@ -139,7 +134,6 @@ TEST_CASE("Restoring |L| keeps |L| and turns a stable spin's energy into that of
   // B had 2/3 of that energy at the start.
   CHECK(watched<double>(B, turn_restoring_momentum<double>).energy_ratio > 1.49);
 }
-//! [restored_spins_up]
 
 TEST_CASE("One Newton step leaves a residual of third order in the time step") {
   // A wrong derivative would leave one of second order, whose ratio is 4.
@@ -156,7 +150,6 @@ TEST_CASE("One Newton step leaves a residual of third order in the time step") {
   }
 }
 
-//! [implicit_brakes]
 TEST_CASE(
     "The implicit rule brakes: |L| and energy go until L x w = 0, about the smallest or the "
     "largest moment") {
@@ -192,7 +185,6 @@ TEST_CASE(
   for (std::size_t n = 0; n < tops.size(); ++n)
     CHECK((moment_of_spin(tops[n]) > ascending_moments(tops[n])[1]) == (n == 1));
 }
-//! [implicit_brakes]
 
 TEST_CASE("An implicit step takes L^2/2E away from the middle moment, whatever the top") {
   std::mt19937_64 generator(85);
@@ -223,7 +215,6 @@ TEST_CASE("Carrying the momentum holds L in the world to rounding, and not the e
   CHECK(watched<double>(D, turn_carrying_momentum<double>).energy_ratio > 100);
 }
 
-//! [three_axes]
 TEST_CASE(
     "Splitting by axes is exact in L; its energy depends on which axis stands in the middle") {
   const auto in_given_order = [](const TumblingProblem& problem) {
@@ -243,9 +234,7 @@ TEST_CASE(
   CHECK(in_given_order(C).energy_error > 1e-3);
   CHECK(in_given_order(D).diverged > 0);
 }
-//! [three_axes]
 
-//! [without_sine]
 TEST_CASE(
     "Without a sine the splitting is still exact in L, bounded in energy and of second order") {
   for (const TumblingProblem* problem : {&A, &B, &C}) {
@@ -278,7 +267,6 @@ TEST_CASE(
   CHECK(ratio >= 3.9);
   CHECK(ratio <= 4.1);
 }
-//! [without_sine]
 
 TEST_CASE("Splitting with a sphere: energy, momentum and phase of the problems A to D") {
   for (const TumblingProblem* problem : {&A, &B, &C, &D}) {
@@ -314,7 +302,6 @@ TEST_CASE("However long the step, splitting leaves the energy between L^2/2I3 an
     }
 }
 
-//! [orders]
 TEST_CASE(
     "Halving the time step halves the error of the first-order rules and quarters that of the "
     "splittings") {
@@ -335,4 +322,3 @@ TEST_CASE(
     CHECK(ratio <= expected[n] * (1 + 0.025));
   }
 }
-//! [orders]

@@ -37,11 +37,9 @@ Vec3d in_model(const ModelledBody<double>& handle, const Vec3d& vector_body) {
 
 int main(int argument_count, char** arguments) {
   support::Notebook notebook(argument_count, arguments);
-  //! [throw]
   ModelledBody<double> handle = support::thrown_t_handle();
   ModelledBody<double> steady = handle;
   const exact::FreeTop<long double> exact(support::exactly(handle.body.top));
-  //! [throw]
   const Vec3d moments = in_model(handle, moments_of(handle.body.top)).cwiseAbs();
   std::printf("moments about bar, shaft and the third axis: %.1e, %.1e, %.1e kg m^2\n", moments.x(),
               moments.y(), moments.z());

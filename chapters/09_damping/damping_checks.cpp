@@ -7,7 +7,6 @@
 using namespace tumble;
 using namespace tumble::support;
 
-//! [cuts]
 TEST_CASE_TEMPLATE("Exponential damping leaves exp(-k t), however the time is cut into steps", Real,
                    EVERY_PRECISION) {
   const Real rate = Real(0.7), time = 2;
@@ -40,9 +39,7 @@ TEST_CASE_TEMPLATE("Exponential damping leaves exp(-k t), however the time is cu
   }
   CHECK(std::abs(Real(left_after(uneven) / exact - 1)) <= bound(uneven.size()));
 }
-//! [cuts]
 
-//! [other_forms]
 TEST_CASE("The linear form damps too much and the fractional one too little, by k^2 h t / 2") {
   const double rate = 0.7, time = 2;
   const auto off = [=](double (*form)(double, double), int steps) {
@@ -71,9 +68,7 @@ TEST_CASE("Beyond k h = 1 the linear form turns a body round, beyond 2 it speeds
     CHECK(fractional_form(kh, 1.0) < 1);
   }
 }
-//! [other_forms]
 
-//! [rates]
 TEST_CASE_TEMPLATE("A rate found from a fraction leaves that fraction, at every frame rate", Real,
                    EVERY_PRECISION) {
   const Real rate = damping_rate_that_leaves(Real(0.99), Real(1) / 60);
@@ -89,9 +84,7 @@ TEST_CASE_TEMPLATE("A rate found from a fraction leaves that fraction, at every 
   CHECK(damping_rate_that_leaves(Real(1), Real(5)) == 0);
   CHECK(damping_rate_that_leaves(Real(0.25), Real(2)) == std::log(Real(4)) / 2);
 }
-//! [rates]
 
-//! [falls]
 TEST_CASE_TEMPLATE(
     "Damped by 0.1 per second and free of forces, speed, turning energy and |L| fall in every step",
     Real, EVERY_PRECISION) {
@@ -152,7 +145,6 @@ TEST_CASE_TEMPLATE("The angular speed of a damped tumbling body may rise for a w
   }
   CHECK(largest > Real(1.03) * start);
 }
-//! [falls]
 
 TEST_CASE_TEMPLATE("Damping the centre leaves the turning alone, and the other way round", Real,
                    EVERY_PRECISION) {
@@ -188,7 +180,6 @@ TEST_CASE_TEMPLATE(
   CHECK(same_bits(ball.velocity, Vec3<Real>(0, 7, -3)));
 }
 
-//! [refused]
 TEST_CASE_TEMPLATE("A damping that is negative, NaN, infinite or not a fraction is refused by name",
                    Real, EVERY_PRECISION) {
   const Real nan = std::numeric_limits<Real>::quiet_NaN(),
@@ -215,9 +206,7 @@ TEST_CASE_TEMPLATE("A damping that is negative, NaN, infinite or not a fraction 
   CHECK(leaves(Real(0.5), nan) == "damping time is nan s; it must be finite");
   CHECK(std::isnan(power_form(Real(-0.5), Real(1) / 60)));  // what the power form makes of it
 }
-//! [refused]
 
-//! [crawl]
 TEST_CASE_TEMPLATE(
     "A speed that is too small to matter becomes zero, and one that matters does not", Real,
     EVERY_PRECISION) {
@@ -250,7 +239,6 @@ TEST_CASE_TEMPLATE(
   for (int n = 0; n < 600; ++n) damp(stopping, kept);
   CHECK(stopping.velocity.x() == 0);
 }
-//! [crawl]
 
 TEST_CASE_TEMPLATE("What damping makes too slow to matter stops in the same step", Real,
                    EVERY_PRECISION) {

@@ -34,11 +34,9 @@ int main(int argument_count, char** arguments) {
       std::printf("%4d s %9.3f m/s %8.3f m/s %9.2f m %8.2f m\n", second, dragged.velocity.x(),
                   damped.velocity.x(), dragged.position.x(), damped.position.x());
     clear_force(dragged);
-    //! [drag]
     add_force(dragged, quadratic_drag(coefficient, dragged.velocity, Vec3d(0, 0, 0)));
     kick(dragged, time_step);
     drift(dragged, time_step);
-    //! [drag]
     damp(damped, kept);
     drift(damped, time_step);
   }

@@ -22,7 +22,6 @@ void check_terminal_speed(Step next, long double exact, long double slope) {
 
 }  // namespace
 
-//! [terminal]
 TEST_CASE_TEMPLATE("Every form of damping has its own terminal speed, and it is exactly this", Real,
                    EVERY_PRECISION) {
   const Real gravity = Real(9.81);
@@ -51,9 +50,7 @@ TEST_CASE_TEMPLATE("Every form of damping has its own terminal speed, and it is 
     check_terminal_speed<Real>([=](Real v) { return v + h * (gravity - rate * v); }, g / c, 1 - ch);
   }
 }
-//! [terminal]
 
-//! [linear_drag]
 TEST_CASE("Falling with damping nears the exact fall with linear drag, to first order") {
   const double g = 9.81, c = 0.8, start_speed = 5, time = 3;
   const double terminal = -g / c;
@@ -82,9 +79,7 @@ TEST_CASE("Falling with damping nears the exact fall with linear drag, to first 
   CHECK(std::abs(coaster.position.x() - 12.0 / 60 * kept / (1 - kept)) < 1e-12);
   CHECK(coaster.position.x() < 12 / c);
 }
-//! [linear_drag]
 
-//! [quadratic]
 TEST_CASE_TEMPLATE("Quadratic drag points against the motion through the air, whatever the axes",
                    Real, EVERY_PRECISION) {
   const Vec3<Real> velocity(3, -4, 12), wind(0, 0, 0);
@@ -200,4 +195,3 @@ TEST_CASE_TEMPLATE("A drag coefficient of impossible numbers is refused by name"
   CHECK(complaint(1, nan, 1) == "shape number is nan; it must be finite");
   CHECK(complaint(1, 1, nan) == "area is nan m^2; it must be finite");
 }
-//! [quadratic]

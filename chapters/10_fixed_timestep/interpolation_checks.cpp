@@ -22,7 +22,6 @@ Pose<Real> random_pose(std::mt19937_64& generator) {
 
 }  // namespace
 
-//! [interpolated]
 TEST_CASE_TEMPLATE("Between two poses both the position and the turn advance evenly", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(12);
@@ -65,7 +64,6 @@ TEST_CASE_TEMPLATE("A turn is drawn along the shortest arc, whichever sign the q
             std::numbers::pi_v<Real> / 2 + turn_error<Real>);
   }
 }
-//! [interpolated]
 
 TEST_CASE_TEMPLATE("The turn between two poses is about a fixed axis of the world", Real,
                    EVERY_PRECISION) {

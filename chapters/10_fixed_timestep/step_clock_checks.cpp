@@ -44,7 +44,6 @@ TEST_CASE("As many steps as were asked for last a second, in lowest terms") {
   }
 }
 
-//! [books]
 TEST_CASE("Time in is what was simulated, dropped and left over, exactly, in integers") {
   std::mt19937_64 generator(10);
   for (const StepLength& step : step_lengths()) {
@@ -88,9 +87,7 @@ TEST_CASE("Without drops the steps do not depend on how the time is cut into fra
     CHECK(clock.dropped_time == 0);
   }
 }
-//! [books]
 
-//! [breakpoint]
 TEST_CASE("A frame of five seconds takes the cap's steps, and the rest is counted") {
   StepClock clock = make_step_clock(steps_per_second(60));
   CHECK(steps_due(clock, 5 * second) == 8);
@@ -114,7 +111,6 @@ TEST_CASE("A frame of five seconds takes the cap's steps, and the rest is counte
   CHECK(by_steps.dropped_steps == 296);
   CHECK(by_steps.dropped_time == 0);
 }
-//! [breakpoint]
 
 TEST_CASE("An hour of 144 frames a second has exactly 216000 steps of a sixtieth") {
   StepClock clock = make_step_clock(steps_per_second(60));
@@ -190,7 +186,6 @@ TEST_CASE("A step's length is exact in lowest terms, and its time step is rounde
   }
 }
 
-//! [added_up]
 TEST_CASE("A float clock that adds up 1/60 stops at 524288 s, after 24986955 additions") {
   const AddedUpTime<float> sum = added_up(1.0f / 60, std::int64_t(1) << 40);
   CHECK(sum.stopped);
@@ -230,9 +225,7 @@ TEST_CASE("A double clock that adds up 1/60 is 0.69 ms behind after 10^8 steps, 
   }
   CHECK(farthest <= unit_roundoff<double> * (1 + 4 * unit_roundoff<double>));
 }
-//! [added_up]
 
-//! [graceful]
 TEST_CASE("When frames slow down the physics slows down too and never explodes") {
   // A spring with w h = 1.5: stable at a sixtieth, not at a thirtieth.
   const double w = 90;
@@ -266,7 +259,6 @@ TEST_CASE("When frames slow down the physics slows down too and never explodes")
   CHECK(dropped_time<double>(clock) > 100);  // seconds: it has slowed down, and says by how much
   CHECK(balanced(clock));
 }
-//! [graceful]
 
 TEST_CASE("The books of a clock hold its shortest steps in its longest frames, to the end") {
   // Steps of 1 ns: there can't be more of them than nanoseconds.
@@ -287,7 +279,6 @@ TEST_CASE("The books of a clock hold its shortest steps in its longest frames, t
         "3600000000000000000 ns");
 }
 
-//! [alternating]
 TEST_CASE("Two steps that are each stable can explode when they alternate") {
   // In units of 1/w, steps a and b in turn multiply the state by a matrix of determinant 1 and
   // trace 2 − (a + b)² + a² b². It is stable while that lies between −2 and 2.
@@ -310,9 +301,7 @@ TEST_CASE("Two steps that are each stable can explode when they alternate") {
   CHECK(trace(1.4, 0.7) > -2);
   CHECK(largest_after(1.4, 0.7) < 10);
 }
-//! [alternating]
 
-//! [refused]
 TEST_CASE("A frame, step or cap that cannot be is refused by name, and the clock is unchanged") {
   StepClock clock = make_step_clock(steps_per_second(60));
   steps_due(clock, 20 * millisecond);
@@ -361,4 +350,3 @@ TEST_CASE("A frame, step or cap that cannot be is refused by name, and the clock
   CHECK(complaint_of([] { make_step_clock({}, 1, 0); }) ==
         "most steps in a frame is 0; it must lie between 1 and 1000000");
 }
-//! [refused]

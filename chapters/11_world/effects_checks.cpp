@@ -16,14 +16,12 @@ RigidBody<Real> ball_body(const Vec3<Real>& place, const Vec3<Real>& velocity,
 }
 
 /// The user's own effect: a breeze that comes and goes.
-//! [own_effect]
 template <class Real>
 struct Breeze {
   static constexpr std::string_view name = "breeze";
   Vec3<Real> push = {1, 0, 0};  // N
   Vec3<Real> force(const Particle<Real>&, Real time) const { return std::sin(time) * push; }
 };
-//! [own_effect]
 
 /// A blow that squares what the kick has made of a speed: with it no two of the phases commute.
 template <class Real>
@@ -63,7 +61,6 @@ TEST_CASE_TEMPLATE("Gravity as force and as acceleration lead through the same p
         steps * 8 * 16 * unit_roundoff<Real>);
 }
 
-//! [orbit]
 TEST_CASE_TEMPLATE("A body circles a point of gravity in Kepler's time", Real, EVERY_PRECISION) {
   // G M = 8, r = 2: v² = G M/r = 4 and the period is 2π r/v = 2π s.
   const int steps = 4096;
@@ -84,7 +81,6 @@ TEST_CASE_TEMPLATE("A body circles a point of gravity in Kepler's time", Real, E
   const Vec3<Real> end = world.body(moon).centre.position;
   CHECK(std::abs(end.y() / 2) <= Real(2e-5) + 16 * steps * unit_roundoff<Real>);
 }
-//! [orbit]
 
 TEST_CASE_TEMPLATE("Point gravity falls with the square of the distance, towards the point", Real,
                    EVERY_PRECISION) {
@@ -107,7 +103,6 @@ TEST_CASE_TEMPLATE("Point gravity falls with the square of the distance, towards
         40 * h * h + 4 * 36 * unit_roundoff<Real> / h);
 }
 
-//! [spring_oscillates]
 TEST_CASE_TEMPLATE("A spring to a point is chapter 6's oscillator, to rounding", Real,
                    EVERY_PRECISION) {
   World<Real> world(steps_per_second(100));
@@ -126,7 +121,6 @@ TEST_CASE_TEMPLATE("A spring to a point is chapter 6's oscillator, to rounding",
             Real(n + 1) * 32 * unit_roundoff<Real>);
   }
 }
-//! [spring_oscillates]
 
 TEST_CASE_TEMPLATE("A spring off the centre gives the torque of its force at its attachment", Real,
                    EVERY_PRECISION) {
@@ -172,7 +166,6 @@ TEST_CASE_TEMPLATE("A tether pulls and never pushes", Real, EVERY_PRECISION) {
   }
 }
 
-//! [thruster_spins]
 TEST_CASE_TEMPLATE("A thruster turns with its body: it spins up as τ t/I and pushes along itself",
                    Real, EVERY_PRECISION) {
   World<Real> world(steps_per_second(128));
@@ -191,7 +184,6 @@ TEST_CASE_TEMPLATE("A thruster turns with its body: it spins up as τ t/I and pu
   CHECK(std::abs(angular_velocity_world(end.top).z() - 20) <= 256 * 4 * 20 * unit_roundoff<Real>);
   CHECK(distance(tumble::momentum(end), momentum) <= 512 * 8 * unit_roundoff<Real>);
 }
-//! [thruster_spins]
 
 TEST_CASE_TEMPLATE(
     "A thruster acts in the steps that begin while it burns, and if none begins, in none", Real,
@@ -293,7 +285,6 @@ TEST_CASE_TEMPLATE(
   }
 }
 
-//! [buoyancy_volume]
 TEST_CASE_TEMPLATE("A ball is lifted by the weight of what it displaces, at every depth", Real,
                    EVERY_PRECISION) {
   const Buoyancy<Real> water{.density = 1000, .radius = 2, .surface = 5, .gravity = 10};
@@ -314,7 +305,6 @@ TEST_CASE_TEMPLATE("A ball is lifted by the weight of what it displaces, at ever
     CHECK(std::abs(volume(height) - simpson) <= 32 * ball * unit_roundoff<Real>);
   }
 }
-//! [buoyancy_volume]
 
 TEST_CASE_TEMPLATE("Damping as an effect keeps the fraction that chapter 9 computes", Real,
                    EVERY_PRECISION) {
@@ -338,7 +328,6 @@ TEST_CASE_TEMPLATE("Drag in a world is chapter 9's, wind and all", Real, EVERY_P
   CHECK(world.body(leaf).centre.velocity.x() == Real(0.125));  // ½ · 4² /64, exact in binary
 }
 
-//! [own]
 TEST_CASE_TEMPLATE("A force of the user's own is planned, run and named like ours", Real,
                    EVERY_PRECISION) {
   World<Real> world(steps_per_second(1000));
@@ -356,7 +345,6 @@ TEST_CASE_TEMPLATE("A force of the user's own is planned, run and named like our
   CHECK(std::abs(world.body(leaf).centre.velocity.x() - (1 - std::cos(Real(3))) / 2) <=
         Real(0.0005) / 2 + 3000 * 2 * unit_roundoff<Real>);
 }
-//! [own]
 
 TEST_CASE_TEMPLATE("The order of work is kick, blow, damping, drift", Real, EVERY_PRECISION) {
   World<Real> world(steps_per_second(1));
@@ -370,7 +358,6 @@ TEST_CASE_TEMPLATE("The order of work is kick, blow, damping, drift", Real, EVER
   CHECK(std::abs(world.body(ball).centre.position.x() - Real(4.5)) <= 16 * unit_roundoff<Real>);
 }
 
-//! [phases]
 TEST_CASE_TEMPLATE("A velocity that an effect writes moves a body, in whatever phase", Real,
                    EVERY_PRECISION) {
   const auto after_a_second = [](const auto& motor) {
@@ -396,7 +383,6 @@ TEST_CASE_TEMPLATE("A velocity that an effect writes moves a body, in whatever p
   // Behind the drift of the first step, it misses one of 64.
   check(Motor<Real, drift>{}, Motor<Real, drift>{none}, Real(63) / 64);
 }
-//! [phases]
 
 TEST_CASE_TEMPLATE(
     "A body of no inverse mass that can turn is turned by a torque, and by a push off its centre",
@@ -480,7 +466,6 @@ TEST_CASE("A rule of the user's own turns a world, alone and in a list") {
   CHECK(turned([](auto& world) { List::choose(world, 2); }));
 }
 
-//! [methods]
 TEST_CASE_TEMPLATE("A world turns by the rule that was chosen", Real, EVERY_PRECISION) {
   const RigidBody<Real> box = make_rigid_body<Real>("box", mass_properties(Box<Real>{{1, 2, 3}}, 2),
                                                     {}, Vec3<Real>::Zero(), {1, 2, 3})
@@ -509,4 +494,3 @@ TEST_CASE_TEMPLATE("A world turns by the rule that was chosen", Real, EVERY_PREC
   expect(ExplicitEuler{}, &turn_explicitly<Real>);
   expect(Steady{}, &turn_steadily<Real>);
 }
-//! [methods]

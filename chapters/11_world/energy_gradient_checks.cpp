@@ -112,7 +112,6 @@ bool is_smooth(const Spring<Real>& spring, Real length) {
 
 }  // namespace
 
-//! [gradient]
 TEST_CASE_TEMPLATE("The force of each gravity is the slope of its energy, and it gives no torque",
                    Real, EVERY_PRECISION) {
   Dice dice(41);
@@ -195,4 +194,3 @@ TEST_CASE_TEMPLATE("Force and torques of a spring between bodies are the slopes 
   }
   CHECK(tried > 50);
 }
-//! [gradient]

@@ -173,7 +173,6 @@ int try_own_effect(const Effect& effect) {
 
 }  // namespace
 
-//! [thousand]
 TEST_CASE_TEMPLATE("A thousand random worlds move by plan as when nothing is known of any body",
                    Real, EVERY_PRECISION) {
   std::set<std::string> kinds;
@@ -189,9 +188,7 @@ TEST_CASE_TEMPLATE("A thousand random worlds move by plan as when nothing is kno
   }
   CHECK(kinds.size() == 12);
 }
-//! [thousand]
 
-//! [own]
 TEST_CASE_TEMPLATE(
     "Effects of the user's own, whatever they see and give, move bodies by plan as when nothing is "
     "known of any",
@@ -206,7 +203,6 @@ TEST_CASE_TEMPLATE(
   CHECK(try_own_effect<Real>(OwnBlowBetween<Real>{}) > 12);
   CHECK(try_own_effect<Real>(OwnContact<Real>{}) > 12);
 }
-//! [own]
 
 TEST_CASE_TEMPLATE(
     "What an effect writes counts in every phase: velocity, spin, position and orientation", Real,

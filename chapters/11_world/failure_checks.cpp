@@ -325,7 +325,6 @@ bool same_motion(const World<Real>& one, const World<Real>& other) {
 
 }  // namespace
 
-//! [thrown]
 TEST_CASE_TEMPLATE("What an effect throws in the middle of a step comes through, and nothing moves",
                    Real, EVERY_PRECISION) {
   for (const Scheme scheme : {Scheme::semi_implicit_euler, Scheme::verlet, Scheme::suzuki}) {
@@ -358,4 +357,3 @@ TEST_CASE_TEMPLATE("What an effect throws in the middle of a step comes through,
     refused(Refusal<Real, Phase::drift>{});
   }
 }
-//! [thrown]

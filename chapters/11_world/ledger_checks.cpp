@@ -41,7 +41,6 @@ double size_of(const LedgerLine& line) {
 
 }  // namespace
 
-//! [closes]
 TEST_CASE_TEMPLATE("The books close to rounding: what the effects put in is what the bodies have",
                    Real, EVERY_PRECISION) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -62,7 +61,6 @@ TEST_CASE_TEMPLATE("The books close to rounding: what the effects put in is what
     CHECK(size_of(ledger.rest(world)) <= bound);
   }
 }
-//! [closes]
 
 TEST_CASE_TEMPLATE("A step with books is a step without them, to the bit", Real, EVERY_PRECISION) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -78,7 +76,6 @@ TEST_CASE_TEMPLATE("A step with books is a step without them, to the bit", Real,
   }
 }
 
-//! [throw]
 TEST_CASE_TEMPLATE(
     "Gravity's line is m g times the height fallen, less that of half a step at the speed "
     "reached",
@@ -102,7 +99,6 @@ TEST_CASE_TEMPLATE(
   CHECK(before - Ledger<Real>::stored(world) == 2 * 8 * 4.0625);
   CHECK(ledger.lines()[0].energy == 2 * 8 * (4.0625 - 8.0 / 64 / 2));
 }
-//! [throw]
 
 TEST_CASE_TEMPLATE("A spring between bodies puts in no momentum and no angular momentum", Real,
                    EVERY_PRECISION) {
@@ -132,7 +128,6 @@ TEST_CASE_TEMPLATE("A spring between bodies puts in no momentum and no angular m
   CHECK(ledger.lines()[0].angular_momentum.norm() <= bound);
 }
 
-//! [open]
 TEST_CASE_TEMPLATE(
     "The books close for a force of the wrong sign, for velocities that an effect writes, and for "
     "two "
@@ -165,7 +160,6 @@ TEST_CASE_TEMPLATE(
   CHECK(unexplained(sideways, Coriolis<Real>{}) <= rounding);
   CHECK(unexplained(Upwards<Real>{}, sideways, Coriolis<Real>{}) <= rounding);
 }
-//! [open]
 
 TEST_CASE_TEMPLATE("A failed step leaves the books as they were", Real, EVERY_PRECISION) {
   World<Real> world;

@@ -39,7 +39,6 @@ RigidBody<Real> box_body(const Vec3<Real>& spin = Vec3<Real>::Zero()) {
 
 }  // namespace
 
-//! [thousand]
 TEST_CASE_TEMPLATE("A thousand random worlds move by plan as by the reference run, to the bit",
                    Real, EVERY_PRECISION) {
   int moved = 0;
@@ -63,9 +62,7 @@ TEST_CASE_TEMPLATE("A thousand random worlds move by plan as by the reference ru
   }
   CHECK(moved > 800);  // the worlds are not idle: four in five have changed
 }
-//! [thousand]
 
-//! [both_fail]
 TEST_CASE_TEMPLATE("A step that fails by plan fails by the reference run too, in the same words",
                    Real, EVERY_PRECISION) {
   int failed = 0;
@@ -88,7 +85,6 @@ TEST_CASE_TEMPLATE("A step that fails by plan fails by the reference run too, in
   }
   CHECK(failed > 50);  // wherever a body is not static
 }
-//! [both_fail]
 
 TEST_CASE_TEMPLATE("A top with equal moments turns by splitting as it turns steadily", Real,
                    EVERY_PRECISION) {
@@ -109,7 +105,6 @@ TEST_CASE_TEMPLATE("A top with equal moments turns by splitting as it turns stea
   }
 }
 
-//! [nothing]
 TEST_CASE_TEMPLATE("A scene of resting points under no force runs no pass at all", Real,
                    EVERY_PRECISION) {
   World<Real> world;
@@ -121,9 +116,7 @@ TEST_CASE_TEMPLATE("A scene of resting points under no force runs no pass at all
   world.step();
   CHECK(world.ticks() == 1);
 }
-//! [nothing]
 
-//! [first_spin]
 TEST_CASE_TEMPLATE("A first spin changes the plan at once, and the world says so", Real,
                    EVERY_PRECISION) {
   World<Real> world;
@@ -142,7 +135,6 @@ TEST_CASE_TEMPLATE("A first spin changes the plan at once, and the world says so
   world.step();
   CHECK_FALSE(same_bits(world.body(box).top.orientation.imaginary, before.imaginary));
 }
-//! [first_spin]
 
 TEST_CASE_TEMPLATE("A first torque calls for turning, and turning for the Magnus force", Real,
                    EVERY_PRECISION) {
@@ -162,7 +154,6 @@ TEST_CASE_TEMPLATE("A first torque calls for turning, and turning for the Magnus
   CHECK(row_of(world.plan(), "kick of the spin")->visited == 0);
 }
 
-//! [explain]
 TEST_CASE("A plan prints as a table, with a reason in every line") {
   World<double> world;
   for (int n = 0; n < 3; ++n)
@@ -184,4 +175,3 @@ TEST_CASE("A plan prints as a table, with a reason in every line") {
     CHECK(!row.reason.empty());
   }
 }
-//! [explain]

@@ -92,7 +92,6 @@ double error_of(const Scenario<Real>& scenario, Scheme scheme, int steps) {
 
 }  // namespace
 
-//! [orders]
 TEST_CASE("A world's error falls with the power of its step that the plan promises") {
   for (const Scenario<double>& scenario : scenarios<double>())
     for (const Scheme scheme : every_scheme) {
@@ -104,7 +103,6 @@ TEST_CASE("A world's error falls with the power of its step that the plan promis
       CHECK(std::lround(order) == std::min(order_of(scheme), scenario.most));
     }
 }
-//! [orders]
 
 TEST_CASE(
     "A kink leaves Suzuki's scheme the order that the plan says: 2 where a tether becomes taut, 3 "
@@ -196,7 +194,6 @@ World<Real> world_that_can_go_back(Scheme scheme) {
   return world;
 }
 
-//! [back]
 TEST_CASE_TEMPLATE(
     "By Verlet and by Suzuki a world whose motion is turned round goes back to its start", Real,
     EVERY_PRECISION) {
@@ -225,9 +222,7 @@ TEST_CASE_TEMPLATE(
       CHECK(missed <= roundings);
   }
 }
-//! [back]
 
-//! [limits]
 TEST_CASE("Below a scheme's limit a spring's swing stays bounded, and a twentieth above it grows") {
   for (const Scheme scheme : every_scheme)
     for (const double damping : {0.0, 0.1, 0.5, 2.0, 6.0, 20.0}) {
@@ -261,7 +256,6 @@ TEST_CASE("Below a scheme's limit a spring's swing stays bounded, and a twentiet
       CHECK(largest_after(is_careful ? 3 : 1.05) >= 1e6);
     }
 }
-//! [limits]
 
 TEST_CASE("Whoever chooses a scheme that a spring is too stiff for is warned at the next step") {
   World<double> world(steps_per_second(10));

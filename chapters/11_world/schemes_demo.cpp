@@ -51,12 +51,10 @@ int main(int argument_count, char** arguments) {
   notebook.value("closer", support::number("%.0f", last_by_verlet / last_by_suzuki));
   support::expect(last_by_suzuki < last_by_verlet, "many kicks are best spent on Suzuki's scheme");
 
-  //! [limited]
   World<double> world = moon(100);
   world.step_by(Scheme::suzuki);
   world.add(QuadraticDrag<double>{.coefficient = 0.001});
   std::printf("\nwith drag: %s\n", text_of(world.plan().accuracy).c_str());
-  //! [limited]
   notebook.value("limited", text_of(world.plan().accuracy));
   const double higher = largest_stable_angle(Scheme::suzuki) / largest_stable_angle(Scheme::verlet);
   notebook.value("limit_of_suzuki", support::number("%.2f", higher));

@@ -29,7 +29,6 @@ struct Elsewhere {
 
 }  // namespace
 
-//! [rewind]
 TEST_CASE_TEMPLATE("A world that is taken back moves on with the same bits, from memory or a file",
                    Real, EVERY_PRECISION) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -54,9 +53,7 @@ TEST_CASE_TEMPLATE("A world that is taken back moves on with the same bits, from
     }
   }
 }
-//! [rewind]
 
-//! [marks]
 TEST_CASE_TEMPLATE("A world goes back to its marks, in any order, to the bit", Real,
                    EVERY_PRECISION) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -96,7 +93,6 @@ TEST_CASE_TEMPLATE("A world goes back to its marks, in any order, to the bit", R
     }
   }
 }
-//! [marks]
 
 TEST_CASE_TEMPLATE("A mark holds the bodies that may have moved since the first one, and no others",
                    Real, EVERY_PRECISION) {

@@ -193,7 +193,6 @@ struct Hand {
 
 }  // namespace
 
-//! [input]
 TEST_CASE_TEMPLATE("A push at a point acts in one step alone, like an effect that lasts one step",
                    Real, EVERY_PRECISION) {
   const auto after = [](bool by_hand) {
@@ -220,7 +219,6 @@ TEST_CASE_TEMPLATE("A push at a point acts in one step alone, like an effect tha
   CHECK(same_bits(pushed.top.angular_momentum_body, burnt.top.angular_momentum_body));
   CHECK(same_bits(pushed.top.orientation.imaginary, burnt.top.orientation.imaginary));
 }
-//! [input]
 
 TEST_CASE_TEMPLATE("A push stays with its body while others are removed, and goes with its own",
                    Real, EVERY_PRECISION) {

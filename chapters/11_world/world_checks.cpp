@@ -41,7 +41,6 @@ RigidBody<Real> ball_body(const Vec3<Real>& place, const Vec3<Real>& spin = Vec3
 
 }  // namespace
 
-//! [stale]
 TEST_CASE_TEMPLATE("A stale handle says so, and its slot's next body is another body", Real,
                    EVERY_PRECISION) {
   World<Real> world;
@@ -61,9 +60,7 @@ TEST_CASE_TEMPLATE("A stale handle says so, and its slot's next body is another 
   CHECK(world.find("third") == third);
   CHECK(world.name_of(second) == "second");
 }
-//! [stale]
 
-//! [foreign]
 TEST_CASE_TEMPLATE(
     "A handle from no world or from another is refused; a copy knows those of its original", Real,
     EVERY_PRECISION) {
@@ -91,7 +88,6 @@ TEST_CASE_TEMPLATE(
   CHECK(copy.body(body).centre.velocity.x() == 1);
   CHECK(world.body(body).centre.velocity.x() == 0);
 }
-//! [foreign]
 
 TEST_CASE_TEMPLATE("Bodies keep their tops while others are removed", Real, EVERY_PRECISION) {
   Dice dice(5);
@@ -125,7 +121,6 @@ TEST_CASE_TEMPLATE("Bodies keep their tops while others are removed", Real, EVER
   }
 }
 
-//! [broken]
 TEST_CASE_TEMPLATE("A force that turns NaN stops the step, names its effect, and nothing has moved",
                    Real, EVERY_PRECISION) {
   World<Real> world(steps_per_second(64));
@@ -152,7 +147,6 @@ TEST_CASE_TEMPLATE("A force that turns NaN stops the step, names its effect, and
   CHECK(same_motion(before, world.bodies()));
   CHECK(world.ticks() == 5);
 }
-//! [broken]
 
 TEST_CASE_TEMPLATE("A step that leads nowhere finite is not taken", Real, EVERY_PRECISION) {
   World<Real> world;
@@ -169,7 +163,6 @@ TEST_CASE_TEMPLATE("A step that leads nowhere finite is not taken", Real, EVERY_
   CHECK(world.body(rock).centre.position.x() == world.time_step());
 }
 
-//! [lost]
 TEST_CASE_TEMPLATE("A turn beyond the range of the sine is taken back, and all that moved with it",
                    Real, EVERY_PRECISION) {
   const Real largest = 2 * SineCosineConstants<Real>::limit;
@@ -192,9 +185,7 @@ TEST_CASE_TEMPLATE("A turn beyond the range of the sine is taken back, and all t
         std::string::npos);
   CHECK(same_motion(before, fast.bodies()));
 }
-//! [lost]
 
-//! [bad_input]
 TEST_CASE_TEMPLATE("Bad input is refused when it comes, by name, value, unit and rule", Real,
                    EVERY_PRECISION) {
   World<Real> world;
@@ -283,7 +274,6 @@ TEST_CASE_TEMPLATE("Bad input is refused when it comes, by name, value, unit and
   CHECK(world.effects().empty());
   CHECK(world.body_count() == 2);
 }
-//! [bad_input]
 
 TEST_CASE_TEMPLATE("Removing a body removes what was fixed to it, and nothing else", Real,
                    EVERY_PRECISION) {

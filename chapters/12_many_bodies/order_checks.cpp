@@ -88,7 +88,6 @@ constexpr auto nothing = [](auto&, int) {};
 
 }  // namespace
 
-//! [phases]
 TEST_CASE_TEMPLATE("Effects of all phases act on packs in the order in which they act one by one",
                    Real, EVERY_PRECISION) {
   compare<Real>(
@@ -109,7 +108,6 @@ TEST_CASE_TEMPLATE("Effects of all phases act on packs in the order in which the
       },
       nothing);
 }
-//! [phases]
 
 TEST_CASE_TEMPLATE("An effect that finds its pairs finds them in packs too", Real,
                    EVERY_PRECISION) {
@@ -160,7 +158,6 @@ TEST_CASE_TEMPLATE("A push in packs that is given before a step that fails is gi
   CHECK(same_bits(world.body(top).top.angular_momentum_body, Vec3<Real>(2, 0, 0)));
 }
 
-//! [parts]
 TEST_CASE_TEMPLATE(
     "The parts of a step in packs are named, counted and, one after another, the step", Real,
     EVERY_PRECISION) {
@@ -198,7 +195,6 @@ TEST_CASE_TEMPLATE(
                                            {"guard of centres", work.movers.size()},
                                            {"guard of tops", turning}});
 }
-//! [parts]
 
 namespace {
 

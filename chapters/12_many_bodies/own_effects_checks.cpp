@@ -156,7 +156,6 @@ bool is_same_until_burnt_out(Effect effect) {
 
 }  // namespace
 
-//! [own_effects]
 TEST_CASE_TEMPLATE(
     "Effects of the user's own, of every form and in every phase, move packs as one by one, and "
     "fail alike",
@@ -179,7 +178,6 @@ TEST_CASE_TEMPLATE(
   CHECK(is_same_until_burnt_out<Real>(OwnPushBetween<Real>{}));
   CHECK(is_same_until_burnt_out<Real>(OwnBlowBetween<Real>{}));
 }
-//! [own_effects]
 
 namespace {
 

@@ -65,7 +65,6 @@ bool is_same_lane_by_lane(const Function& function) {
 
 }  // namespace
 
-//! [three]
 TEST_CASE_TEMPLATE("Of three products the last two are added first, alone and in a pack", Real,
                    EVERY_PRECISION) {
   std::mt19937 generator(3);
@@ -93,7 +92,6 @@ TEST_CASE_TEMPLATE("Of three products the last two are added first, alone and in
   }
   CHECK(other_order_differs > 100);  // so a sum from the front would be seen
 }
-//! [three]
 
 TEST_CASE_TEMPLATE("A number is the same in every lane of a pack, and a zero keeps its sign", Real,
                    EVERY_PRECISION) {
@@ -108,7 +106,6 @@ TEST_CASE("A pack has a lane for each number of a register: twice as many floats
   CHECK(sizeof(Packed<double>) == vector_bytes);
 }
 
-//! [lanes]
 TEST_CASE_TEMPLATE("A pack computes in each lane what a number alone would, to the bit", Real,
                    EVERY_PRECISION) {
   using std::abs, std::sqrt;
@@ -131,7 +128,6 @@ TEST_CASE_TEMPLATE("A pack computes in each lane what a number alone would, to t
   CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return select(a >= 0 || b < 0, a, b); }));
   CHECK(is_same_lane_by_lane<Real>([](auto a, auto b) { return select(!(a > b), a, b); }));
 }
-//! [lanes]
 
 TEST_CASE_TEMPLATE("Sine and cosine of a pack are those of its numbers, to the bit", Real,
                    EVERY_PRECISION) {
@@ -139,7 +135,6 @@ TEST_CASE_TEMPLATE("Sine and cosine of a pack are those of its numbers, to the b
   CHECK(is_same_lane_by_lane<Real>([](auto a, auto) { return sine_cosine(a).cosine; }));
 }
 
-//! [rules]
 TEST_CASE_TEMPLATE("Every rule of chapter 8 turns a pack as it turns its tops, to the bit", Real,
                    EVERY_PRECISION) {
   std::mt19937 generator(8);
@@ -181,4 +176,3 @@ TEST_CASE_TEMPLATE("Every rule of chapter 8 turns a pack as it turns its tops, t
   compare([](auto& top, auto h) { turn_by_splitting_without_sine(top, h); });
   compare([](auto& top, auto h) { kick(top, h), turn_by_splitting(top, h); });
 }
-//! [rules]

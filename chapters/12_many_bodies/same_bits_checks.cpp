@@ -3,12 +3,10 @@
 using namespace tumble;
 using namespace tumble::support;
 
-//! [same_bits]
 TEST_CASE_TEMPLATE("Random worlds move in packs as one by one, to the bit", Real, EVERY_PRECISION) {
   compare_with_one_by_one<Real, natural_width<Real>>(1, 70, 1);
   compare_with_one_by_one<Real, natural_width<Real>>(71, 30, 2);
 }
-//! [same_bits]
 
 TEST_CASE("A world of points in packs keeps no tops") {
   ManyBodies<float> rain;
@@ -43,7 +41,6 @@ TEST_CASE_TEMPLATE("Thousands of bodies shared among threads move as one by one,
   }
 }
 
-//! [springs]
 TEST_CASE_TEMPLATE("Thousands of springs shared among threads pull as one by one, to the bit", Real,
                    EVERY_PRECISION) {
   const auto net = []<class AnyWorld>(AnyWorld world) {
@@ -79,7 +76,6 @@ TEST_CASE_TEMPLATE("Thousands of springs shared among threads pull as one by one
   }
   CHECK(same_motion(plain.bodies(), packed.bodies()));
 }
-//! [springs]
 
 TEST_CASE_TEMPLATE("A body that fills a gap in a pack keeps its own top", Real, EVERY_PRECISION) {
   // The gap is the second place of the second pack: the last body's top, which lies a pack further

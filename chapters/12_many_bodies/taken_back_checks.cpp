@@ -20,7 +20,6 @@ struct Wind {
 
 }  // namespace
 
-//! [taken_back]
 TEST_CASE_TEMPLATE("A step in packs that fails is taken back to the bit, with the same error", Real,
                    EVERY_PRECISION) {
   // 1.5 s are 96 steps: one and a half times as many as can be repeated without another copy.
@@ -51,7 +50,6 @@ TEST_CASE_TEMPLATE("A step in packs that fails is taken back to the bit, with th
     CHECK(same_motion(plain.bodies(), packed.bodies()));
   }
 }
-//! [taken_back]
 
 TEST_CASE_TEMPLATE("In packs too a world goes back to its marks, to the bit", Real,
                    EVERY_PRECISION) {

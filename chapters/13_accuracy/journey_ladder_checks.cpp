@@ -105,7 +105,6 @@ auto error_in(const Problem<Body, Gather>& problem) {
 
 }  // namespace
 
-//! [journey_orders]
 TEST_CASE_TEMPLATE(
     "Of a free top's rungs that choose their steps, each of one estimate has the order that it "
     "claims",
@@ -124,7 +123,6 @@ TEST_CASE_TEMPLATE(
   // above rounding to a low order alone.
   CHECK(shown >= (std::is_same_v<Real, float> ? 1 : 5));
 }
-//! [journey_orders]
 
 TEST_CASE("Where a journey's steps are divided in proportion, each pair shows its order") {
   using Wide = long double;
@@ -161,7 +159,6 @@ TEST_CASE("Where a journey's steps are divided in proportion, each pair shows it
         orbit, 8);
 }
 
-//! [journey_claims]
 TEST_CASE_TEMPLATE(
     "Each rung that chooses its steps keeps what it claims to keep and loses what it does not",
     Real, EVERY_PRECISION) {
@@ -192,4 +189,3 @@ TEST_CASE_TEMPLATE(
     CHECK(double(angle_between(exactly(top).orientation, exactly(start).orientation)) > rounding);
   }
 }
-//! [journey_claims]

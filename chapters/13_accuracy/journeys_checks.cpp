@@ -12,7 +12,6 @@ using Wide = long double;
 
 }  // namespace
 
-//! [landing]
 TEST_CASE_TEMPLATE("A journey ends where it shall, and no step goes beyond, but for two roundings",
                    Real, EVERY_PRECISION) {
   const auto problem = heavy_top<Real>("", 3);
@@ -49,9 +48,7 @@ TEST_CASE_TEMPLATE("A step that is not accepted leaves no trace", Real, EVERY_PR
   CHECK(same_bits(hasty.body().position, patient.body().position));
   CHECK(same_bits(hasty.body().velocity, patient.body().velocity));
 }
-//! [landing]
 
-//! [dense]
 TEST_CASE("Within a step the state errs by the order of the pair's curve, and meets both ends") {
   auto orbit = eccentric_orbit<Wide>();
   orbit.start = make_particle<Wide>(1, {0.8L, 0, 0}, {0, std::sqrt(1.5L), 0});  // e = 0.2
@@ -78,7 +75,6 @@ TEST_CASE("Within a step the state errs by the order of the pair's curve, and me
   CHECK(std::abs(fifth - 5) < 0.3L);
   CHECK(std::abs(eighth - 8) < 0.5L);
 }
-//! [dense]
 
 TEST_CASE_TEMPLATE(
     "A journey of no time leaves a planet where it is, to the bit, and a top but for rounding",

@@ -26,11 +26,9 @@ int main(int argument_count, char** arguments) {
   const Topd start = support::top_of<double>(support::tumbling_problems[0]);
   const double E = kinetic_energy(start);
   const Vec3d L = angular_momentum_world(start);
-  //! [methods]
   const std::array methods = {turn_by_augmented_rule<double>, turn_by_runge_kutta<Kutta, double>,
                               turn_by_lie_runge_kutta<double>, turn_by_splitting<double>,
                               turn_by_implicit_midpoint<double>};
-  //! [methods]
   std::array<Topd, 5> tops;
   tops.fill(start);
   std::array<double, 5> worst_energy{}, worst_momentum{}, shown_energy{}, shown_momentum{};

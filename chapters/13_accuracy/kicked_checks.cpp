@@ -15,7 +15,6 @@ TEST_CASE_TEMPLATE("Explicit Euler drifts with the velocity from before its kick
   CHECK(particle.velocity != orbit.start.velocity);
 }
 
-//! [gathered]
 TEST_CASE_TEMPLATE("Every step leaves the force and torque gathered for the time that it reaches",
                    Real, EVERY_PRECISION) {
   const auto orbit = eccentric_orbit<Real>();
@@ -52,9 +51,7 @@ TEST_CASE_TEMPLATE("Every step leaves the force and torque gathered for the time
           100 * unit_roundoff<Real>);  // the time is a sum of portions
   }
 }
-//! [gathered]
 
-//! [kicked_reverses]
 TEST_CASE_TEMPLATE("With its velocity turned around, a symmetric step retraces the orbit", Real,
                    EVERY_PRECISION) {
   const auto orbit = eccentric_orbit<Real>();
@@ -78,7 +75,6 @@ TEST_CASE_TEMPLATE("With its velocity turned around, a symmetric step retraces t
       CHECK(off > rounding);
   }
 }
-//! [kicked_reverses]
 
 TEST_CASE_TEMPLATE("A heavy top that is kicked and drifted keeps L about the vertical", Real,
                    EVERY_PRECISION) {
@@ -94,7 +90,6 @@ TEST_CASE_TEMPLATE("A heavy top that is kicked and drifted keeps L about the ver
   }
 }
 
-//! [turned_exactly]
 TEST_CASE_TEMPLATE("The exact solution as a rung: many steps lead where one does", Real,
                    EVERY_PRECISION) {
   for (const auto& problem : free_problems<Real>()) {
@@ -112,9 +107,7 @@ TEST_CASE_TEMPLATE("The exact solution as a rung: many steps lead where one does
     CHECK(difference(exactly(often), truth) <= 16 * 16 * claim);
   }
 }
-//! [turned_exactly]
 
-//! [locked]
 TEST_CASE_TEMPLATE("On every rung of the torque ladder L about a locked axis stays 0", Real,
                    EVERY_PRECISION) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -128,7 +121,6 @@ TEST_CASE_TEMPLATE("On every rung of the torque ladder L about a locked axis sta
     }
   }
 }
-//! [locked]
 
 TEST_CASE_TEMPLATE("Kick and drift takes the force of now, and then the velocity that it has made",
                    Real, EVERY_PRECISION) {

@@ -44,7 +44,6 @@ void check_reversals(const Problem<Body, Gather>& problem, int steps, const Ladd
 
 }  // namespace
 
-//! [orbit_orders]
 TEST_CASE("On an orbit each rung of the motion ladder has its order, against the exact orbit") {
   Problem<Particle<Wide>, Star<Wide>> problem = eccentric_orbit<Wide>();
   problem.start = make_particle<Wide>(1, {0.8L, 0, 0}, {0, std::sqrt(1.5L), 0});  // e = 0.2
@@ -52,7 +51,6 @@ TEST_CASE("On an orbit each rung of the motion ladder has its order, against the
   const auto truth = exactly_after(problem.gather, problem.start, problem.seconds);
   check_orders(problem, truth, motion_ladder<Wide, Star<Wide>>);
 }
-//! [orbit_orders]
 
 TEST_CASE("Under a push that changes with time each rung of the motion ladder has its order") {
   const Problem<Particle<Wide>, SwungSpring> problem{
@@ -80,14 +78,12 @@ TEST_CASE("On a throw through thick air each rung that knows of the air has its 
   check_orders(problem, truth, rungs);
 }
 
-//! [heavy_orders]
 TEST_CASE("On a heavy top each rung of the torque ladder has its order, against the exact motion") {
   auto problem = heavy_top<Wide>("", 8);
   problem.seconds = 4;
   const auto truth = exactly_after(problem.gather, problem.start, problem.seconds);
   check_orders(problem, truth, torque_ladder<Wide, Weight<Wide>>);
 }
-//! [heavy_orders]
 
 TEST_CASE("There and back, a rung is off by roundings alone if it claims to retrace its steps") {
   Problem<Particle<Wide>, Star<Wide>> orbit = eccentric_orbit<Wide>();

@@ -22,7 +22,6 @@ long double angle_error(const TurningRung<Real>& rung, int steps) {
 
 }  // namespace
 
-//! [orders]
 TEST_CASE("Halving the time step divides each rung's error by two to the power of its order") {
   for (const auto& rung : turning_ladder<long double>) {
     CAPTURE(std::string(rung.name));
@@ -38,7 +37,6 @@ TEST_CASE("Halving the time step divides each rung's error by two to the power o
     CHECK(std::abs(static_cast<double>(std::log2(ratio)) - order) <= 0.1);
   }
 }
-//! [orders]
 
 TEST_CASE_TEMPLATE("The portions of every row sum to a whole step and read the same backwards",
                    Real, EVERY_PRECISION) {
@@ -99,7 +97,6 @@ TEST_CASE("A tableau's weights sum to 1, and the coefficients of each row to its
   check(FehlbergEighth::rule);
 }
 
-//! [radian_a_step]
 TEST_CASE(
     "At a radian a step the linearly implicit, the augmented and Runge and Kutta's rule get the "
     "energy wrong, and the splitting does not") {
@@ -120,7 +117,6 @@ TEST_CASE(
     CHECK(run("linearly implicit", *problem).energy_ratio < 1);
   CHECK(run("Runge-Kutta", D).diverged > 0);
 }
-//! [radian_a_step]
 
 TEST_CASE("All that the augmented rule leaves out in third order is how the rate's rate changes") {
   // Of the true rotation vector, h ω + ½h² ω̇ + h³/12 ω̇ × ω + h³/6 ω̈ + O(h⁴), it has all but the
@@ -149,7 +145,6 @@ TEST_CASE("All that the augmented rule leaves out in third order is how the rate
         100 * h * h * second.norm());
 }
 
-//! [claims]
 TEST_CASE_TEMPLATE(
     "Each rung keeps what it claims to keep, and up to second order loses what it does not", Real,
     EVERY_PRECISION) {
@@ -171,7 +166,6 @@ TEST_CASE_TEMPLATE(
       CHECK((motion.momentum_error > 10 * rounding || motion.diverged > 0));
   }
 }
-//! [claims]
 
 TEST_CASE(
     "In long double every rung loses what it does not claim to keep, of the highest order too") {
@@ -210,7 +204,6 @@ TEST_CASE("On a spring Verlet's velocity is wrong by an even power of the step t
   CHECK(std::abs(velocity_error(h, 0, 1) / (-h * h * h * h / 24) - 1) < 1e-5L);
 }
 
-//! [reverses]
 TEST_CASE_TEMPLATE(
     "The rungs that claim it retrace their steps, and others of low order lose their way", Real,
     EVERY_PRECISION) {
@@ -232,7 +225,6 @@ TEST_CASE_TEMPLATE(
       CHECK((off > 10 * rounding || !(off == off)));
   }
 }
-//! [reverses]
 
 TEST_CASE_TEMPLATE("The rungs that claim it stay finite at a hundred radians a step", Real,
                    EVERY_PRECISION) {
@@ -250,7 +242,6 @@ TEST_CASE_TEMPLATE("The rungs that claim it stay finite at a hundred radians a s
     }
 }
 
-//! [symmetric]
 TEST_CASE_TEMPLATE(
     "A symmetric top is turned by every row as exactly as rounding lets it, in long steps too",
     Real, EVERY_PRECISION) {
@@ -275,7 +266,6 @@ TEST_CASE_TEMPLATE(
     }
   }
 }
-//! [symmetric]
 
 TEST_CASE_TEMPLATE("Taken in the portions of Verlet, the splitting is chapter 8's, to the bit",
                    Real, EVERY_PRECISION) {
@@ -288,7 +278,6 @@ TEST_CASE_TEMPLATE("Taken in the portions of Verlet, the splitting is chapter 8'
   }
 }
 
-//! [brakes]
 TEST_CASE_TEMPLATE("The linearly implicit rule loses half of d I d with every change d of omega",
                    Real, EVERY_PRECISION) {
   Top<Real> top = top_of<Real>(A);
@@ -302,7 +291,6 @@ TEST_CASE_TEMPLATE("The linearly implicit rule loses half of d I d with every ch
     CHECK(std::abs(energy - lost - kinetic_energy(top)) <= 60 * unit_roundoff<Real> * energy);
   }
 }
-//! [brakes]
 
 TEST_CASE_TEMPLATE("The midpoint rules solve the equations that define them", Real,
                    EVERY_PRECISION) {

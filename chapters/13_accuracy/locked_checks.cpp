@@ -31,7 +31,6 @@ void check_orders_reached(const Problem<Top<Wide>, Gather>& problem, const Top<W
 
 }  // namespace
 
-//! [locked_orders]
 TEST_CASE(
     "Locked about one axis or two, under a weight, each rung of the torque ladder has its order") {
   for (const auto& locked : lockings) {
@@ -50,7 +49,6 @@ TEST_CASE(
     check_orders_reached(problem, truth);
   }
 }
-//! [locked_orders]
 
 TEST_CASE("Turned by a motor about one line, each rung of the torque ladder has its order") {
   for (const auto& locked : lockings) {

@@ -4,7 +4,6 @@
 using namespace tumble;
 using namespace tumble::support;
 
-//! [locked_motions]
 TEST_CASE_TEMPLATE(
     "Locked about one axis or two, each rung errs by what it does in long double, and rounds", Real,
     EVERY_PRECISION) {
@@ -29,4 +28,3 @@ TEST_CASE_TEMPLATE(
     }
   }
 }
-//! [locked_motions]

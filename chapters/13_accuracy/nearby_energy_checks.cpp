@@ -60,7 +60,6 @@ class PacedAndEven {
 
 }  // namespace
 
-//! [nearby]
 TEST_CASE("A splitting keeps a nearby energy: with the term in h^2 the error is one of h^4") {
   for (const TumblingProblem* problem : {&tumbling_problems[0], &tumbling_problems[1]}) {
     CAPTURE(problem->letter);
@@ -86,9 +85,7 @@ TEST_CASE("A splitting keeps a nearby energy: with the term in h^2 the error is 
     CHECK(nearby <= next * energy);
   }
 }
-//! [nearby]
 
-//! [handed]
 TEST_CASE(
     "Without a mirror plane a top's energy drifts with steps that follow the pace, the other way "
     "when turned around, and not with steps of one length") {
@@ -108,9 +105,7 @@ TEST_CASE(
   for (const double even : {forwards[1], backwards[1]})
     CHECK(20 * std::abs(even) <= std::min(forwards[0], -backwards[0]));
 }
-//! [handed]
 
-//! [walk]
 TEST_CASE(
     "With a mirror plane the energy of a chaotic top wanders with steps that follow the pace, as "
     "far up as down, and not with steps of one length") {
@@ -141,4 +136,3 @@ TEST_CASE(
   CHECK(spread[0] > 20 * spread[1]);
   CHECK(std::abs(mean[0]) <= 4 * spread[0] / std::sqrt(double(starts)));
 }
-//! [walk]

@@ -157,7 +157,6 @@ TEST_CASE("There are 1, 1, 2, 4, 9, 20, 48, 115 and 286 rooted trees of one vert
   for (std::size_t size = 1; size <= 9; ++size) CHECK(trees[size].size() == counts[size - 1]);
 }
 
-//! [trees]
 TEST_CASE("The rules of Runge and Kutta meet the condition of every rooted tree of their order") {
   const auto trees = trees_up_to(9);
   const auto order = [&]<class Rule>(Rule) {
@@ -186,7 +185,6 @@ TEST_CASE("Within a step the pairs have the fourth and the seventh order, wherev
           7);
   }
 }
-//! [trees]
 
 namespace {
 
@@ -242,7 +240,6 @@ struct Rule86 {
 
 }  // namespace
 
-//! [nystrom_trees]
 TEST_CASE("The Nystrom pair meets all conditions of eighth and, beside, of sixth order") {
   const auto& rule = DormandPrinceNystrom86::rule;
   // By how much the weights of places and of velocities miss, for accelerations as t^power: errors
@@ -275,4 +272,3 @@ TEST_CASE("The Nystrom pair meets all conditions of eighth and, beside, of sixth
   CHECK(velocities[8] > 1e-9L);
   CHECK(velocities_beside[6] > 1e-9L);
 }
-//! [nystrom_trees]

@@ -21,7 +21,6 @@ struct SwungSpring {
 
 }  // namespace
 
-//! [orbit]
 TEST_CASE_TEMPLATE("By each pair an orbit is where the exact one is, within the tolerance's reach",
                    Real, EVERY_PRECISION) {
   const auto orbit = eccentric_orbit<Real>();
@@ -80,9 +79,7 @@ TEST_CASE("The number of a particle's steps does not depend on the unit of time 
   // One number for both, which is no tolerance but a choice of units.
   CHECK(steps(10, 0, false).first > 2 * in_seconds.first);
 }
-//! [orbit]
 
-//! [path]
 TEST_CASE_TEMPLATE("In transformed time a planet stays on its ellipse, however long its steps",
                    Real, EVERY_PRECISION) {
   const auto orbit = eccentric_orbit<Real>();
@@ -134,4 +131,3 @@ TEST_CASE("In transformed time each row has its order in time, against the exact
   CHECK(std::abs(order(KahanLiSixth(), 64) - 6) < 0.3L);
   CHECK(std::abs(order(KahanLiEighth(), 32) - 8) < 0.4L);
 }
-//! [path]

@@ -27,7 +27,6 @@ void check_tolerances(double seconds, double amplified, double rounding, const E
 
 }  // namespace
 
-//! [tolerances]
 TEST_CASE_TEMPLATE("A free top loses no more in a second than the tolerance, times what it spreads",
                    Real, EVERY_PRECISION) {
   for (const auto& problem : free_problems<Real>()) {
@@ -52,7 +51,6 @@ TEST_CASE_TEMPLATE("A free top loses no more in a second than the tolerance, tim
     by(DormandPrince853());
   }
 }
-//! [tolerances]
 
 TEST_CASE_TEMPLATE(
     "A free top that chooses its steps turns alike, to the bit, in units up to three quarters of "
@@ -89,7 +87,6 @@ TEST_CASE("With a tolerance a hundred times smaller a pair needs as many more st
   CHECK(std::abs(std::log(eighth) / std::log(100) - 1 / 7.0) < 0.02);
 }
 
-//! [kept]
 TEST_CASE_TEMPLATE("With L apart a free top keeps it in the world, whatever the tolerance", Real,
                    EVERY_PRECISION) {
   for (const auto& problem : free_problems<Real>())
@@ -115,7 +112,6 @@ TEST_CASE_TEMPLATE("A step of a free top by its few unknowns is one of the Runge
                    mine = apart.angular_momentum_body.normalized();
   CHECK(distance(mine, direction) <= 40 * unit_roundoff<Real>);
 }
-//! [kept]
 
 TEST_CASE("With L apart a step of constant length has the order of its rule") {
   const auto order = [&]<class Rule>(Rule, int steps) {
@@ -136,7 +132,6 @@ TEST_CASE("With L apart a step of constant length has the order of its rule") {
   CHECK(std::abs(order(DormandPrinceEighth(), 20) - 8) <= next(20));
 }
 
-//! [scale]
 TEST_CASE_TEMPLATE(
     "A tolerance is an angle: inertia and torque times 2^20 or 2^-20 change no bit and no step",
     Real, EVERY_PRECISION) {
@@ -159,7 +154,6 @@ TEST_CASE_TEMPLATE(
     CHECK(same_bits(mine.orientation.imaginary, other.orientation.imaginary));
   }
 }
-//! [scale]
 
 TEST_CASE_TEMPLATE("A pair leaves L of a locked axis at 0, and the top carries on", Real,
                    EVERY_PRECISION) {
@@ -177,7 +171,6 @@ TEST_CASE_TEMPLATE("A pair leaves L of a locked axis at 0, and the top carries o
   }
 }
 
-//! [axis]
 TEST_CASE_TEMPLATE("The axis of a heavy top moves as the exact solution says, and L along it stays",
                    Real, EVERY_PRECISION) {
   for (const double spin : {3, 20}) {
@@ -234,4 +227,3 @@ TEST_CASE("A top that spins faster needs no shorter steps where its axis is apar
   CHECK(steps(apart, 100) == steps(apart, 5));
   CHECK(steps(whole, 100) > 5 * steps(whole, 5));
 }
-//! [axis]

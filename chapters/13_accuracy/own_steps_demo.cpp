@@ -30,7 +30,6 @@ void write_steps(const Notebook& notebook, const Orbit& orbit) {
 
 /// Energy along a hundred rounds: with steps of one length, with steps that are chosen at their
 /// start, with a pair, and in transformed time.
-//! [bounded]
 void write_energies(Notebook& notebook, const Orbit& orbit) {
   const double round = 2 * std::numbers::pi, energy = energy_of(orbit.start);
   Table table = notebook.table("own_steps_energy", {"round", "one length", "chosen at the start",
@@ -58,7 +57,6 @@ void write_energies(Notebook& notebook, const Orbit& orbit) {
     }
     table.row(double(n), last[0], last[1], last[2], last[3]);
   }
-  //! [bounded]
   notebook.value("energy_even", number("%.0e", worst[0]));
   notebook.value("energy_chosen", number("%.0e", last[1]));
   notebook.value("energy_pair", number("%.0e", last[2]));
@@ -75,7 +73,6 @@ void write_energies(Notebook& notebook, const Orbit& orbit) {
 
 /// Energy of a heavy top that swings like a pendulum: with steps that follow its pace, chosen at
 /// their start or symmetrically.
-//! [paced]
 void write_paces(Notebook& notebook) {
   const auto problem = heavy_top<double>("", 0.5);
   const auto error = [&](const Topd& top) {
@@ -99,7 +96,6 @@ void write_paces(Notebook& notebook) {
     if (n == 1000) at_first = of_paced;
     if (n % 1000 == 0) table.row(double(n), of_chosen, of_paced);
   }
-  //! [paced]
   std::printf(
       "A heavy top in 100000 steps from %.3f s to %.3f s: its energy is off by up to %.0e\n"
       "with steps chosen at their start, by up to %.0e with symmetric ones.\n",
@@ -115,7 +111,6 @@ void write_paces(Notebook& notebook) {
 
 /// Energy of a heavy top without a mirror plane: with steps that follow its pace, as it is let go
 /// and turned around, and with as many of one length.
-//! [wandering]
 void write_wandering(Notebook& notebook) {
   const auto problem = asymmetric_heavy_top<double>(0.15, 2);
   using Paced = PacedSteps<Verlet, OffAxisWeight<double>, double>;
@@ -148,7 +143,6 @@ void write_wandering(Notebook& notebook) {
     table.row(double(row) * looks_a_row * steps_between, mean[0], mean[1], mean[2]);
     of_even = std::max(of_even, std::abs(mean[2]));
   }
-  //! [wandering]
   std::printf(
       "A heavy top without a mirror plane, in a million steps of about %.3f s: in the end its\n"
       "energy is off by %.0e with steps that follow its pace, by %.0e turned around, and never by\n"
@@ -238,7 +232,6 @@ std::array<double, 2> errors_of_spins(double faster) {
 
 /// Rejected steps on a particle that a strong damper stops at once: what is left moves slowly, but
 /// a step may be no longer than the damper allows.
-//! [hunting]
 Journey with_damper(bool remembers) {
   const auto damper = [](Particled& particle, double time) {
     particle.force = -1000 * (particle.velocity - Vec3d(std::cos(time), 0, 0));
@@ -258,7 +251,6 @@ Journey with_damper(bool remembers) {
   }
   return journey;
 }
-//! [hunting]
 
 /// A resting top that is struck after 5.3 s, for a twentieth of a second.
 //! [blow]

@@ -24,7 +24,6 @@ double energy_error(const Top<Real>& top, const Problem<Top<Real>, Weight<Real>>
 
 }  // namespace
 
-//! [paced_energy]
 TEST_CASE_TEMPLATE(
     "On a symmetric heavy top the energy stays bounded with steps that follow the pace "
     "symmetrically, and drifts with steps chosen at their start",
@@ -57,9 +56,7 @@ TEST_CASE_TEMPLATE(
   CHECK(plain[1] >= 2 * (plain[0] - symmetric[0]));
   CHECK(plain[1] > 5 * symmetric[1]);
 }
-//! [paced_energy]
 
-//! [paced_reverses]
 TEST_CASE_TEMPLATE("Steps that follow the pace are retraced when the top is turned around", Real,
                    EVERY_PRECISION) {
   const auto check = [](const auto& start, const auto& gather, Real least) {
@@ -80,7 +77,6 @@ TEST_CASE_TEMPLATE("Steps that follow the pace are retraced when the top is turn
   const auto free = free_problems<Real>()[0];
   check(free.start, free.gather, Real(0));
 }
-//! [paced_reverses]
 
 TEST_CASE("Paced, each row has its order against the exact motion of a heavy top") {
   auto problem = slow_top<Wide>();
@@ -185,7 +181,6 @@ TEST_CASE("A paced journey ends where it shall, and what it can't be asked for i
                        doctest::Contains("the pace ρ is 0 1/s at 0 s"), StepError);
 }
 
-//! [paced_least]
 TEST_CASE(
     "Where a top swings to and fro, a paced step is positive and of no more than twice its angle, "
     "or refused with the pace and the least pace") {
@@ -266,4 +261,3 @@ TEST_CASE("A paced step is refused where the pace that is carried has lost touch
                        StepError);
   CHECK(steps.time() == 1);
 }
-//! [paced_least]

@@ -6,7 +6,6 @@
 using namespace tumble;
 using namespace tumble::support;
 
-//! [rungs_in_packs]
 TEST_CASE_TEMPLATE("By every rung that a scene can name, packs turn as one by one, to the bit",
                    Real, EVERY_PRECISION) {
   for (std::size_t rung = first_rung; rung < SceneRules::names.size(); ++rung) {
@@ -24,4 +23,3 @@ TEST_CASE_TEMPLATE("By every rung that a scene can name, packs turn as one by on
     CHECK(same_motion(plain.bodies(), packed.bodies()));
   }
 }
-//! [rungs_in_packs]

@@ -7,7 +7,6 @@
 using namespace tumble;
 using namespace tumble::support;
 
-//! [rungs_of_worlds]
 TEST_CASE_TEMPLATE("A world turns by the rung of the ladder that its scene names", Real,
                    EVERY_PRECISION) {
   for (std::size_t rule = first_rung; rule < RungsOfWorlds::names.size(); ++rule) {
@@ -28,7 +27,6 @@ TEST_CASE_TEMPLATE("A world turns by the rung of the ladder that its scene names
     CHECK(rung.claims.bounded);
   }
 }
-//! [rungs_of_worlds]
 
 /// A top with moments over twelve decades that turns by about `turn` rad in a second.
 template <class Real>
@@ -73,7 +71,6 @@ int stopped_up_to(Real farthest) {
   return stopped;
 }
 
-//! [rungs_stay_finite]
 TEST_CASE_TEMPLATE(
     "The rungs that a scene can name stay finite wherever sine and cosine reach, whatever the step",
     Real, EVERY_PRECISION) {
@@ -86,7 +83,6 @@ TEST_CASE_TEMPLATE("Beyond that they are stopped, and never leave a number that 
                    EVERY_PRECISION) {
   CHECK(stopped_up_to(1000 * SineCosineConstants<Real>::limit) > 0);
 }
-//! [rungs_stay_finite]
 
 /// The gather of a problem as an effect of a world.
 template <class Gather>
@@ -144,9 +140,7 @@ void check_orders_in_worlds(const Problem<Top<double>, Gather>& problem) {
     }
 }
 
-//! [orders_in_worlds]
 TEST_CASE("Under a torque, by every rule and scheme, a world's error falls as its plan promises") {
   check_orders_in_worlds(driven_top<double>());
   check_orders_in_worlds(heavy_top<double>("heavy top", 5));
 }
-//! [orders_in_worlds]

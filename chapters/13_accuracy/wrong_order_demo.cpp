@@ -16,7 +16,6 @@ struct Swinging {
   double frozen_at = std::numeric_limits<double>::quiet_NaN();
 };
 
-//! [frozen]
 Topd after_ten_seconds(int steps_per_second, bool evaluated_once) {
   const double h = 1.0 / steps_per_second;
   const Swinging swinging;
@@ -28,7 +27,6 @@ Topd after_ten_seconds(int steps_per_second, bool evaluated_once) {
   }
   return top;
 }
-//! [frozen]
 
 }  // namespace
 

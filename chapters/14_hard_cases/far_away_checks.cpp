@@ -8,7 +8,6 @@
 using namespace tumble;
 using namespace tumble::support;
 
-//! [spacing]
 TEST_CASE_TEMPLATE(
     "Outwards a coordinate can be told from one that is a spacing away, and from none nearer", Real,
     EVERY_PRECISION) {
@@ -23,9 +22,7 @@ TEST_CASE_TEMPLATE(
   }
   CHECK(spacing_at(Real(1)) == std::numeric_limits<Real>::epsilon());
 }
-//! [spacing]
 
-//! [slowest]
 TEST_CASE_TEMPLATE("A body moves outwards above the slowest speed, and below it never does", Real,
                    EVERY_PRECISION) {
   const Real h = Real(1) / 64;
@@ -67,9 +64,7 @@ TEST_CASE("In float at 60 Hz, 0.029 m/s moves at 10 km and 1.9 m/s at 1000 km") 
   CHECK(std::abs(slowest_drift_at(10e3f, 1.0f / 60) - 0.0293f) < 0.00005f);
   CHECK(std::abs(slowest_drift_at(1e6f, 1.0f / 60) - 1.875f) < 0.0005f);
 }
-//! [slowest]
 
-//! [relative]
 TEST_CASE_TEMPLATE("1 km and 10000 km away two bodies meet as at the origin, to an ulp a step",
                    Real, EVERY_PRECISION) {
   const Real h = Real(1) / 60;
@@ -101,7 +96,6 @@ TEST_CASE_TEMPLATE("1 km and 10000 km away two bodies meet as at the origin, to 
           std::numeric_limits<Real>::digits);
   }
 }
-//! [relative]
 
 TEST_CASE("A millimetre at 1 km fits a float's digits, one at 10000 km needs a double") {
   CHECK(spacing_at(999.0f) == 1.0f / 16384);  // 0.06 mm

@@ -51,7 +51,6 @@ Recording plate_after_minutes(const char* title, Turn turn) {
 }
 
 /// Forty beads on springs. In one step, one of them is given a force that is not a number.
-//! [beads]
 int beads_lost(std::vector<Particlef>& beads, float stiffness, float time_step) {
   for (std::size_t n = 0; n + 1 < beads.size(); ++n) {
     const Vec3f pull = stiffness * (beads[n + 1].position - beads[n].position - Vec3f(1, 0, 0));
@@ -66,7 +65,6 @@ int beads_lost(std::vector<Particlef>& beads, float stiffness, float time_step) 
   }
   return lost;
 }
-//! [beads]
 
 /// The same beads in a world, one with a motor that breaks.
 struct BrokenMotor {

@@ -36,7 +36,6 @@ Real lost_value = 0;
 
 }  // namespace
 
-//! [stops]
 TEST_CASE_TEMPLATE("A rung that blows up is stopped with its name and the limit, before any NaN",
                    Real, EVERY_PRECISION) {
   const std::string limit = " rad in this step, and no finite orientation was found; at most " +
@@ -53,9 +52,7 @@ TEST_CASE_TEMPLATE("A rung that blows up is stopped with its name and the limit,
     CHECK(end == what.size() - limit.size());
   }
 }
-//! [stops]
 
-//! [same]
 TEST_CASE_TEMPLATE("Up to the limit a guarded rung is the rung itself, to the bit", Real,
                    EVERY_PRECISION) {
   for (const TurningRung<Real>& rung : turning_ladder<Real>) {
@@ -80,9 +77,7 @@ TEST_CASE_TEMPLATE("Up to the limit a guarded rung is the rung itself, to the bi
     }
   }
 }
-//! [same]
 
-//! [limit]
 TEST_CASE_TEMPLATE("The guard lets the largest turn through, and nothing beyond it", Real,
                    EVERY_PRECISION) {
   const Real limit = 2 * SineCosineConstants<Real>::limit;
@@ -101,9 +96,7 @@ TEST_CASE_TEMPLATE("The guard lets the largest turn through, and nothing beyond 
     CHECK(what.find("'splitting' would turn by ") == 0);
   }
 }
-//! [limit]
 
-//! [own]
 TEST_CASE_TEMPLATE("A guarded rung is stopped whichever of its numbers is not finite", Real,
                    EVERY_PRECISION) {
   for (const Real bad : not_finite<Real>)
@@ -122,4 +115,3 @@ TEST_CASE_TEMPLATE("A guarded rung is stopped whichever of its numbers is not fi
             0);
     }
 }
-//! [own]

@@ -10,7 +10,6 @@ namespace {
 
 /// A letter for each case in double and in float: '.' passes, E, L or P is wrong in the energy, the
 /// angular momentum or the phase, D diverges. The chapter talks about these, so they must be so.
-//! [expected]
 struct Expected {
   const char *method, *in_double, *in_single;
 };
@@ -48,7 +47,6 @@ constexpr std::array<Expected, 32> expected = {{
     {"splitting, Kahan-Li 8, own steps", "........", "L.LE...L"},
     {"exact solution", "........", "........"},
 }};
-//! [expected]
 
 /// A cell of the table: the worst of the three against its limit, or the step of the end.
 std::string words_of(const Verdict& verdict, const Limits& limits) {

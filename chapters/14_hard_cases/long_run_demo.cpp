@@ -39,7 +39,6 @@ Off off(const Top<Real>& top, const Top<long double>& start, const Top<long doub
 const int moments = 1000;
 
 /// Problem A's body for so many steps, looked at a thousand times.
-//! [run]
 template <class Real>
 std::vector<Off> run(std::int64_t steps, int rate) {
   Top<Real> top = top_of<Real>(tumbling_problems[0]);
@@ -53,7 +52,6 @@ std::vector<Off> run(std::int64_t steps, int rate) {
   }
   return seen;
 }
-//! [run]
 
 template <class Real>
 void report(Notebook& notebook, const std::string& precision, const std::vector<Off>& seen,

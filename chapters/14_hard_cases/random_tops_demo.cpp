@@ -137,7 +137,6 @@ Trial<Real> bounded(Items& items, const char* precision) {
 
 /// A rung that claims no bound, with the guard: how many tops are stopped, and what the last one
 /// says. None goes on with what is no number.
-//! [stopped]
 template <class Real>
 std::string stopped(const TurningRung<Real>& rung, int count) {
   Dice dice(14);
@@ -158,7 +157,6 @@ std::string stopped(const TurningRung<Real>& rung, int count) {
   }
   return std::to_string(stopped) + '\t' + sentence;
 }
-//! [stopped]
 
 template <class Real>
 void add_unbounded(Items& items, const std::string& precision, int count) {

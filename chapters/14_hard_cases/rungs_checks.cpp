@@ -104,7 +104,6 @@ TEST_CASE("The energy's book closes for any turning, that of L for what keeps L"
   }
 }
 
-//! [frame]
 TEST_CASE_TEMPLATE("In a turned scene every rung of the ladder turns a body by the same", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(141);
@@ -118,9 +117,7 @@ TEST_CASE_TEMPLATE("In a turned scene every rung of the ladder turns a body by t
     CHECK(angle_between(turned.orientation, scene * plain.orientation) <= other_frame<Real>);
   });
 }
-//! [frame]
 
-//! [scale]
 TEST_CASE_TEMPLATE("Every rung turns a body a trillion times as heavy by the same, to the bit",
                    Real, EVERY_PRECISION) {
   for_every_rung<Real>([](const Top<Real>& top, const TurningRung<Real>& rung) {
@@ -140,9 +137,7 @@ TEST_CASE_TEMPLATE("Every rung turns a body a trillion times as heavy by the sam
     }
   });
 }
-//! [scale]
 
-//! [mirror]
 TEST_CASE_TEMPLATE("Every rung turns a mirrored body the mirrored way, to the bit", Real,
                    EVERY_PRECISION) {
   for_every_rung<Real>([](const Top<Real>& top, const TurningRung<Real>& rung) {
@@ -164,4 +159,3 @@ TEST_CASE_TEMPLATE("Every rung turns a mirrored body the mirrored way, to the bi
     }
   });
 }
-//! [mirror]

@@ -26,7 +26,6 @@ std::string complaint_of_any(const Action& action) {
 
 }  // namespace
 
-//! [underflow]
 TEST_CASE_TEMPLATE("Down to the slowest speed the turn of a box makes no number that underflows",
                    Real, EVERY_PRECISION) {
   // A turn squares L, of I times the slowest speed or more. That speed is 2^33 times the root of
@@ -49,9 +48,7 @@ TEST_CASE_TEMPLATE("Down to the slowest speed the turn of a box makes no number 
     }
   CHECK(underflows(Real(1e-13), 2 * slowest_speed<Real>));
 }
-//! [underflow]
 
-//! [step]
 TEST_CASE_TEMPLATE(
     "In a step of no time no force or push moves a body; a negative one, or one over an hour, is "
     "refused",
@@ -81,7 +78,6 @@ TEST_CASE_TEMPLATE(
   CHECK(refused(1, 0) == "denominator of the step is 0; it must lie between 1 and 1000000");
   CHECK(refused(1, -1) == "denominator of the step is -1; it must lie between 1 and 1000000");
 }
-//! [step]
 
 TEST_CASE_TEMPLATE("In a step of an hour a body moves and turns as far as asked, or says why not",
                    Real, EVERY_PRECISION) {
@@ -102,7 +98,6 @@ TEST_CASE_TEMPLATE("In a step of an hour a body moves and turns as far as asked,
         0);
 }
 
-//! [blows_up]
 TEST_CASE_TEMPLATE("A rule that blows up stops the world, which names the body, the step and limit",
                    Real, EVERY_PRECISION) {
   World<Real> world(steps_per_second(60), ExplicitEuler{});
@@ -122,9 +117,7 @@ TEST_CASE_TEMPLATE("A rule that blows up stops the world, which names the body, 
         std::string::npos);
   CHECK(is_finite(world.body(world.find("needle")).top.angular_momentum_body));
 }
-//! [blows_up]
 
-//! [rod]
 TEST_CASE_TEMPLATE("A rod without thickness never turns about its line, however it is pushed", Real,
                    EVERY_PRECISION) {
   World<Real> world(steps_per_second(64));
@@ -152,4 +145,3 @@ TEST_CASE_TEMPLATE("A rod without thickness never turns about its line, however 
   rod.top.inverse_moments[line] = std::numeric_limits<Real>::infinity();
   CHECK(complaint_of([&] { world.add("naive", rod); }).find("naive: inverse moments is (") == 0);
 }
-//! [rod]

@@ -22,7 +22,6 @@ std::array<RigidBody<Real>, 2> bodies_of(World<Real>& world) {
 
 }  // namespace
 
-//! [frame]
 TEST_CASE_TEMPLATE("A world that is turned as a whole takes the same step, to rounding", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(142);
@@ -49,9 +48,7 @@ TEST_CASE_TEMPLATE("A world that is turned as a whole takes the same step, to ro
     }
   }
 }
-//! [frame]
 
-//! [mirror]
 TEST_CASE_TEMPLATE("A world in a mirror moves the mirrored way, to the bit", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(143);
@@ -67,9 +64,7 @@ TEST_CASE_TEMPLATE("A world in a mirror moves the mirrored way, to the bit", Rea
       CHECK(is_same(bodies_of(mirrored)[n], seen(bodies_of(plain)[n], frame)));
   }
 }
-//! [mirror]
 
-//! [scale]
 TEST_CASE_TEMPLATE("A world a trillion times as heavy or as light moves the same, to the bit", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(144);
@@ -87,9 +82,7 @@ TEST_CASE_TEMPLATE("A world a trillion times as heavy or as light moves the same
       CHECK(is_same(bodies_of(scaled)[n], seen(bodies_of(plain)[n], frame, scale)));
   }
 }
-//! [scale]
 
-//! [denormal]
 TEST_CASE_TEMPLATE("A world leaves the processor's small numbers alone", Real, EVERY_PRECISION) {
   std::mt19937_64 generator(145);
   World<Real> world =
@@ -98,4 +91,3 @@ TEST_CASE_TEMPLATE("A world leaves the processor's small numbers alone", Real, E
   volatile Real smallest = std::numeric_limits<Real>::min();  // else the compiler divides
   CHECK(smallest / 2 > 0);
 }
-//! [denormal]

@@ -32,14 +32,12 @@ using Mat3 = Eigen::Matrix<Real, 3, 3>;
 /// The scalar product a · b of two vectors, the last two of its three products being added first.
 /// Eigen has one too, but the order in which that adds, and so its last bit, is another from one
 /// version to the next.
-//! [dot]
 template <class A, class B>
 typename A::Scalar dot(const Eigen::MatrixBase<A>& a, const Eigen::MatrixBase<B>& b) {
   const auto& u = a.eval();
   const auto& v = b.eval();
   return u[0] * v[0] + (u[1] * v[1] + u[2] * v[2]);
 }
-//! [dot]
 
 /// `Real` itself, in a place where the compiler must not guess it. One argument of a function
 /// decides which `Real` is meant; the others are written with `Same<Real>` and take whatever

@@ -12,7 +12,6 @@
 namespace tumble {
 
 /// What sine_cosine() needs to know of a kind of number.
-//! [constants]
 template <class Real>
 struct SineCosineConstants {
   using Limits = std::numeric_limits<Real>;
@@ -25,7 +24,6 @@ struct SineCosineConstants {
   /// Added and taken away again, it rounds to the nearest whole number: out there the whole
   /// numbers are all that can be stored.
   static constexpr Real to_whole = Real(1.5) / Limits::epsilon();
-  //! [constants]
 
   /// The binary digits of π/2, 32 in a word; the first of them stands for 1.
   static constexpr std::array<std::uint32_t, 7> quarter_turn_digits = {

@@ -43,8 +43,9 @@ class Places:
     def solution(self, exercise):
         return self.root / "solutions" / exercise.path
 
-    def wrong(self, exercise):
-        return self.root / "tests" / "exercises" / exercise.path / "wrong"
+    def wrong_answers(self, exercise):
+        solution = (self.solution(exercise) / exercise.header).read_text(encoding="utf-8")
+        return read_wrong_answers(exercise, self.root / "tests" / "exercises" / exercise.path, solution)
 
 
 def look_at_files(root, exercise):
@@ -77,7 +78,7 @@ def look_at_files(root, exercise):
     found = attempt(lambda: (exercise.folder / exercise.header).read_text(encoding="utf-8"))
     if made is not None and found is not None and made != found:
         complaints.append(f"{exercise.path}: the starter is not the one that its solution makes; audit.py --write makes it")
-    attempt(lambda: read_wrong_answers(exercise, places.wrong(exercise)))
+    attempt(lambda: places.wrong_answers(exercise))
     return complaints
 
 
@@ -118,9 +119,9 @@ def look_at_behaviour(root, toolchain, exercise, quick=False):
             return complaints
         if has_replay(exercise):
             complaints += _look_at_replay(toolchain, exercise, places.solution(exercise))
-        for wrong in read_wrong_answers(exercise, places.wrong(exercise)):
+        for wrong in places.wrong_answers(exercise):
             folder = folder_of(toolchain, exercise) / "wrong" / wrong.name
-            write_if_new(folder / exercise.header, wrong.file.read_bytes())
+            write_if_new(folder / exercise.header, wrong.text.encode())
             for outcomes in verdicts(folder, f"wrong/{wrong.name}"):
                 outcome = outcomes[wrong.caught_by]
                 if outcome.status in (PASSED, TODO):

@@ -19,7 +19,7 @@ from wrong_answers import read_wrong_answers
 
 def described(root, exercise):
     solution = root / "solutions" / exercise.path
-    wrong = root / "tests" / "exercises" / exercise.path / "wrong"
+    wrong = root / "tests" / "exercises" / exercise.path
     return {
         "chapter": exercise.chapter, "name": exercise.name, "path": exercise.path, "title": exercise.title, "goals": exercise.goals,
         "prerequisites": [name for name in exercise.prerequisites if name != exercise.chapter],
@@ -29,7 +29,8 @@ def described(root, exercise):
         "hints": [_part(root, exercise.folder / "hints.md", hint) for hint in read_hints(exercise.folder / "hints.md")],
         "solution": _solution(root, solution, exercise) if solution.exists() else None,
         "wrong": [{"name": each.name, "caught_by": each.caught_by, "message": each.message}
-                  for each in read_wrong_answers(exercise, wrong)] if wrong.exists() else None,
+                  for each in read_wrong_answers(exercise, wrong, (solution / exercise.header).read_text(encoding="utf-8"))]
+                 if solution.exists() and wrong.exists() else None,
     }
 
 

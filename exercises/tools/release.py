@@ -106,7 +106,7 @@ def what_is_left_of_solutions(root, folder, catalogue):
     complaints = []
     for file in sorted(folder.rglob("*")):
         name = str(file.relative_to(folder))
-        if {"solutions", "wrong"} & set(Path(name.lower()).parts):
+        if {"solutions", "wrong.txt"} & set(Path(name.lower()).parts):
             complaints.append(f"{name} lies where solutions and wrong answers do")
         if not file.is_file() or name.startswith(("chapters/", "common/", "exact/", "third_party/")) or file.name == "hints.md":
             continue

@@ -80,7 +80,7 @@ class Student:
     def watch(self, arguments):
         exercise = self.named(arguments.word)
         self._require_start(exercise)
-        watch = Watch(self.place.header_of(exercise), arguments.polling)
+        watch = Watch(self.place.header_of(exercise))
         try:
             self._check(exercise)
             say(f"\nWatching {self._shown(self.place.header_of(exercise))}; end with Ctrl-C.")
@@ -91,8 +91,6 @@ class Student:
             if stopped.signal != signal.SIGINT:
                 raise
             say()
-        finally:
-            watch.close()
         return 0
 
     def hint(self, arguments):
@@ -251,7 +249,6 @@ def main(words):
     parser.add_argument("word", nargs="?", default="", help="an exercise, such as hammer")
     parser.add_argument("--key", help="start: the word from which your own numbers are drawn, if your teacher gave you one")
     parser.add_argument("--show", action="store_true", help="check: make the replay of a lab though it isn't solved yet")
-    parser.add_argument("--polling", action="store_true", help="watch: look at the file again and again")
     arguments = parser.parse_args(words)
     try:
         student = Student(arguments.root, arguments.toolchain)

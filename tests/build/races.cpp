@@ -13,7 +13,7 @@ using namespace tumble;
 
 namespace {
 
-/// Points and boxes by turns, under an effect of each form, joined by springs criss-cross.
+/// Points and boxes in turn, under an effect of each form, joined by springs criss-cross.
 template <class Real>
 ManyBodies<Real> net() {
   constexpr std::size_t count = 3001;

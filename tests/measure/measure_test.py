@@ -50,8 +50,8 @@ class Measurements(unittest.TestCase):
         self.assertEqual(done.returncode, code, done.stderr)
         return done.stdout if code == 0 else done.stderr
 
-    def lines_of(self, file):
-        return len(file.read_bytes().splitlines()) if file.exists() else 0
+    def results_in(self, file):
+        return file.read_bytes().count(b'"result"') if file.exists() else 0
 
     def merged(self, *parts):
         self.measure("--into", "measured", "--merge", *parts)
@@ -98,10 +98,10 @@ class Measurements(unittest.TestCase):
         part, stops, resume = SCRATCH / "measured.1-of-2.part", [signal.SIGKILL, signal.SIGTERM, signal.SIGINT], []
         environment = {**os.environ, "TINY_ITEMS_BEGUN": str(self.begun)}
         for how in stops:
-            before = self.lines_of(part)
+            before = self.results_in(part)
             running = subprocess.Popen(self.words("--shard", "1/2", *resume), cwd=SCRATCH, stderr=subprocess.DEVNULL,
                                        stdout=subprocess.DEVNULL, env=environment)
-            while self.lines_of(part) <= max(before, 1):  # the first says what is measured
+            while self.results_in(part) <= before:
                 self.assertIsNone(running.poll())
                 time.sleep(0.01)
             running.send_signal(how)

@@ -5,25 +5,21 @@ import tempfile
 from pathlib import Path
 
 from build_folder import find_header, headers_of, include_folders
-from mutation_list import ListError
 
 computing_seconds = 60  # of a processor, so that a busy machine changes no verdict
 compiling_seconds = 600
 
 
 def checks_that_see(mutation, build):
-    """The names of the chapter's check files that include the header, the likeliest to see the mutation first."""
+    """The names of the chapter's check files that include the header, its own first."""
     checks = build.checks(mutation.chapter)
-    likeliest = mutation.seen_by or Path(mutation.header).stem
-    if mutation.seen_by and mutation.seen_by not in checks:
-        raise ListError(f"{mutation}: {mutation.chapter} has no checks called {mutation.seen_by}")
 
     def sees(name):
         _, words, file = checks[name]
         folders = include_folders(words)
         return find_header(mutation.header, folders) in headers_of(file, folders)
 
-    return sorted(filter(sees, checks), key=lambda name: name != likeliest)
+    return sorted(filter(sees, checks), key=lambda name: name != Path(mutation.header).stem)
 
 
 def run(seconds, *command, directory=None):

@@ -4,14 +4,12 @@ simulate.txt and advise.txt for these programs, in which a file's path stands in
     tumble/force.hpp: a force replaces those before it
     - particle.force += force;
     + particle.force = force;
-    seen by: force
     equivalent: a sentence that proves that nothing is broken
 
 The first line names the header and says what breaks. What stands behind "- " must occur exactly once in the header, and
-what stands behind "+ " takes its place; both may run over several lines, and "+" alone deletes. The last two lines are
-seldom needed. "seen by" names the checks to try first where the mutation must be compiled alone; without it they are those of
-the header's own name. "equivalent" says that no check can see the mutation. Blank lines stand between mutations, and lines
-that begin with # are remarks."""
+what stands behind "+ " takes its place; both may run over several lines, and "+" alone deletes. "equivalent",
+which is seldom needed, says that no check can see the mutation. Blank lines stand between mutations, and lines that begin with #
+are remarks."""
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -28,7 +26,6 @@ class Mutation:
     breaks: str
     original: str
     replacement: str
-    seen_by: str = ""
     proof: str = ""
 
     def __str__(self):
@@ -53,12 +50,10 @@ def read_mutation(chapter, block):
     for line in block[1:]:
         if line[:2] in ("-", "- ", "+", "+ "):
             lines[line[0]].append(line[2:])
-        elif line.startswith("seen by: "):
-            mutation.seen_by = line.removeprefix("seen by: ")
         elif line.startswith("equivalent: "):
             mutation.proof = line.removeprefix("equivalent: ")
         else:
-            raise ListError(f"{place}: \"{line}\" begins with none of \"- \", \"+ \", \"seen by: \", \"equivalent: \"")
+            raise ListError(f"{place}: \"{line}\" begins with none of \"- \", \"+ \", \"equivalent: \"")
     mutation.original, mutation.replacement = "\n".join(lines["-"]), "\n".join(lines["+"])
     if not mutation.original or not lines["+"] or mutation.original == mutation.replacement:
         raise ListError(f"{place}: a mutation needs \"- \" lines and other \"+\" lines")

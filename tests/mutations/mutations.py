@@ -60,7 +60,6 @@ class Mutant:
     may_be_constant: bool = False
     kind: str = ""
     listed: object = None  # the Mutation of a list
-    seen_by: str = ""
     proof: str = ""
     result: str = ""
     check: str = ""
@@ -99,7 +98,7 @@ def from_lists(paths, build):
             edits, is_late = by_hand.edits_of(text, start, start + len(mutation.original), mutation.replacement, number)
             made.append(Mutant(mutation.chapter, mutation.header, header, start, start + len(mutation.original),
                                mutation.replacement, number, edits, f"by hand {number}", mutation.breaks, is_late,
-                               listed=mutation, seen_by=mutation.seen_by, proof=mutation.proof))
+                               listed=mutation, proof=mutation.proof))
     return made
 
 
@@ -150,11 +149,10 @@ def settle_alone(mutants, build):
         class Place:
             chapter: str
             header: str
-            seen_by: str
 
             def __str__(self):
                 return str(mutant)
-        return alone.settle(Place(home_of(mutant, build), mutant.header, mutant.seen_by), mutant.text(), build)
+        return alone.settle(Place(home_of(mutant, build), mutant.header), mutant.text(), build)
 
     begun, count = time.time(), len(mutants)
     if mutants:

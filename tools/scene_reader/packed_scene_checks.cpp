@@ -7,7 +7,6 @@
 using namespace tumble;
 using namespace tumble::support;
 
-//! [scenes]
 TEST_CASE_TEMPLATE(
     "Every shipped scene moves in packs as one by one, to the bit: 240 steps, or 20 where there "
     "are "
@@ -26,4 +25,3 @@ TEST_CASE_TEMPLATE(
     CHECK(same_motion(plain.bodies(), packed.bodies()));
   }
 }
-//! [scenes]

@@ -64,7 +64,6 @@ bool planned_equals_reference(World<Real> planned, int steps) {
 
 // The reference run asks what is known of all bodies once for each effect. So it gets a thousand
 // drops of the rain and a quarter of the steps where there are many bodies; all drops come below.
-//! [shipped]
 TEST_CASE_TEMPLATE(
     "Every shipped scene moves by plan as by the reference run, to the bit: 240 steps, or 60 "
     "where there are over a hundred bodies",
@@ -78,9 +77,7 @@ TEST_CASE_TEMPLATE(
     CHECK(planned_equals_reference(std::move(scene.world), steps));
   }
 }
-//! [shipped]
 
-//! [exhaustive]
 TEST_CASE_TEMPLATE("Every shipped scene moves by plan as when nothing is known of any body", Real,
                    EVERY_PRECISION) {
   for (const std::filesystem::path& path : shipped_scenes()) {
@@ -95,7 +92,6 @@ TEST_CASE_TEMPLATE("Every shipped scene moves by plan as when nothing is known o
     CHECK(difference_in_value(scene.world.bodies(), exhaustive.bodies()) == "");
   }
 }
-//! [exhaustive]
 
 TEST_CASE_TEMPLATE("All 100,000 drops of the rain move by plan as by the reference run, to the bit",
                    Real, EVERY_PRECISION) {
@@ -105,7 +101,6 @@ TEST_CASE_TEMPLATE("All 100,000 drops of the rain move by plan as by the referen
   CHECK(planned_equals_reference(std::move(rain.world), 1));
 }
 
-//! [descriptions]
 TEST_CASE("The shipped scenes do what their descriptions say") {
   const auto after = [](Scene<double> scene, double seconds) {
     for (int n = 0; n * scene.world.time_step() < seconds; ++n) scene.world.step();
@@ -189,7 +184,6 @@ TEST_CASE("The shipped scenes do what their descriptions say") {
   CHECK(body_of(crate, "crate").centre.velocity.norm() < 1e-3);
   CHECK(from_anchor().head<2>().norm() < 1e-3);
 }
-//! [descriptions]
 
 TEST_CASE_TEMPLATE("The handle of the scene file is that of chapter 8", Real, EVERY_PRECISION) {
   const RigidBody<double> expected = thrown_t_handle().body;
@@ -207,7 +201,6 @@ TEST_CASE_TEMPLATE("The handle of the scene file is that of chapter 8", Real, EV
   CHECK(distance(spin, Vec3d(0.1, 10, 0)) <= 10 * 16 * double(unit_roundoff<Real>));
 }
 
-//! [places]
 TEST_CASE_TEMPLATE("A thruster pushes where the file says, in the axes of the model", Real,
                    EVERY_PRECISION) {
   // Of this box the centre of mass lies 1 m above the model's origin, and its body axes are not
@@ -246,7 +239,6 @@ TEST_CASE_TEMPLATE("A spring holds the body where the file says, in the axes of 
   CHECK(distance<Real>(box.centre.velocity, Vec3<Real>(0, 10 * h, 0)) <= slack * 10 * h);
   CHECK(angular_momentum_world(box.top).norm() <= slack * 20 * h);
 }
-//! [places]
 
 TEST_CASE_TEMPLATE("A part of a compound is turned as the file says", Real, EVERY_PRECISION) {
   // A third of a turn about (1, 1, 1) takes x to y, y to z and z to x: what was long along z lies
@@ -299,7 +291,6 @@ TEST_CASE("Random orientations are unit quaternions that prefer no direction") {
   CHECK((squares - Mat3d::Identity() / 3).cwiseAbs().maxCoeff() <= 5 * std::sqrt(4.0 / 45 / count));
 }
 
-//! [bad]
 TEST_CASE(
     "Each mistake that we thought of in a scene file is said with the file, the place and the "
     "rule") {
@@ -308,7 +299,6 @@ TEST_CASE(
     CHECK(complaint_of_scene<double>(bad.text) == bad.complaint);
   }
 }
-//! [bad]
 
 TEST_CASE("Nothing of a scene file that is shown gives orders to a terminal") {
   for (char32_t letter = 0; letter < 0x3000; ++letter) {

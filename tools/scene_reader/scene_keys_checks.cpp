@@ -156,7 +156,6 @@ TEST_CASE("Turning is free, locked where the body is thin, or locked") {
   CHECK_THROWS_AS(inverse_moments("free"), SceneError);
 }
 
-//! [every_shape]
 TEST_CASE("Every shape weighs what textbooks say, along its own axes") {
   struct Case {
     std::string shape;     // its keys
@@ -226,7 +225,6 @@ TEST_CASE("Every shape weighs what textbooks say, along its own axes") {
       CHECK(close(1 / body(R"("density": 0.5)").centre.inverse_mass / solid.volume, 0.5));
   }
 }
-//! [every_shape]
 
 TEST_CASE("What is drawn of a solid has the lengths of the file, and a part stands in its place") {
   const auto part = [](const std::string& shape) {
@@ -324,7 +322,6 @@ TEST_CASE("Buoyancy has the density, the radius, the surface and the gravity of 
   CHECK(close(lift(R"("radius": 4, "gravity": 3)"), {0, 0, 10 * cap * 3}));
 }
 
-//! [spring_keys]
 TEST_CASE("A spring has the stiffness, damper, rest length, anchor and attachment of the file") {
   // It holds the model's point (0.5, 1, 0), which lies 1 m along model y from the centre of mass:
   // at world (0, 2.5, 3). There the spin of 5 rad/s adds 5 z × (−x) = −5 y to the velocity: (3, −1,
@@ -395,7 +392,6 @@ TEST_CASE("A spring to a point is drawn from where it holds the body to where it
       odd_with("spring", R"("bodies": ["odd"], "stiffness": 1, "anchor": [7, 8, 9])");
   CHECK(close(central.springs[0][0].point, {0.5, 0, 0}));
 }
-//! [spring_keys]
 
 TEST_CASE("A thruster burns from its start until its end, for ever if there is none") {
   // 6 N along model x are 6 N along world y, at model (0.5, 1, 0): from the centre of mass −x.
@@ -452,7 +448,6 @@ TEST_CASE("An effect has the name that the file gives it, whatever its kind") {
   }
 }
 
-//! [random_keys]
 TEST_CASE("Copies get place, velocity, spin and orientation from the numbers of the seed") {
   const std::string text =
       scene_of(R"({"name": "b", "mass": 1, "inertia": [1, 2, 2.5], "many": {"count": 2, "seed": 5,
@@ -483,4 +478,3 @@ TEST_CASE("Copies get place, velocity, spin and orientation from the numbers of 
   }
   CHECK_THROWS_AS(read_scene<double>(scene_of(drop), "none.json", {.seed = 1}), SceneError);
 }
-//! [random_keys]

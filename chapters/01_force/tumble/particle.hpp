@@ -38,7 +38,6 @@ Real mass_of(const Particle<Real>& particle) {
 /// @throws std::invalid_argument if the mass is zero, negative, NaN or infinite, if it is so small
 /// or so large that the mass or its inverse leaves the range that `Real` stores with full
 /// precision, or if a vector is not finite.
-//! [make_particle]
 template <class Real>
 Particle<Real> make_particle(Real mass, const Vec3<Same<Real>>& position = Vec3<Real>::Zero(),
                              const Vec3<Same<Real>>& velocity = Vec3<Real>::Zero()) {
@@ -53,7 +52,6 @@ Particle<Real> make_particle(Real mass, const Vec3<Same<Real>>& position = Vec3<
   require_finite("velocity", velocity, "m/s");
   return {.position = position, .velocity = velocity, .inverse_mass = 1 / mass};
 }
-//! [make_particle]
 
 /// A particle that nothing can move: the ground, a wall, the nail that a pendulum hangs from.
 /// @throws std::invalid_argument if `position` (m) is not finite.

@@ -35,12 +35,10 @@ Mat3<Real> inertia_of_particle(Real mass, const Vec3<Same<Real>>& r) {
 
 /// The energy of turning, ½ ωᵀ I ω, in J; tensor (kg m²) and angular velocity ω (rad/s) in the same
 /// axes, whichever they are.
-//! [turning_energy]
 template <class Real>
 Real turning_energy(const Mat3<Real>& inertia, const Vec3<Same<Real>>& angular_velocity) {
   return dot(angular_velocity, inertia * angular_velocity) / 2;
 }
-//! [turning_energy]
 
 /// Throws unless the tensor called `name` is finite and equal to its transpose.
 ///

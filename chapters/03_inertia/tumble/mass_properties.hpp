@@ -86,7 +86,6 @@ void require_turn(std::string_view name, const Mat3<Real>& matrix) {
 /// The same body after turning it by the turn R about the model's origin and then shifting it
 /// by `shift` metres.
 /// @throws std::invalid_argument if R does more than turn or the shift is not finite.
-//! [moved]
 template <class Real>
 MassProperties<Real> moved(const MassProperties<Real>& body, const Mat3<Same<Real>>& R,
                            const Vec3<Same<Real>>& shift) {
@@ -94,7 +93,6 @@ MassProperties<Real> moved(const MassProperties<Real>& body, const Mat3<Same<Rea
   require_finite("the shift that moves a body", shift, "m");
   return {body.mass, R * body.centre_of_mass + shift, in_other_axes(body.inertia, R)};
 }
-//! [moved]
 
 /// One rigid body made of several, given in the same model axes.
 ///
@@ -125,7 +123,6 @@ MassProperties<Real> combined(const std::vector<MassProperties<Real>>& parts) {
 /// mass, and the sum of their tensors about it.
 /// @throws std::invalid_argument if there is none or one of them is static: it has no mass to
 /// share.
-//! [of_particles]
 template <class Real>
 MassProperties<Real> mass_properties(const std::vector<Particle<Real>>& particles) {
   if (particles.empty()) throw std::invalid_argument("a body needs at least one particle");
@@ -143,6 +140,5 @@ MassProperties<Real> mass_properties(const std::vector<Particle<Real>>& particle
     inertia.add(inertia_of_particle(mass_of(particle), particle.position - centre));
   return {mass.sum, centre, inertia.sum};
 }
-//! [of_particles]
 
 }  // namespace tumble

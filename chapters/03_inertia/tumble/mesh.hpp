@@ -11,13 +11,11 @@ namespace tumble {
 
 /// A body given by its skin. Seen from outside, the three corners of each triangle run
 /// anticlockwise, so that (b − a) × (c − a) points out.
-//! [mesh]
 template <class Real>
 struct Mesh {
   std::vector<Vec3<Real>> vertices;                   ///< m, model axes
   std::vector<std::array<std::size_t, 3>> triangles;  ///< each three numbers of vertices, from 0
 };
-//! [mesh]
 
 /// One side of one triangle.
 struct MeshEdge {
@@ -72,7 +70,6 @@ std::vector<MeshEdge> sorted_edges(const Mesh<Real>& mesh) {
 /// Throws unless the triangles close up: each side is shared by exactly two triangles, which run
 /// along it in opposite directions. Several separate surfaces are allowed, and so is a cavity,
 /// whose triangles face into the hollow.
-//! [require_closed]
 template <class Real>
 void require_closed(const Mesh<Real>& mesh) {
   require_sound_triangles(mesh);
@@ -98,6 +95,5 @@ void require_closed(const Mesh<Real>& mesh) {
                                   "them round");
   }
 }
-//! [require_closed]
 
 }  // namespace tumble

@@ -121,7 +121,6 @@ Real volume(const Mesh<Real>& mesh) {
 /// compensated sums keep the error to a few dozen units of roundoff of Σ|D| |squares|, however many
 /// triangles there are.
 /// @throws std::invalid_argument as volume() does, or if the mass is not positive.
-//! [mesh_mass_properties]
 template <class Real>
 MassProperties<Real> mass_properties(const Mesh<Real>& mesh, Same<Real> mass) {
   require_mass("mass", mass);
@@ -134,6 +133,5 @@ MassProperties<Real> mass_properties(const Mesh<Real>& mesh, Same<Real> mass) {
   const Real unit = std::ldexp(Real(1), frame.exponent);
   return {mass, frame.middle + unit * centre, mass * unit * unit * inertia_from_second_moments(S)};
 }
-//! [mesh_mass_properties]
 
 }  // namespace tumble

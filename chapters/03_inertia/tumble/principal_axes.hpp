@@ -11,13 +11,11 @@ namespace tumble {
 
 /// The three moments of a tensor and the axes that they belong to: I = R diag(moments) Rᵀ, R being
 /// `axes`.
-//! [principal_axes_struct]
 template <class Real>
 struct PrincipalAxes {
   Vec3<Real> moments;  ///< kg m², ascending
   Mat3<Real> axes;     ///< in its columns: length 1, perpendicular to each other, right-handed
 };
-//! [principal_axes_struct]
 
 /// Turns the frame in the plane of its axes p and q so that the product I_pq becomes 0: by the
 /// angle −φ, that is from q towards p.
@@ -58,7 +56,6 @@ void remove_product(Mat3<Real>& I, Mat3<Real>& axes, int p, int q) {
 /// touched: its numbers come out to the bit, in ascending order. Equal moments leave the choice of
 /// axes free; some right-handed ones come out.
 /// @throws std::invalid_argument if the tensor called `name` is not finite or not symmetric.
-//! [principal_axes]
 template <class Real>
 PrincipalAxes<Real> principal_axes(const Mat3<Real>& inertia, std::string_view name = "body") {
   require_symmetric(name, inertia);
@@ -86,6 +83,5 @@ PrincipalAxes<Real> principal_axes(const Mat3<Real>& inertia, std::string_view n
   if (triple_product(result.axes) < 0) result.axes.col(2) *= -1;
   return result;
 }
-//! [principal_axes]
 
 }  // namespace tumble

@@ -19,14 +19,12 @@ Real volume(const Sphere<Real>& sphere) {
 }
 
 /// S_x = S_y = S_z = m r²/5: a third of the mean of r², ∫r² r² dr / ∫r² dr = 3 r²/5.
-//! [sphere]
 template <class Real>
 MassProperties<Real> mass_properties(const Sphere<Real>& sphere, Same<Real> mass) {
   const Real r = sphere.radius;
   require_length("radius of the sphere", r);
   return mirrored_solid(mass, Vec3<Real>::Constant(r * r / 5));
 }
-//! [sphere]
 
 /// A hollow sphere about the origin, its wall so thin that only its radius counts: a table tennis
 /// ball, nearly.
@@ -87,7 +85,6 @@ Real volume(const Capsule<Real>& capsule) {
 
 /// The cylinder holds 3l/(3l + 4r) of the mass, the half balls the rest. A half ball's centre is at
 /// 3r/8 above its flat side, so its mean of z² is r²/5 + 2 (3r/8)(l/2) + (l/2)².
-//! [capsule]
 template <class Real>
 MassProperties<Real> mass_properties(const Capsule<Real>& capsule, Same<Real> mass) {
   const auto [r, l] = capsule;
@@ -99,6 +96,5 @@ MassProperties<Real> mass_properties(const Capsule<Real>& capsule, Same<Real> ma
   const Real along = cylinder * (l * l / 12) + balls * (r * r / 5 + 3 * r * l / 8 + l * l / 4);
   return mirrored_solid(mass, Vec3<Real>(across, across, along));
 }
-//! [capsule]
 
 }  // namespace tumble

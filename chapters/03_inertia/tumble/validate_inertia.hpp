@@ -34,7 +34,6 @@ Vec3<Real> moment_slack(const Mat3<Real>& inertia, const Mat3<Real>& axes, Real 
 /// Throws unless some arrangement of matter has this tensor (kg m²) about some point: finite,
 /// symmetric, no negative moment, and no moment greater than the sum of the other two. Zero moments
 /// are let pass: a rod has one, a point three. The sentence begins with `name`.
-//! [require_possible_inertia]
 template <class Real>
 PrincipalAxes<Real> require_possible_inertia(std::string_view name, const Mat3<Real>& inertia,
                                              Same<Real> slack = element_slack<Real>) {
@@ -52,7 +51,6 @@ PrincipalAxes<Real> require_possible_inertia(std::string_view name, const Mat3<R
         text_of(I(0) + I(1)) + " < I_3 = " + text_of(I(2)));
   return principal;
 }
-//! [require_possible_inertia]
 
 /// Throws unless the tensor (kg m²) is possible and every moment is so far from zero that it can be
 /// inverted: a torque about any axis then has one answer.

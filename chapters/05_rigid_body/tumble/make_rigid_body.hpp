@@ -26,18 +26,15 @@ struct ModelledBody {
 
 /// The order of three ascending moments' axes that puts the two closest inverse moments first. Both
 /// orders are cyclic, so right-handed axes stay right-handed.
-//! [closest_pair_first]
 template <class Real>
 std::array<int, 3> closest_pair_first(const Vec3<Real>& inverse_moments) {
   const Real first_gap = std::abs(inverse_moments(0) - inverse_moments(1));
   const Real second_gap = std::abs(inverse_moments(1) - inverse_moments(2));
   return first_gap <= second_gap ? std::array{0, 1, 2} : std::array{1, 2, 0};
 }
-//! [closest_pair_first]
 
 /// The inverse of three principal moments, 1/(kg m²), where the body may turn, and 0 where not.
 /// @throws std::invalid_argument if a moment that is needed can't be inverted.
-//! [free_inverse_moments]
 template <class Real>
 Vec3<Real> free_inverse_moments(std::string_view name, const Mat3<Real>& inertia,
                                 const PrincipalAxes<Real>& principal, Turning turning) {
@@ -55,7 +52,6 @@ Vec3<Real> free_inverse_moments(std::string_view name, const Mat3<Real>& inertia
   }
   return inverse;
 }
-//! [free_inverse_moments]
 
 /// Sets the angular velocity (rad/s, world axes) of the body called `name`.
 /// @throws std::invalid_argument if it is not finite, if the momentum that belongs to it is not, or

@@ -21,12 +21,10 @@ using Posef = Pose<float>;
 using Posed = Pose<double>;
 
 /// A point given in the inner axes (m), as the outer ones see it.
-//! [point_outward]
 template <class Real>
 Vec3<Real> point_outward(const Pose<Real>& pose, const Vec3<Same<Real>>& point) {
   return pose.position + rotate(pose.orientation, point);
 }
-//! [point_outward]
 
 /// A point given in the outer axes (m), as the inner ones see it.
 template <class Real>
@@ -45,13 +43,11 @@ Pose<Real> composed(const Pose<Real>& middle, const Pose<Real>& inner) {
 //! [composed]
 
 /// The outer axes as the inner ones see them, so that composed(pose, inverse(pose)) is no move.
-//! [inverse_pose]
 template <class Real>
 Pose<Real> inverse(const Pose<Real>& pose) {
   return {.position = rotate_back<Real>(pose.orientation, -pose.position),
           .orientation = conjugate(pose.orientation)};
 }
-//! [inverse_pose]
 
 /// `pose` with its orientation brought to length 1.
 /// @throws std::invalid_argument if the position is not finite or the quaternion not nearly unit.

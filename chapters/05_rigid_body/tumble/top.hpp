@@ -77,12 +77,10 @@ void set_angular_velocity_world(Top<Real>& top, const Vec3<Same<Real>>& angular_
 }
 
 /// L in world axes, kg m²/s: what stays constant while no torque acts.
-//! [angular_momentum_world]
 template <class Real>
 Vec3<Real> angular_momentum_world(const Top<Real>& top) {
   return rotate(top.orientation, top.angular_momentum_body);
 }
-//! [angular_momentum_world]
 
 /// Sets L, kg m²/s, world axes. About a locked axis it stays 0.
 template <class Real>

@@ -18,7 +18,6 @@ namespace tumble::support {
 /// With x the axis that the loop goes around and y, z the others, 2 E = Σ i_k L_k² and 1 = Σ L_k²
 /// leave (i_y − i_x) L_y² + (i_z − i_x) L_z² = level − i_x: an ellipse, seen along x. No motion is
 /// solved here.
-//! [polhode]
 inline std::vector<Vec3d> polhode(const Vec3d& inverse_moments, double level, int around,
                                   int points) {
   const int x = around, y = (around + 1) % 3, z = (around + 2) % 3;
@@ -36,11 +35,9 @@ inline std::vector<Vec3d> polhode(const Vec3d& inverse_moments, double level, in
   }
   return loop;
 }
-//! [polhode]
 
 /// The border between the loops around axis 0 and those around axis 2, where `level` is that of the
 /// middle axis: two great circles through both ends of it. `sign`, 1 or −1, says which.
-//! [separatrix]
 inline std::vector<Vec3d> separatrix(const Vec3d& inverse_moments, double sign, int points) {
   const Vec3d& i = inverse_moments;
   const Vec3d across =
@@ -52,7 +49,6 @@ inline std::vector<Vec3d> separatrix(const Vec3d& inverse_moments, double sign, 
   }
   return circle;
 }
-//! [separatrix]
 
 /// The radii (rad/s) of the two circles between which the herpolhode runs, the inner one first. The
 /// moments (kg m²) are in ascending order; `twice_energy` is 2 E in J, `square` |L|² in its units.

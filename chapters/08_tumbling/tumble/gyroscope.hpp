@@ -52,7 +52,6 @@ Gyroscope<Real> on_its_tip(const MassProperties<Real>& body, Real distance, Same
 /// The top with its axis `tilt` rad from upright, spinning about it at `spin` rad/s (ω₃, in all: a
 /// precession turns about the axis too), while the axis goes round the vertical at `precession`
 /// rad/s. With 0 a hand lets it go.
-//! [set_spinning]
 template <class Real>
 Top<Real> set_spinning(const Gyroscope<Real>& gyroscope, Same<Real> tilt, Same<Real> spin,
                        Same<Real> precession = 0) {
@@ -62,7 +61,6 @@ Top<Real> set_spinning(const Gyroscope<Real>& gyroscope, Same<Real> tilt, Same<R
   set_angular_velocity_body(top, Vec3<Real>(0, precession * sine_cosine(tilt).sine, spin));
   return top;
 }
-//! [set_spinning]
 
 /// The unit vector along the top's axis, from the tip to the centre of mass, world axes.
 template <class Real>
@@ -110,7 +108,6 @@ Real least_sleeping_spin(const Gyroscope<Real>& gyroscope) {
 
 /// The cosine of the largest tilt of a top let go where the tilt's cosine is `cosine`:
 /// a − √(a² − 2 a cos θ + 1) with a = I₃² ω₃²/(4 M g l I₁).
-//! [lowest_cosine]
 template <class Real>
 Real lowest_cosine(const Gyroscope<Real>& gyroscope, Same<Real> cosine, Same<Real> spin) {
   if (pull_of(gyroscope) == 0) return cosine;  // nothing pulls
@@ -119,6 +116,5 @@ Real lowest_cosine(const Gyroscope<Real>& gyroscope, Same<Real> cosine, Same<Rea
   const Real root = std::hypot(a - cosine, std::sqrt((1 - cosine) * (1 + cosine)));
   return (2 * a * cosine - 1) / (a + root);
 }
-//! [lowest_cosine]
 
 }  // namespace tumble

@@ -19,7 +19,6 @@ void turn_about_axis_without_sine(Top<Real>& top, Same<Real> angle) {
 /// turn_by_splitting() with chapter 7's first-order turns: each is too small by angle³/12. It is a
 /// turn all the same, and how far it goes depends on what it leaves alone. So L is exact, the
 /// energy bounded and the step symmetric in time, as with sines.
-//! [turn_by_splitting_without_sine]
 template <class Real>
 void turn_by_splitting_without_sine(Top<Real>& top, Same<Real> time_step) {
   const auto [a, b, c] =
@@ -33,6 +32,5 @@ void turn_by_splitting_without_sine(Top<Real>& top, Same<Real> time_step) {
   const Vec3<Real> t = time_step / 2 * a * L;
   top.orientation = normalized(top.orientation * Quaternion<Real>{1, t});
 }
-//! [turn_by_splitting_without_sine]
 
 }  // namespace tumble

@@ -33,7 +33,6 @@ void drift(Top<Real>& top, Same<Real> time_step) {
 //! [drift]
 
 /// The kick of a whole body: its particle's and its top's.
-//! [body]
 template <class Real>
 void kick(RigidBody<Real>& body, Same<Real> time_step) {
   kick(body.centre, time_step);
@@ -46,6 +45,5 @@ void drift(RigidBody<Real>& body, Same<Real> time_step) {
   drift(body.centre, time_step);
   drift(body.top, time_step);
 }
-//! [body]
 
 }  // namespace tumble

@@ -7,7 +7,6 @@
 
 namespace tumble::support {
 
-//! [forms]
 /// 1 − k h, the first two terms of e^(−k h).
 template <class Real>
 Real linear_form(Real rate, Real time_step) {
@@ -25,6 +24,5 @@ template <class Real>
 Real power_form(Real left_after_a_second, Real time_step) {
   return std::pow(left_after_a_second, time_step);
 }
-//! [forms]
 
 }  // namespace tumble::support

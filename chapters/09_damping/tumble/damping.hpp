@@ -77,7 +77,6 @@ Real checked_damping_rate(Real rate, std::string_view name = "damping rate") {
 /// "0.99 in every step at 60 Hz" that is damping_rate_that_leaves(0.99, 1.0 / 60).
 /// @throws std::invalid_argument if the fraction is not above 0 and at most 1, or the time not
 /// above 0 and finite, or if the rate would be infinite.
-//! [damping_rate_that_leaves]
 template <class Real>
 Real damping_rate_that_leaves(Real fraction, Same<Real> time) {
   require_between("fraction left by damping", fraction, "", 0, 1);
@@ -88,6 +87,5 @@ Real damping_rate_that_leaves(Real fraction, Same<Real> time) {
   if (!(time > 0)) reject("damping time", time, "s", "it must be greater than 0");
   return checked_damping_rate(-std::log(fraction) / time);
 }
-//! [damping_rate_that_leaves]
 
 }  // namespace tumble

@@ -10,7 +10,6 @@ namespace tumble {
 /// is ρ in kg/m³, 1.2 near the ground; C is a number of the shape, 0.47 for a ball; A is the area
 /// that the air meets, in m².
 /// @throws std::invalid_argument if one of them is negative, NaN or infinite.
-//! [drag_coefficient]
 template <class Real>
 Real drag_coefficient(Real density, Same<Real> shape_number, Same<Real> area) {
   require_not_negative("density of air", density, "kg/m^3");
@@ -18,7 +17,6 @@ Real drag_coefficient(Real density, Same<Real> shape_number, Same<Real> area) {
   require_not_negative("area", area, "m^2");
   return density * shape_number * area / 2;
 }
-//! [drag_coefficient]
 
 /// The drag (N, world axes) on a body that moves with `velocity` (m/s) through air that moves with
 /// `wind` (m/s): F = −c |u| u with u = v − wind, and c from drag_coefficient() in kg/m.

@@ -43,24 +43,20 @@ inline StepLength step_of_nanoseconds(std::int64_t nanoseconds) {
 /// Throws unless a step written down by hand lasts from `shortest` to an hour. A step of no time
 /// moves nothing, which a world may do; a clock could never end handing them out.
 /// @throws std::invalid_argument that names the number and its limits.
-//! [require_step_length]
 inline void require_step_length(const StepLength& step, std::int64_t shortest) {
   require_between<std::int64_t>("denominator of the step", step.denominator, "", 1, 1'000'000);
   require_between<std::int64_t>("numerator of the step", step.numerator, "ns", shortest,
                                 3'600'000'000'000 * step.denominator);
 }
-//! [require_step_length]
 
 /// The time step h for the formulas of motion, in s. In double both numbers are exact up to 2^53,
 /// so that the quotient is rounded once; a longer format in between would round it twice.
-//! [time_step_of]
 template <class Real>
 Real time_step_of(const StepLength& step) {
   using Wide = std::conditional_t<std::is_same_v<Real, float>, long double, Real>;
   const std::int64_t second = step.denominator * 1'000'000'000;  // in the numerator's unit
   return static_cast<Real>(static_cast<Wide>(step.numerator) / static_cast<Wide>(second));
 }
-//! [time_step_of]
 
 /// A clock that hands out steps. It never looks at the real time: every frame's duration is told to
 /// it, see steps_due(). Its last five numbers are its books, and they always balance:
@@ -123,23 +119,19 @@ inline std::int64_t steps_due(StepClock& clock, std::int64_t frame) {
 /// `seconds` in whole nanoseconds, rounded. A clock of the system that counts in integers is better
 /// still: there the differences are exact.
 /// @throws std::invalid_argument if it is negative, NaN, or beyond 9.2e9 s, which is 291 years.
-//! [nanoseconds_of]
 inline std::int64_t nanoseconds_of(double seconds) {
   require_finite("frame time", seconds, "s");
   require_forward("frame time", seconds, "s");
   require_between("frame time", seconds, "s", 0, 9.2e9);
   return static_cast<std::int64_t>(std::llround(seconds * 1e9));
 }
-//! [nanoseconds_of]
 
 /// The time that the steps so far have simulated, in s: n h, with one rounding of h and one of the
 /// product, and one of n where it has more digits than Real, however large it is.
-//! [simulated_time]
 template <class Real>
 Real simulated_time(const StepClock& clock) {
   return static_cast<Real>(clock.steps) * time_step_of<Real>(clock.step);
 }
-//! [simulated_time]
 
 /// The time that was dropped, in s: by how much the simulation is behind the clock on the wall, but
 /// for the part of a step that is waiting.
@@ -150,11 +142,9 @@ Real dropped_time(const StepClock& clock) {
 }
 
 /// How far the drawn moment has gone from the step before the last to the last one, 0 to 1.
-//! [fraction_of_step]
 template <class Real>
 Real fraction_of_step(const StepClock& clock) {
   return static_cast<Real>(clock.remainder) / static_cast<Real>(clock.step.numerator);
 }
-//! [fraction_of_step]
 
 }  // namespace tumble

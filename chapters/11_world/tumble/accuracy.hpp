@@ -24,7 +24,6 @@ struct Accuracy {
 /// themselves once a step, and not in its middle: that is of first order as well. What sets a
 /// velocity or a place with a kick sets it for the time of the kick, and half a drift still
 /// follows.
-//! [limit_of_effect]
 template <class Real>
 std::string why_first_order(const AnyEffect<Real>& effect) {
   const EffectTraits<Real>& traits = effect.traits();
@@ -34,14 +33,12 @@ std::string why_first_order(const AnyEffect<Real>& effect) {
   if (traits.replaces) return "'" + traits.name + "' sets a velocity, a spin or a place itself";
   return traits.depends_on_speed ? "'" + traits.name + "' depends on a velocity or a spin" : "";
 }
-//! [limit_of_effect]
 
 /// What a world's step is sure of.
 ///
 /// In the step in which derivative number s + 1 of a force jumps, the scheme takes the force for
 /// one that is off by up to h^(s+1), and so the velocity by h^(s+2). However few such steps there
 /// are, they leave no higher order than s + 2.
-//! [accuracy_of]
 template <class Real>
 Accuracy accuracy_of(const Work<Real>& work) {
   Accuracy accuracy{work.scheme, order_of(work.scheme)};
@@ -68,7 +65,6 @@ Accuracy accuracy_of(const Work<Real>& work) {
     limit_to(*rule.order(), turning + " is of order " + std::to_string(*rule.order()));
   return accuracy;
 }
-//! [accuracy_of]
 
 /// "order 2: Verlet", or "order 1 in place of 2 (Verlet): 'air' depends on a velocity or a spin".
 inline std::string text_of(const Accuracy& accuracy) {

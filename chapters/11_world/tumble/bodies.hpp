@@ -17,13 +17,11 @@ using BodyIndex = std::uint32_t;
 constexpr BodyIndex no_index = static_cast<BodyIndex>(-1);
 
 /// What an effect sees of one body. A point shows a top that can't turn and does not spin.
-//! [body_state]
 template <class Real>
 struct BodyState {
   const Particle<Real>& centre;
   const Top<Real>& top;
 };
-//! [body_state]
 
 /// All bodies of a world.
 //! [bodies]

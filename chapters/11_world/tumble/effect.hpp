@@ -22,7 +22,6 @@ inline std::string_view why_unwritable(Quantities writes, const Facts& facts) {
 
 /// The answer of an effect's predicate: empty if the effect is needed, else why it is not. An
 /// effect without a predicate is needed by every body that it can change.
-//! [why_skipped]
 template <class Real, class Effect>
 std::string_view why_skipped(const Effect& effect, const Facts& facts, Quantities writes) {
   if (form_of<Effect, Real>().sees == Sees::top && facts.is_point) return "points do not turn";
@@ -34,7 +33,6 @@ std::string_view why_skipped(const Effect& effect, const Facts& facts, Quantitie
   else
     return {};
 }
-//! [why_skipped]
 
 /// The same for an effect that writes all that its form can write.
 template <class Real, class Effect>

@@ -8,7 +8,6 @@
 namespace tumble {
 
 /// What a step changes, as it was before: of those alone that can move or turn.
-//! [before]
 template <class Real>
 class Before {
  public:
@@ -40,7 +39,6 @@ class Before {
         clear_torque(turned);
       });
   }
-  //! [before]
 
  private:
   struct Centre {
@@ -73,7 +71,6 @@ auto is_whole(const Top<Real>& top) {
 
 /// The first body whose place or velocity is no longer whole, else the first whose top is not.
 /// `bodies` is a Bodies, or like one. @return nothing if all are whole
-//! [first_lost]
 template <class Real, class AnyBodies>
 std::optional<BodyIndex> first_lost(const AnyBodies& bodies, const Work<Real>& work) {
   BodyIndex lost = no_index;
@@ -87,6 +84,5 @@ std::optional<BodyIndex> first_lost(const AnyBodies& bodies, const Work<Real>& w
     });
   return lost == no_index ? std::nullopt : std::optional(lost);
 }
-//! [first_lost]
 
 }  // namespace tumble

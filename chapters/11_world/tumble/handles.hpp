@@ -12,14 +12,12 @@ namespace tumble {
 /// A body of a world. The generation tells a body from one that had its slot before, and the family
 /// tells its world, and the copies of that, from others. A handle that no world gave out has
 /// generation 0, which is nobody's.
-//! [handle]
 struct BodyHandle {
   std::uint32_t slot = 0;
   std::uint32_t generation = 0;
   std::uint64_t family = 0;
   friend bool operator==(const BodyHandle&, const BodyHandle&) = default;
 };
-//! [handle]
 
 /// An effect of a world.
 struct EffectHandle {
@@ -29,7 +27,6 @@ struct EffectHandle {
 };
 
 /// Which body has which place in the arrays.
-//! [slots]
 class Slots {
  public:
   /// The generation of the first body in each slot is `first`, at least 1.
@@ -99,6 +96,5 @@ class Slots {
   std::vector<std::uint32_t> slot_of_;  // for each array element
   std::vector<std::uint32_t> free_;
 };
-//! [slots]
 
 }  // namespace tumble

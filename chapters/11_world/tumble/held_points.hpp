@@ -81,14 +81,12 @@ Real largest_turning_strength(const RigidBody<Real>& body, const Mat3<Same<Real>
 /// of a top that is symmetric about its axis, whichever way it spins. Of moments that all differ
 /// the fastest is taken that any axis has, J₃ √(L₁² + L₂²), where a spin about the first counts by
 /// the larger of the other two inverse moments J.
-//! [nutation_rate]
 template <class Real>
 Real nutation_rate(const Top<Real>& top) {
   const Vec3<Real>&L = top.angular_momentum_body, &J = top.inverse_moments;
   return std::max({J.x() * std::hypot(L.y(), L.z()), J.y() * std::hypot(L.z(), L.x()),
                    J.z() * std::hypot(L.x(), L.y())});
 }
-//! [nutation_rate]
 
 /// How many times as easily as at rest a body yields to kicks that come once in each turn of its
 /// nutation by `angle` (rad, 0 to below π), see step_limit().

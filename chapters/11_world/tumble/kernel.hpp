@@ -16,7 +16,6 @@ auto is_locked(const Top<Real>& top) {
 }
 
 /// Adds to the sums what can have an effect: a force has none on a body that can't move.
-//! [add_push]
 template <class Real>
 void add_push(Particle<Real>& centre, Top<Real>& top, const Push<Real>& push) {
   for (int axis = 0; axis < 3; ++axis) {
@@ -24,10 +23,8 @@ void add_push(Particle<Real>& centre, Top<Real>& top, const Push<Real>& push) {
     top.torque[axis] += select(is_locked(top), Real(0), push.torque[axis]);
   }
 }
-//! [add_push]
 
 /// What the effect gives to a centre. `seen` is what its function sees.
-//! [visit]
 template <class Effect, class Seen, class Real>
 void give_to(Particle<Real>& centre, const Effect& effect, const Seen& seen,
              const Moment<Real>& moment) {
@@ -61,7 +58,6 @@ template <class Effect, class Real>
 void visit(const Effect& effect, Top<Real>& top, const Moment<Real>& moment) {
   give_to(top, effect, top, moment);
 }
-//! [visit]
 
 /// An effect that sees both.
 template <class Effect, class Real>

@@ -17,7 +17,6 @@ class Ledger {
   explicit Ledger(const World<Real, Keeping>& world) : start_(holdings_of(world.bodies())) {}
 
   /// One step of the world, booked. If it fails, nothing is booked.
-  //! [ledger_step]
   template <class Keeping>
   void step(World<Real, Keeping>& world) {
     Lines lines = lines_;
@@ -25,7 +24,6 @@ class Ledger {
     world.step();
     lines_ = std::move(lines);
   }
-  //! [ledger_step]
 
   /// What the bodies had when the books were opened.
   const LedgerLine& start() const { return start_; }

@@ -59,7 +59,6 @@ LedgerLine holdings_of(const Bodies<Real>& bodies) {
 ///
 /// With Δv = h ΣF/m the energy grows by ½ m (v' + v)·(v' − v) = h ΣF · ½ (v + v'). The sum splits
 /// into the effects' shares, and the same holds for L, with ½ (ω + ω').
-//! [work_of]
 template <class Real>
 LedgerLine work_of(const Push<Real>& push, const BodyState<Real>& before,
                    const BodyState<Real>& after, Real time_step) {
@@ -83,6 +82,5 @@ LedgerLine work_of(const Push<Real>& push, const BodyState<Real>& before,
       h * rotate<Real>(before.top.orientation, torque_body).template cast<double>();
   return work;
 }
-//! [work_of]
 
 }  // namespace tumble

@@ -35,7 +35,6 @@ struct BodyMotion {
 
 /// The motion of all bodies after so many steps: a list of all that many marks share, and those
 /// that may have moved since it was made.
-//! [mark]
 template <class Real>
 struct Mark {
   std::int64_t ticks = 0;
@@ -44,7 +43,6 @@ struct Mark {
   std::vector<BodyIndex> moved;                              ///< in no order
   std::vector<BodyMotion<Real>> motions;                     ///< of these
 };
-//! [mark]
 
 /// Makes the marks of a world and goes back to them. A body moves as it does in the list of all
 /// unless it can move or turn now, or was touched since: by its user, or by a change of what acts

@@ -31,7 +31,6 @@ void check_body(const std::string& name, const Top<Real>& top) {
 }
 
 /// Bodies, where `Keeping` says how they lie in memory.
-//! [named_bodies]
 template <class Real, class Keeping>
 class NamedBodies {
  public:
@@ -127,7 +126,6 @@ class NamedBodies {
 
   Keeping& kept() { return kept_; }
   const Keeping& kept() const { return kept_; }
-  //! [named_bodies]
 
  private:
   Keeping kept_;

@@ -11,7 +11,6 @@ namespace tumble {
 /// A step without groups, body after body. `visits(entry, body)` says whether an effect visits a
 /// body that it is meant for; `moves`, with a Motion and a body, whether a motion does.
 /// `index_of` gives the place of a handle.
-//! [step_without_groups]
 template <class Real, class DoesVisit, class Moves, class IndexOf>
 void step_without_groups(Bodies<Real>& bodies, const Work<Real>& work, const Moment<Real>& moment,
                          const DoesVisit& visits, const Moves& moves, const IndexOf& index_of) {
@@ -72,7 +71,6 @@ void step_without_groups(Bodies<Real>& bodies, const Work<Real>& work, const Mom
   }
   run_phase(Phase::drift, moment);
 }
-//! [step_without_groups]
 
 /// The reference run: each predicate is asked for each body, and what is known of the bodies is
 /// found anew in each step, from what they are alone.

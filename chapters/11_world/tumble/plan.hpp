@@ -16,7 +16,6 @@ inline std::string_view name_of(Phase phase) {
 }
 
 /// One line of a plan.
-//! [plan_row]
 struct PlanRow {
   std::string effect;
   Phase phase = Phase::force;
@@ -24,7 +23,6 @@ struct PlanRow {
   std::size_t of = 0;       ///< bodies that it was meant for
   std::string reads, writes, reason;
 };
-//! [plan_row]
 
 /// What each step does, in this order.
 struct Plan {

@@ -9,7 +9,6 @@ namespace tumble {
 
 /// Keeps facts and groups. Each change touches the groups of the bodies that it concerns, and no
 /// others. `roster` says which body has which place, and what it is, see NamedBodies.
-//! [planner]
 template <class Real>
 class Planner : public PlanGroups<Real> {
   using Base = PlanGroups<Real>;
@@ -165,7 +164,6 @@ class Planner : public PlanGroups<Real> {
       refresh(input.body, roster);
     }
   }
-  //! [planner]
 
  private:
   /// Takes a body out of the effects that are meant for some.

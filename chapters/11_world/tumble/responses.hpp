@@ -13,7 +13,6 @@ namespace tumble {
 
 /// The time step (s) up to which no small stretches or speeds can grow, and what limits it;
 /// infinite if nothing does.
-//! [step_limit]
 template <class Real>
 struct StepLimit {
   Real time_step = std::numeric_limits<Real>::infinity();
@@ -23,7 +22,6 @@ struct StepLimit {
   BodyIndex spinning = no_index;  ///< of the one or two bodies, which nutates the fastest, if any
   Real nutation_rate = 0;         ///< of that, rad/s
 };
-//! [step_limit]
 
 /// The responses of a scene's effects, as the bodies are now.
 template <class Real>

@@ -34,14 +34,12 @@ inline int order_of(Scheme scheme) {
 enum class Stroke { kick, fade, drift };
 
 /// A portion of a step; its times are parts of the whole step.
-//! [portion]
 template <class Real>
 struct Portion {
   Stroke stroke;
   Real begins;  ///< the drifts before it have led so far
   Real lasts;   ///< negative: backwards
 };
-//! [portion]
 
 /// What belongs to the step as a whole: blows and damping, and what acts on places at its end.
 template <class Real>
@@ -91,7 +89,6 @@ std::vector<Portion<Real>> portions_of(Scheme scheme) {
 /// other does. Suzuki's is found by trial, at each hundredth. A step of it is a matrix of
 /// determinant 1 that turns the position x and h v into the next ones, and these stay bounded if
 /// its trace lies between −2 and 2.
-//! [largest_stable_angle]
 inline double largest_stable_angle(Scheme scheme) {
   if (scheme != Scheme::suzuki) return 2;
   const auto portions = portions_of<double>(scheme);
@@ -109,6 +106,5 @@ inline double largest_stable_angle(Scheme scheme) {
   while (std::abs(trace(0.01 * (n + 1))) < 2) ++n;
   return 0.01 * n;
 }
-//! [largest_stable_angle]
 
 }  // namespace tumble

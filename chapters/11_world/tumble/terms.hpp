@@ -7,7 +7,6 @@
 namespace tumble {
 
 /// The parts of a step, in their order.
-//! [phase]
 enum class Phase {
   force,    ///< forces and torques are summed; nothing moves
   kick,     ///< the sums change the momenta
@@ -15,7 +14,6 @@ enum class Phase {
   damping,  ///< speeds fade
   drift     ///< positions and orientations follow
 };
-//! [phase]
 
 /// What is known of a body between two changes of the scene. A predicate asks this and nothing
 /// else, so its answer holds until somebody changes the scene.

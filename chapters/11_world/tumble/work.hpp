@@ -29,7 +29,6 @@ struct Input {
 };
 
 /// What the steps of a world go through: what the planner has made of the scene.
-//! [work]
 template <class Real>
 struct Work {
   std::vector<Entry<Real>> effects;  ///< in the order in which they came
@@ -43,16 +42,13 @@ struct Work {
   std::vector<Portion<Real>> portions = portions_of<Real>(scheme);  ///< of a step by the scheme
   std::uint64_t version = 0;  ///< a new number after each change
 };
-//! [work]
 
 /// Runs the effects of a phase.
-//! [run]
 template <class Real>
 void run(const Work<Real>& work, Phase phase, Bodies<Real>& bodies, const Moment<Real>& moment) {
   for (const std::size_t i : work.in_phase[static_cast<std::size_t>(phase)])
     work.effects[i].effect->run(bodies, work.effects[i].visits, moment);
 }
-//! [run]
 
 /// Adds the pushes of this step alone.
 template <class Real>
@@ -72,7 +68,6 @@ struct Motion {
   std::string_view (*why_skipped)(const Facts&);
 };
 
-//! [motions]
 inline constexpr Motion kick_motion = {
     "kick", Phase::kick, quantity::force, quantity::velocity, [](const Facts& facts) {
       return facts.is_static    ? std::string_view("nothing can move them")
@@ -108,6 +103,5 @@ inline constexpr Motion tumbling_motion = {
              : !facts.is_gyroscopic ? "equal moments or a locked axis: they turn steadily"
                                     : "";
     }};
-//! [motions]
 
 }  // namespace tumble

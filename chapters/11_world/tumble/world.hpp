@@ -111,7 +111,6 @@ class World : public Scenery<Real, Keeping> {
 
   /// One step. @throws SimulationError if a number would become infinite or NaN, and whatever an
   /// effect throws; the world is then as it was before the step.
-  //! [step]
   void step() {
     if (news_.is_pending()) tell_changes();
     const std::optional<BodyIndex> lost = bodies_.kept().step(work(), moment());
@@ -119,7 +118,6 @@ class World : public Scenery<Real, Keeping> {
     ++ticks_;
     planner_.end_inputs(bodies_);
   }
-  //! [step]
 
   /// The same step without groups: see step_by_reference() in other_runs.hpp.
   void step_by_reference() {

@@ -23,13 +23,11 @@ struct PartOfPack {
 };
 
 /// A Group sorted into packs, both lists in ascending order.
-//! [pack_group]
 template <class Real, int width>
 struct PackGroup {
   std::vector<WholePacks> whole;
   std::vector<PartOfPack<Real, width>> parts;
 };
-//! [pack_group]
 
 namespace detail {
 

@@ -16,7 +16,6 @@ struct PackedActs {
   PackedBodies<Real, width> bodies;
   PackedPast<Real, width> past;
 
-  //! [act]
   /// What a pass does to the packs of an array from `begin` to before `end`.
   template <class Array>
   bool act(const Work<Real>& work, const Pass& pass, Array& array, std::uint32_t begin,
@@ -45,7 +44,6 @@ struct PackedActs {
         return false;
     }
   }
-  //! [act]
 
   void act_on_both(const Work<Real>& work, const Pass& pass, const Moment<Real>& step) {
     if (pass.act == Act::inputs)

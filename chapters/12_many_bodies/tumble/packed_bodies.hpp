@@ -22,7 +22,6 @@ template <class Real>
 constexpr int natural_width = static_cast<int>(vector_bytes / sizeof(Real));
 //! [width]
 
-//! [lanes]
 /// Copies the numbers of one body out of its lane of a pack of bodies, or into it.
 template <class Real, int width>
 Vec3<Real> lane_of(const Vec3<Pack<Real, width>>& packed, int lane) {
@@ -47,7 +46,6 @@ void set_lane(Particle<Pack<Real, width>>& packed, int lane, const Particle<Real
   set_lane(packed.force, lane, particle.force);
   packed.inverse_mass.lanes[lane] = particle.inverse_mass;
 }
-//! [lanes]
 
 template <class Real, int width>
 Top<Real> lane_of(const Top<Pack<Real, width>>& packed, int lane) {

@@ -63,7 +63,6 @@ void check_alike(std::string_view name, bool wanted) {
 
 }  // namespace
 
-//! [alike]
 TEST_CASE("Like with like Odeint meets all that step the numbers which it gets, and no others") {
   const auto heavy = heavy_top<double>("heavy top", 3);
   const auto orbit = eccentric_orbit<double>();
@@ -81,9 +80,7 @@ TEST_CASE("Like with like Odeint meets all that step the numbers which it gets, 
   for (const auto& contestant : axis_by_even_steps(heavy)) check_alike(contestant.name, false);
   for (const auto& contestant : in_transformed_time(orbit)) check_alike(contestant.name, false);
 }
-//! [alike]
 
-//! [peers]
 TEST_CASE("Every peer goes where the exact solution goes, with the order that it claims") {
   FreeProblem<double> free = free_problems<double>()[0];
   free.seconds = seconds;
@@ -102,4 +99,3 @@ TEST_CASE("Every peer swings the driven top as our ladder does") {
       after_steps<HighestRung<torque_ladder<long double, Drive<long double>>>>(wide, 1000);
   check_peers(problem, peers::Torque::drive, 0, truth);
 }
-//! [peers]

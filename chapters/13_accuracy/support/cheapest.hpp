@@ -12,7 +12,6 @@ namespace tumble::support {
 ///
 /// An error can be small by luck, where it changes its sign. So a run counts only if the next finer
 /// one of the same method, where there is one, meets the tolerance too.
-//! [cheapest]
 inline std::vector<Measurement> cheapest(const std::vector<Measurement>& all,
                                          const std::string& problem, double wanted) {
   std::map<std::string, Measurement> best;
@@ -32,7 +31,6 @@ inline std::vector<Measurement> cheapest(const std::vector<Measurement>& all,
   });
   return list;
 }
-//! [cheapest]
 
 /// The first of a list that pleases.
 template <class Predicate>

@@ -27,7 +27,6 @@ struct NoTorque {
 };
 
 /// The weight of a top whose tip is held, about the tip. The moments are those about the tip too.
-//! [heavy]
 template <class Real>
 struct Weight {
   Real weight_times_arm;  ///< M g l, N m
@@ -51,7 +50,6 @@ struct Weight {
             {0, 0, L.z()}};
   }
 };
-//! [heavy]
 
 /// The weight of a top whose centre of mass may lie off its axes, about the tip that is held.
 template <class Real>

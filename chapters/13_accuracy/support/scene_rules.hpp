@@ -10,7 +10,6 @@ namespace tumble::support {
 
 /// Finds, in every step, the solution that goes through the present state. Its integrals know no
 /// packs, so the bodies of a pack are turned one after another.
-//! [exact_rule]
 struct ExactSolution {
   static constexpr std::string_view name = "exact solution";
   static constexpr int order = std::numeric_limits<int>::max();  // no step is too long for it
@@ -20,7 +19,6 @@ struct ExactSolution {
     top = exact::FreeTop<Real>(top).at(time_step);
   }
 };
-//! [exact_rule]
 using SceneRules = Longer<RungsOfWorlds, ExactSolution>::Type;
 
 }  // namespace tumble::support

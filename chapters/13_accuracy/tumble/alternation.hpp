@@ -13,17 +13,14 @@ namespace tumble {
 /// One step as portions of it: kicks[0], drifts[0], kicks[1], …, drifts[n − 1], kicks[n]. Each list
 /// sums to 1, and reads the same backwards: the step is symmetric in time. "Kick" and "drift" stand
 /// for any two motions that can each be made exactly.
-//! [alternation]
 template <std::size_t n, class Real = long double>
 struct Alternation {
   std::array<Real, n + 1> kicks;
   std::array<Real, n> drifts;
 };
-//! [alternation]
 
 /// The row of steps of the lengths w₁, …, wₙ, each half a kick, a drift and half a kick. Kicks that
 /// meet are made as one. The first half of the weights and the middle one are given.
-//! [composed]
 template <std::size_t half>
 constexpr Alternation<2 * half - 1> composed(const std::array<long double, half>& weights) {
   constexpr std::size_t n = 2 * half - 1;
@@ -35,7 +32,6 @@ constexpr Alternation<2 * half - 1> composed(const std::array<long double, half>
   }
   return row;
 }
-//! [composed]
 
 /// A row of its own portions: the first half of each list is given, and what stands in the middle
 /// of one of them is what it lacks to 1.

@@ -37,7 +37,6 @@ using ToleranceOf = decltype(detail::tolerance_for(std::declval<const Body&>()))
 /// The square of the error at the end of a step, relative to what is allowed: the tolerances of
 /// position and velocity for each second of the step, and a few roundings on top, for no step can
 /// be better.
-//! [error_of_particle]
 template <class Real>
 [[gnu::always_inline]] inline Real square_of_error(const Numbers<Real, 6>& error,
                                                    const Numbers<Real, 6>& start,
@@ -52,7 +51,6 @@ template <class Real>
   };
   return part(0, tolerance.position * time_step) + part(3, tolerance.velocity * time_step);
 }
-//! [error_of_particle]
 
 /// The same for a top: the orientation is off by an angle, for which `tolerance` rad are allowed a
 /// second, and L by a part of its size. The four numbers of a quaternion q that is off by δ are off
@@ -221,7 +219,6 @@ class EmbeddedSteps {
 /// step passes over one of the `stops`.
 /// @throws std::invalid_argument unless the time is 0 or more and the tolerance more than 0, both
 /// finite, and as require_stops(). @throws StepError if no step meets the tolerance.
-//! [carry]
 template <class Pair, class Body, class Gather, class Real>
 Journey carry(Body& body, const Gather& gather, Real time, Same<Real> seconds,
               ToleranceOf<Body> tolerance, const Stops<Same<Real>>& stops = {}) {
@@ -233,6 +230,5 @@ Journey carry(Body& body, const Gather& gather, Real time, Same<Real> seconds,
                    return arrive(there, steps, length, stops.longest);
                  });
 }
-//! [carry]
 
 }  // namespace tumble

@@ -51,7 +51,6 @@ class FreeTurn {
   bool is_far(const Numbers<Real, 3>& l) const { return side_ * l[axis_] < Real(-0.5); }
 
   /// The top whose L points along l, with the angle ψ = `twist`, rad.
-  //! [top_at]
   Top<Real> top_at(const Numbers<Real, 3>& numbers, Real twist) const {
     const Vec3<Real> l = Vec3<Real>(numbers[0], numbers[1], numbers[2]).normalized();
     const Quaternion<Real> a = quaternion_of_rotation_vector<Real>(twist * e());
@@ -60,7 +59,6 @@ class FreeTurn {
     top.orientation = normalized(base_ * a * shortest_from(l));
     return top;
   }
-  //! [top_at]
 
   /// Starts anew from where the top is now.
   void fold(const Numbers<Real, 3>& l, Real twist) {
@@ -112,7 +110,6 @@ class FreeTurn {
 };
 
 /// A free top by a Runge–Kutta rule on l, with ψ as an integral on the way. L is kept in the world.
-//! [turn_by_momentum]
 template <class Rule, class Real>
 [[gnu::flatten]] void turn_by_momentum(Top<Real>& top, Same<Real> time_step) {
   if (!is_gyroscopic(top) || (top.angular_momentum_body.array() == 0).all())
@@ -123,6 +120,5 @@ template <class Rule, class Real>
   lead_reduced<Rule>(free, numbers, twist, 0, time_step);
   top = free.top_at(numbers, twist);
 }
-//! [turn_by_momentum]
 
 }  // namespace tumble

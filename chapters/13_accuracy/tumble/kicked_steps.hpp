@@ -22,14 +22,12 @@ void step_explicitly(Particle<Real>& particle, const Gather& gather, Same<Real> 
 }
 
 /// Kick, then drift: chapter 1's step, and that of the world.
-//! [kick_and_drift]
 template <class Body, class Gather, class Real>
 void step_by_kick_and_drift(Body& body, const Gather& gather, Real time, Real time_step) {
   kick(body, time_step);
   drift(body, time_step);
   gather(body, time + time_step);
 }
-//! [kick_and_drift]
 
 /// Kicks and drifts in the portions of a row. Time passes with the drifts, and a kick takes what
 /// acts at the time and place that they have led to.

@@ -83,14 +83,12 @@ const TurningRung<Real>& turning_rung(std::string_view name) {
 }
 
 /// A method for a top under torque, or for a particle under force. `gather` as in kicked_steps.hpp.
-//! [rung]
 template <class Body, class Real, class Gather>
 struct Rung {
   std::string_view name;
   Claims claims;
   void (*step)(Body& body, const Gather& gather, Real time, Real time_step);
 };
-//! [rung]
 
 /// The rungs for the motion of a centre of mass, where force depends on time and place.
 template <class Real, class Gather>

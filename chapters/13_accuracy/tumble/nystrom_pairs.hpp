@@ -11,14 +11,12 @@ namespace tumble {
 /// leads, displaced by h² Σ coefficients[i][j] a_j from the stages before it. The position gains
 /// h² Σ places[j] a_j and the velocity h Σ velocities[j] a_j; the errors are weighed likewise. The
 /// last stage is evaluated at the end of the step, and is the first of the next.
-//! [nystrom]
 template <std::size_t s>
 struct NystromTableau {
   std::array<long double, s> nodes;
   std::array<std::array<long double, s>, s> coefficients;
   std::array<long double, s> places, velocities, errors_of_places, errors_of_velocities;
 };
-//! [nystrom]
 
 /// Eighth order with a sixth beside it, nine stages of which eight are new: Dormand, El-Mikkawy and
 /// Prince (1987).

@@ -103,7 +103,6 @@ class PacedSteps {
 /// @throws std::invalid_argument unless the time and the least pace are 0 or more and the angle is
 /// more than 0, all finite. @throws StepError if PacedSteps refuses a step, which a larger least
 /// pace prevents, or if steps fall below what the clock can show.
-//! [carry_paced]
 template <class Row, class Gather, class Real>
 Journey carry_paced(Top<Real>& top, const Gather& gather, Real time, Same<Real> seconds,
                     Same<Real> angle, Same<Real> least) {
@@ -128,6 +127,5 @@ Journey carry_paced(Top<Real>& top, const Gather& gather, Real time, Same<Real> 
   top = steps.top();
   return journey;
 }
-//! [carry_paced]
 
 }  // namespace tumble

@@ -23,7 +23,6 @@ class ReducedSteps {
     evaluate_start();
   }
 
-  //! [attempt_reduced]
   [[gnu::flatten]] Real attempt(Real h) {
     step_ = h;
     evaluate_stages<Rule>(start_, h, rates_,
@@ -39,7 +38,6 @@ class ReducedSteps {
     }
     (std::make_index_sequence<Pair::errors.size()>());
   }
-  //! [attempt_reduced]
 
   void accept() {
     time_ += step_;
@@ -120,7 +118,6 @@ Journey carry_reduced(Top<Real>& top, const Motion& motion, Same<Real> time, Sam
 /// turns steadily, locked axes and all, is turned at once, which is exact.
 /// @throws std::invalid_argument unless the time is 0 or more and the tolerance more than 0, both
 /// finite. @throws StepError if no step meets the tolerance.
-//! [carry_freely]
 template <class Pair, class Real>
 Journey carry_freely(Top<Real>& top, Same<Real> seconds, Same<Real> tolerance) {
   require_journey<Real>(seconds, tolerance);
@@ -134,7 +131,6 @@ Journey carry_freely(Top<Real>& top, Same<Real> seconds, Same<Real> tolerance) {
   turn_steadily(top, seconds);
   return {.steps = 1};
 }
-//! [carry_freely]
 
 /// Takes a symmetric top from `time` (s) through `seconds`, where the torque depends on time and on
 /// where the axis points, and has no part along it: `gather` returns it (N m, world axes) by
@@ -142,7 +138,6 @@ Journey carry_freely(Top<Real>& top, Same<Real> seconds, Same<Real> tolerance) {
 /// step passes over one of the `stops`.
 /// @throws std::invalid_argument unless two moments are equal and none is locked, and as
 /// carry(). @throws StepError if no step meets the tolerance.
-//! [carry_axis]
 template <class Pair, class Gather, class Real>
 Journey carry_axis(Top<Real>& top, const Gather& gather, Real time, Same<Real> seconds,
                    Same<Real> tolerance, const Stops<Same<Real>>& stops = {}) {
@@ -154,12 +149,10 @@ Journey carry_axis(Top<Real>& top, const Gather& gather, Real time, Same<Real> s
                                                     stops.longest);
                  });
 }
-//! [carry_axis]
 
 /// The same in so many steps of one length.
 /// @throws std::invalid_argument unless the time is 0 or more and finite, there is at least one
 /// step, and two moments are equal and none is locked.
-//! [carry_axis_evenly]
 template <class Rule, class Gather, class Real>
 [[gnu::flatten]] void carry_axis_evenly(Top<Real>& top, const Gather& gather, Real time,
                                         Same<Real> seconds, long steps) {
@@ -180,6 +173,5 @@ template <class Rule, class Gather, class Real>
   top = motion.top_at(numbers, twist);
   gather(top, time + seconds);
 }
-//! [carry_axis_evenly]
 
 }  // namespace tumble

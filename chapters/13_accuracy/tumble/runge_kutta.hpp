@@ -49,7 +49,6 @@ void set_numbers(Top<Real>& top, const Numbers<Real, 7>& numbers) {
 
 /// Chapter 7's rate of the orientation, ½ q ω, and L × ω. Number by number, and inlined before all
 /// else, so that the numbers stay in registers: a vector made on the way costs more than the sums.
-//! [rates_of]
 template <class Real>
 [[gnu::always_inline]] inline Numbers<Real, 7> rates_of(const Numbers<Real, 7>& numbers,
                                                         const Vec3<Same<Real>>& inverse) {
@@ -64,7 +63,6 @@ template <class Real>
           L2 * w0 - L0 * w2,
           L0 * w1 - L1 * w0};
 }
-//! [rates_of]
 
 /// The rates of a free top, and `torque` (N m, body axes). About a locked axis L stays 0: whatever
 /// locks it bears the torque and L × ω.
@@ -184,7 +182,6 @@ using StageNumber = std::integral_constant<std::size_t, i>;
 /// Evaluates all stages of a rule but the first, which `rates` holds already. `rates_at(numbers,
 /// ahead, StageNumber<i>())` gives the rates of a state `ahead` seconds after the start. `rates`
 /// may have room for more.
-//! [evaluate_stages]
 template <class Rule, class Real, std::size_t count, std::size_t room, class RatesAt>
 [[gnu::always_inline]] inline void evaluate_stages(const Numbers<Real, count>& start,
                                                    Same<Real> time_step,
@@ -200,7 +197,6 @@ template <class Rule, class Real, std::size_t count, std::size_t room, class Rat
   }
   (std::make_index_sequence<rule.nodes.size() - 1>());
 }
-//! [evaluate_stages]
 
 /// The numbers after one step: stage after stage, and then all of them weighed. `first` is what
 /// rates_at() would return for the start.
@@ -218,7 +214,6 @@ Numbers<Real, count> after_step(const Numbers<Real, count>& start,
 
 /// A free top by such a rule, flattened for the same reason, its quaternion normalised afterwards.
 /// Neither the energy nor L is kept, but both to the order of the rule, as long as |ω| h is small.
-//! [turn_by_runge_kutta]
 template <class Rule, class Real>
 [[gnu::flatten]] void turn_by_runge_kutta(Top<Real>& top, Same<Real> time_step) {
   const Vec3<Real> inverse = top.inverse_moments;
@@ -229,7 +224,6 @@ template <class Rule, class Real>
   set_numbers(top, after_step<Rule>(start, rates_of(start, inverse), time_step, rates_at));
   top.orientation = renormalized(top.orientation);
 }
-//! [turn_by_runge_kutta]
 
 /// One step of a motion that a few numbers describe but for an integral ψ, which no stage needs:
 /// FreeTurn or AxisTurn. It leads on the `numbers` of `time` (s), and ψ = `twist` (rad).
@@ -256,7 +250,6 @@ template <class Rule, class Motion, class Real, std::size_t count>
 /// body to gather into. A `gather` that drifts by a law of its own says by in_full(body, time) what
 /// acts together with that, and one that knows its torque (N m) in body axes by
 /// torque_body(orientation, time).
-//! [rates_under]
 template <class Real, class Gather>
 [[gnu::always_inline]] inline Numbers<Real, 6> rates_under(const Gather& gather,
                                                            const Numbers<Real, 6>& numbers,
@@ -283,11 +276,9 @@ template <class Real, class Gather>
     return rates_of(numbers, there);
   }
 }
-//! [rates_under]
 
 /// A particle or a top under force or torque. `gather(body, time)` must leave in the body the sum
 /// of what acts on it at that time (s). It has done so when the step begins, and when it ends.
-//! [step_by_runge_kutta]
 template <class Rule, class Body, class Gather, class Real>
 [[gnu::flatten]] void step_by_runge_kutta(Body& body, const Gather& gather, Real time,
                                           Real time_step) {
@@ -306,6 +297,5 @@ template <class Rule, class Body, class Gather, class Real>
   if constexpr (requires { body.orientation; }) body.orientation = renormalized(body.orientation);
   gather(body, time + time_step);
 }
-//! [step_by_runge_kutta]
 
 }  // namespace tumble

@@ -16,14 +16,12 @@ namespace tumble {
 /// The logarithm of a normal float to the base 2, and back, each within 0.045: the bits are its
 /// exponent and then what follows the first digit, so read as a whole number they count the powers
 /// of two, with a straight line in between. That is accurate enough for the length of a step.
-//! [rough]
 inline float rough_log2(float value) {
   return static_cast<float>(std::bit_cast<std::int32_t>(value)) / 8388608.0F - 126.957F;
 }
 inline float rough_exp2(float exponent) {
   return std::bit_cast<float>(static_cast<std::int32_t>((exponent + 126.957F) * 8388608.0F));
 }
-//! [rough]
 
 /// Chooses steps so that the error of each is what is allowed. If errors fall as h^power, the
 /// factor (1/error)^(1/power) leads there at once; a seventh is kept in reserve for what the

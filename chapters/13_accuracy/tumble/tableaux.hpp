@@ -10,13 +10,11 @@ namespace tumble {
 /// A rule with s stages. Stage i evaluates the rate nodes[i] h after the start, at the place to
 /// which the stages j before it lead when weighed with coefficients[i][j]; the step weighs all of
 /// them with weights[i].
-//! [tableau]
 template <std::size_t s>
 struct Tableau {
   std::array<long double, s> nodes, weights;
   std::array<std::array<long double, s>, s> coefficients;
 };
-//! [tableau]
 
 /// Simpson's rule made into a step: at the start, twice in the middle, at the end. Order 4: Kutta
 /// (1901).

@@ -76,7 +76,6 @@ class TransformedTime {
 /// How long the last one must be is found by shortening it, which needs a few trials.
 /// @throws std::invalid_argument unless the time is 0 or more and finite, there is at least one
 /// step, and the particle is bound: B greater than 0.
-//! [carry_in_transformed_time]
 template <class Row, class Gather, class Real>
 void carry_in_transformed_time(Particle<Real>& particle, const Gather& gather, Same<Real> seconds,
                                long steps) {
@@ -105,6 +104,5 @@ void carry_in_transformed_time(Particle<Real>& particle, const Gather& gather, S
   motion.finish(seconds);
   particle = motion.particle();
 }
-//! [carry_in_transformed_time]
 
 }  // namespace tumble

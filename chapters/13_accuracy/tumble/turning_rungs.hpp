@@ -21,7 +21,6 @@ struct LinearlyImplicit {
 
 /// Chapter 8's splitting in the portions of a row (no unit): each is made with that part of the
 /// time step (s), on a top with L in body axes (kg m²/s).
-//! [in_row]
 template <class Row>
 struct SplittingInRow {
   static constexpr bool is_symmetric = true;
@@ -36,7 +35,6 @@ struct SplittingSuzuki : SplittingInRow<Suzuki> {
   static constexpr std::string_view name = "splitting, Suzuki";
   static constexpr int order = 4;
 };
-//! [in_row]
 /// Order 4: Blanes and Moan (2002), S6.
 struct SplittingBlanesMoanFourth : SplittingInRow<BlanesMoanFourth> {
   static constexpr std::string_view name = "splitting, Blanes-Moan 4";

@@ -16,7 +16,6 @@ inline double spread_over_decades(Dice& dice, double from, double to) {
 /// A top with moments anywhere in 30 decades around 1 kg m², in a ratio of up to a million. Its |L|
 /// is a random part of a size that, divided by the smallest moment, lies anywhere in the 12 decades
 /// below `fastest` (rad/s). In `seconds` the torque gives another random part of that size.
-//! [random_top]
 template <class Real>
 Top<Real> random_top(Dice& dice, double fastest, double seconds) {
   // Any three spreads of matter along the axes make moments that can be.
@@ -39,7 +38,6 @@ Top<Real> random_top(Dice& dice, double fastest, double seconds) {
   top.torque = (size / std::sqrt(3) / seconds * dice.vector<double>()).cast<Real>();
   return top;
 }
-//! [random_top]
 
 /// The largest component, whose square need not be a number.
 template <class Number>

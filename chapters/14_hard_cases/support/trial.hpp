@@ -17,11 +17,9 @@ struct Verdict {
 };
 
 /// The largest errors that are let pass: energy and L relative, the angle in rad.
-//! [limits]
 struct Limits {
   double energy, momentum, angle;
 };
-//! [limits]
 
 /// The verdict on a motion that was watched.
 inline Verdict judged(const Motion& motion, const Limits& limits) {

@@ -10,13 +10,11 @@ namespace tumble {
 
 /// The distance (m) from a coordinate (m) to the next one that can be stored, away from the origin.
 /// Every place out there is a multiple of it.
-//! [spacing]
 template <class Real>
 Real spacing_at(Real coordinate) {
   const Real far = std::abs(coordinate);
   return std::nextafter(far, std::numeric_limits<Real>::infinity()) - far;
 }
-//! [spacing]
 
 /// The speed (m/s) above which a body moves there, away from the origin, in steps of `time_step`
 /// (s, not 0): x + h v is rounded back to x while h v is less than half the spacing. At half of it

@@ -1,4 +1,4 @@
-// The rules by name: the name of a rule is also the name of its broken page.
+// The rules by name.
 import {every_link_leads_somewhere, nothing_refers_outside, every_id_is_unique} from './link_rules.mjs';
 import {every_figure_says_what_it_shows, every_player_has_a_still_picture} from './figure_rules.mjs';
 import * as text_rules from './text_rules.mjs';

@@ -1,6 +1,10 @@
-// What another project may do with tumble::tumble.
-#include <cstdio>
-#include <tumble/force.hpp>
+// What another project may do with tumble::tumble. The README shows the lines between its marks.
+#include <iostream>
+// README
+#include <tumble/gravity.hpp>
+#include <tumble/solids.hpp>
+#include <tumble/world.hpp>
+// end
 
 namespace {
 
@@ -16,9 +20,15 @@ bool rounds_twice() {
 }  // namespace
 
 int main() {
-  tumble::Particled particle = tumble::make_particle(2.0);
-  tumble::add_force(particle, tumble::Vec3d(12, 0, 0));
-  tumble::step(particle, 0.5);
-  std::printf("%g m/s\n", particle.velocity.x());
+  // clang-format off
+  // README
+  tumble::World<double> world(tumble::steps_per_second(240));
+  const auto brick = tumble::mass_properties(tumble::Box<double>{{0.1, 0.2, 0.3}}, 2.0);  // m and kg
+  world.add("brick", tumble::make_rigid_body<double>("brick", brick, {{0, 0, 1}}, {3, 0, 4}, {1, 5, 0}).body);
+  world.add(tumble::Gravity<double>{});
+  for (int n = 0; n < 120; ++n) world.step();
+  std::cout << world.body(world.find("brick")).centre.position.transpose() << " m\n";
+  // end
+  // clang-format on
   return rounds_twice() ? 0 : 1;
 }

@@ -17,7 +17,28 @@ from untrusted import seals
 
 HOSTILE = HERE.parent / "hostile"
 NOBODY = 65534
+HEADERS = "cstdio", "cstdlib", "fcntl.h", "signal.h", "stdexcept", "string", "unistd.h", "vector"
+DOUBLED = "\ntemplate <class Real>\nReal doubled(Real number) {{\n{inside}  return {answer} * number;\n}}\n"
+HALVED = "\ntemplate <class Real>\nReal halved(Real number) {\n  return number / 2;\n}\n"
 SYSTEMS_PYTHON = shutil.which("python3", path="/usr/local/bin:/usr/bin:/bin")
+
+
+def attacks():
+    """(name, text, points, a part of what is said) of each attack: of those in attacks.list, where behind "| " stand lines of `doubled`,
+    which is wrong if one point is earned, and around them what most have in common; and of whole headers, whose first lines say as much."""
+    for block in (HOSTILE / "attacks.list").read_text(encoding="utf-8").strip().split("\n\n"):
+        headline, *lines = block.split("\n")
+        name, points, because = re.fullmatch(r"(\w+) earns (\d): (.+)", headline).groups()
+        text = "#pragma once\n" + "".join(f"#include <{each}>\n" for each in HEADERS)
+        text += "".join(f"{line}\n" for line in lines if not line.startswith("| "))
+        if "doubled(" not in text:
+            inside = "".join(f"  {line[2:]}\n" for line in lines if line.startswith("| "))
+            text += DOUBLED.format(inside=inside, answer=5 if points == "1" else 2)
+        yield name, text + ("" if "halved(" in text else HALVED), int(points), because
+    for file in sorted(HOSTILE.glob("*.hpp")):
+        text = file.read_bytes().decode()
+        head = re.match(r"// earns: (\d)\n// because: (.+?)\n(?!//)", text, flags=re.DOTALL)
+        yield file.stem, text, int(head[1]), re.sub(r"\s*\n// ", " ", head[2])
 
 
 @unittest.skipUnless(seals()["files"] and seals()["calls"], "here a submission can't be confined")
@@ -44,14 +65,12 @@ class Hostile(Grading):
 
     def hand_in_all(self):
         expected = {}
-        for file in sorted(HOSTILE.glob("*.hpp")):
-            text = file.read_bytes().decode()
-            head = re.match(r"// earns: (\d)\n// because: (.+?)\n(?!//)", text, flags=re.DOTALL)
-            expected[file.stem] = int(head[1]), re.sub(r"\s*\n// ", " ", head[2])
+        for attack, text, points, because in attacks():
+            expected[attack] = points, because
             for name, place in (("ROOT", self.root), ("SECRET", self.secret), ("BUILT", self.built),
                                 ("TEMPORARY", self.temporary), ("SUBMISSIONS", self.submissions)):
                 text = text.replace(f"@{name}@", str(place))
-            self.hand_in(file.stem, text)
+            self.hand_in(attack, text)
         for name, text, reason in (("is_empty", b"", "doubled.hpp is empty"), ("is_blank", b" \n\n", "doubled.hpp is empty"),
                                    ("is_not_utf8", b"// caf\xe9\n" + RIGHT.encode(), "not UTF-8: byte 6 is 0xe9"),
                                    ("holds_a_zero", RIGHT.encode() + b"\0", "holds a zero byte"),

@@ -59,7 +59,7 @@ class Gradescope(unittest.TestCase):
             shutil.rmtree(private)
             with zipfile.ZipFile(file) as packed:
                 names = packed.namelist()
-                self.assertFalse([name for name in names if "solutions/" in name or "/wrong/" in name])
+                self.assertFalse([name for name in names if "solutions/" in name or "wrong.txt" in name])
                 self.assertEqual([name for name in names if name.startswith("private/")],
                                  [f"private/01_force/far_moon/{name}" for name in ("exercise.json", "checks.cpp", "far_moon.hpp")])
                 for entry in packed.infolist():  # as unzip does, with the rights that are noted in the zip

@@ -282,25 +282,15 @@ template <class Real> Real halved(Real number) { return number / 2; }
 
     def test_watch_gives_a_verdict_at_every_save_until_it_is_interrupted(self):
         self.says("start", "doubled")
-        for polling in ([], ["--polling"]):
-            with self.subTest(polling):
-                shutil.copyfile(self.exercise_folder / "doubled.hpp", self.mine)
-                process = subprocess.Popen(
-                    [sys.executable, "-B", str(ROOT / "exercises" / "tools" / "student.py"), "--root", str(self.root),
-                     "--toolchain", str(self.toolchain_file), "watch", "doubled", *polling],
-                    stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-                try:
-                    self.wait_for(process, b"Watching")
-                    beside = self.mine.with_suffix(".new")
-                    beside.write_text(SOLVED, encoding="utf-8")
-                    os.replace(beside, self.mine)
-                    self.wait_for(process, b"Solved.")
-                    process.send_signal(signal.SIGINT)
-                    self.assertEqual(process.wait(timeout=30), 0)
-                finally:
-                    process.kill()
-                    process.wait()
-                    process.stdout.close()
+        shutil.copyfile(self.exercise_folder / "doubled.hpp", self.mine)
+        process = self.begin("watch", "doubled")
+        self.wait_for(process, b"Watching")
+        beside = self.mine.with_suffix(".new")
+        beside.write_text(SOLVED, encoding="utf-8")
+        os.replace(beside, self.mine)
+        self.wait_for(process, b"Solved.")
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(timeout=30), 0)
 
     def begin(self, *words):
         process = subprocess.Popen([sys.executable, "-B", str(ROOT / "exercises" / "tools" / "student.py"), "--root", str(self.root),

@@ -1,6 +1,8 @@
 import io
+import json
 import multiprocessing
 import os
+import sys
 import tempfile
 import threading
 import time
@@ -8,7 +10,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from made import CommandFailed, held, make
+from made import CommandFailed, dependencies_in, held, make
 from programs import build_show, build_worker, compile_shared
 
 
@@ -125,6 +127,22 @@ class Made(unittest.TestCase):
         (self.folder / "target").write_bytes(b"")
         make_slowly(self.folder)
         self.assertEqual((self.folder / "target").read_text(encoding="utf-8"), "1")
+
+    def test_a_damaged_record_makes_the_target_again(self):
+        target = self.folder / "target"
+        command = [sys.executable, "-c", f"open({str(target)!r}, 'w').close()"]
+        whole = {"command": [sys.executable, *command[1:]], "output": "", "size": 0, "read": {}}
+        damages = ({"command": 1}, {"output": 3}, {"size": "0"}, {"read": 7}, {"read": {"a": 5}}, {"read": {"a": [1]}},
+                   {"read": {sys.executable: [5, {}]}}, {"read": {sys.executable: [[1, 2], None]}}, {"read": {}})
+        for damaged in ("", "5", "[]", "{}", "[" * 100000, *(json.dumps({**whole, **damage}) for damage in damages)):
+            with self.subTest(record=damaged[:50]):
+                Path(f"{target}.made").write_text(damaged, encoding="utf-8")
+                self.assertGreater(make(target, command).seconds, 0)
+
+    def test_dependencies_with_blanks(self):
+        file = self.folder / "d"
+        file.write_text("a.o: a\\ b/c.hpp \\\n d.hpp e$$f.hpp\n", encoding="utf-8")
+        self.assertEqual(dependencies_in(file), ["a b/c.hpp", "d.hpp", "e$f.hpp"])
 
     def test_a_new_compiler_makes_it_again(self):
         compiler, target = self.folder / "compiler", self.folder / "target"

@@ -1,9 +1,7 @@
-"""What is kept between two commands: a student's copies, their progress, and what was made."""
+"""What is kept between two commands: a student's copies and their progress."""
 
-import json
 import os
 import resource
-import sys
 import tempfile
 import threading
 import time
@@ -11,7 +9,6 @@ import unittest
 from pathlib import Path
 
 from complaint import Complaint
-from made import CommandFailed, dependencies_in, make
 from progress import Progress, bar
 from submission import LARGEST, why_not_taken
 from test_texts import exercise
@@ -140,89 +137,7 @@ class Copies(InAFolder):
                 self.place.take_key(key)
 
 
-class MadeFiles(InAFolder):
-    def test_a_target_is_made_again_only_for_a_reason(self):
-        source, target = self.folder / "source", self.folder / "out" / "target"
-        source.write_text("a", encoding="utf-8")
-        command = [sys.executable, "-c", f"import shutil; shutil.copy({str(source)!r}, {str(target)!r}); print('said')"]
-        self.assertGreater(make(target, command, inputs=[source]).seconds, 0)
-        again = make(target, command, inputs=[source])
-        self.assertEqual((again.seconds, again.output), (0, "said\n"))
-        source.write_text("longer", encoding="utf-8")
-        self.assertGreater(make(target, command, inputs=[source]).seconds, 0)
-        self.assertEqual(target.read_text(encoding="utf-8"), "longer")
-        self.assertGreater(make(target, command + ["another"], inputs=[source]).seconds, 0)
-        target.unlink()
-        self.assertGreater(make(target, command + ["another"], inputs=[source]).seconds, 0)
-
-    def test_a_damaged_record_makes_the_target_again(self):
-        target = self.folder / "target"
-        command = [sys.executable, "-c", f"open({str(target)!r}, 'w').close()"]
-        whole = {"command": [sys.executable, *command[1:]], "output": "", "size": 0, "read": {}}
-        damages = ({"command": 1}, {"output": 3}, {"size": "0"}, {"read": 7}, {"read": {"a": 5}}, {"read": {"a": [1]}},
-                   {"read": {sys.executable: [5, {}]}}, {"read": {sys.executable: [[1, 2], None]}}, {"read": {}})
-        for damaged in ("", "5", "[]", "{}", "[" * 100000, *(json.dumps({**whole, **damage}) for damage in damages)):
-            with self.subTest(record=damaged[:50]):
-                Path(f"{target}.made").write_text(damaged, encoding="utf-8")
-                self.assertGreater(make(target, command).seconds, 0)
-
-    def test_what_is_saved_while_it_is_made_is_made_again_whatever_time_it_bears(self):
-        source, target = self.folder / "source", self.folder / "target"
-        hour = 3600
-        for shift in (-hour, 0, hour):
-            with self.subTest(shift=shift):
-                source.write_text("old", encoding="utf-8")
-                os.utime(source, (1e9, 1e9))
-                saved = time.time() + shift
-                command = [sys.executable, "-c", f"import os, shutil; shutil.copy({str(source)!r}, {str(target)!r})\n"
-                           f"if open({str(source)!r}).read() == 'old':\n"
-                           f"    open({str(source)!r}, 'w').write('new'); os.utime({str(source)!r}, ({saved}, {saved}))"]
-                make(target, command, inputs=[source])
-                make(target, command, inputs=[source])
-                self.assertEqual(target.read_text(encoding="utf-8"), "new")
-                self.assertEqual(make(target, command, inputs=[source]).seconds, 0)
-
-    def test_a_time_yet_to_come_hides_no_later_save(self):
-        source, target = self.folder / "source", self.folder / "target"
-        source.write_text("old", encoding="utf-8")
-        os.utime(source, (4e9, 4e9))
-        command = [sys.executable, "-c", f"import shutil; shutil.copy({str(source)!r}, {str(target)!r})"]
-        make(target, command, inputs=[source])
-        self.assertEqual(make(target, command, inputs=[source]).seconds, 0)
-        source.write_text("new", encoding="utf-8")
-        make(target, command, inputs=[source])
-        self.assertEqual(target.read_text(encoding="utf-8"), "new")
-
-    def test_a_failure_is_not_remembered_as_made(self):
-        command = [sys.executable, "-c", "print('bad'); raise SystemExit(1)"]
-        for _ in range(2):
-            with self.assertRaises(CommandFailed) as caught:
-                make(self.folder / "target", command)
-            self.assertEqual(caught.exception.output, "bad\n")
-
-    def test_what_takes_too_long_is_ended(self):
-        with self.assertRaises(CommandFailed):
-            make(self.folder / "target", [sys.executable, "-c", "import time; time.sleep(60)"], limit=0.2)
-
-    def test_dependencies_with_blanks(self):
-        file = self.folder / "d"
-        file.write_text("a.o: a\\ b/c.hpp \\\n d.hpp e$$f.hpp\n", encoding="utf-8")
-        self.assertEqual(dependencies_in(file), ["a b/c.hpp", "d.hpp", "e$f.hpp"])
-
-
 class Watching(InAFolder):
-    def saved(self, polling, save):
-        file = self.folder / "hammer.hpp"
-        file.write_text("before", encoding="utf-8")
-        watch = Watch(file, polling)
-        self.addCleanup(watch.close)
-        self.assertFalse(watch.wait(0.05))
-        timer = threading.Timer(0.1, save, [file])
-        timer.start()
-        self.addCleanup(timer.join)
-        self.assertTrue(watch.wait(30))
-        self.assertFalse(watch.wait(0.3))
-
     @staticmethod
     def in_place(file):
         file.write_text("after, and longer", encoding="utf-8")
@@ -233,15 +148,21 @@ class Watching(InAFolder):
         beside.write_text("after, and longer", encoding="utf-8")
         os.replace(beside, file)
 
-    def test_any_way_of_saving_is_seen(self):
-        for polling in (False, True):
-            for save in (self.in_place, self.by_renaming):
-                with self.subTest(polling=polling, save=save.__name__):
-                    self.saved(polling, save)
+    @staticmethod
+    def gone_for_a_while(file):
+        file.unlink()
+        time.sleep(0.3)
+        file.write_text("after, and longer", encoding="utf-8")
 
-    def test_a_file_that_goes_away_and_comes_back_is_waited_for(self):
-        def come_back(file):
-            file.unlink()
-            time.sleep(0.3)
-            file.write_text("after, and longer", encoding="utf-8")
-        self.saved(False, come_back)
+    def test_any_way_of_saving_is_seen(self):
+        for save in (self.in_place, self.by_renaming, self.gone_for_a_while):
+            with self.subTest(save=save.__name__):
+                file = self.folder / "hammer.hpp"
+                file.write_text("before", encoding="utf-8")
+                watch = Watch(file)
+                self.assertFalse(watch.wait(0.05))
+                timer = threading.Timer(0.1, save, [file])
+                timer.start()
+                self.addCleanup(timer.join)
+                self.assertTrue(watch.wait(30))
+                self.assertFalse(watch.wait(0.3))

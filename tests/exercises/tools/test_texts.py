@@ -56,26 +56,34 @@ class Hints(InAFolder):
 
 
 class WrongAnswers(InAFolder):
-    def test_each_names_its_check_and_its_message(self):
-        self.file("a.hpp", "// caught by: It\n// holds\n// message: too\n// large\ncode\n")
-        self.file("b.hpp", "// caught by: It holds\n// message: small\ncode\n")
-        answers = read_wrong_answers(exercise(), self.folder)
-        self.assertEqual([(answer.caught_by, answer.message) for answer in answers],
-                         [("It holds", "too large"), ("It holds", "small")])
+    solution = "one;\n//! [solution]\ntwo;\ntwo;\nthree;\n"
 
-    def test_one_is_too_few(self):
-        self.file("a.hpp", "// caught by: It holds\n// message: m\n")
-        self.assertIn("has 1 wrong answers", self.complaint(lambda: read_wrong_answers(exercise(), self.folder)))
+    def answers(self, *lines, check="It holds"):
+        self.file("wrong.txt", "\n".join([f"caught by: {check}", "a: m", *lines, "", "b: n", "- one;", "+ once;", "+ more;"]) + "\n")
+        return read_wrong_answers(exercise(), self.folder, self.solution)
+
+    def test_each_names_its_check_and_its_message_and_changes_the_solution_in_its_places_alone(self):
+        first, second = self.answers("- one;", "+", "- two;", "- three;", "+   four;")
+        self.assertEqual([(each.name, each.caught_by, each.message) for each in (first, second)], [("a", "It holds", "m"), ("b", "It holds", "n")])
+        self.assertEqual(first.text, "//! [solution]\ntwo;\n  four;\n")
+        self.assertEqual(second.text, "once;\nmore;\n//! [solution]\ntwo;\ntwo;\nthree;\n")
+
+    def test_what_can_not_be_changed_so_is_named(self):
+        for lines, expected in ((["- two;", "+ four;"], "a replaces lines that occur 2 times in the solution: two;"),
+                                (["- five;", "+ six;"], "occur 0 times in the solution: five;"),
+                                (["- one;"], 'and no "- one;"'), (["two;"], 'and no "two;"')):
+            with self.subTest(expected):
+                self.assertIn(expected, self.complaint(lambda lines=lines: self.answers(*lines)))
 
     def test_a_check_that_is_none_is_named(self):
-        for name in ("a.hpp", "b.hpp"):
-            self.file(name, "// caught by: It flies\n// message: m\n")
-        self.assertIn('"It flies", which is no check of', self.complaint(lambda: read_wrong_answers(exercise(), self.folder)))
+        self.assertIn('names "It flies", which is no check of', self.complaint(lambda: self.answers("- one;", "+", check="It flies")))
 
-    def test_the_head_is_required(self):
-        for name in ("a.hpp", "b.hpp"):
-            self.file(name, "code\n")
-        self.assertIn("must begin with", self.complaint(lambda: read_wrong_answers(exercise(), self.folder)))
+    def test_one_is_too_few_and_each_has_a_head(self):
+        for text, expected in (("caught by: It holds\na: m\n- one;\n+ two;\n", "has 1 wrong answers"),
+                               ("a: m\n- one;\n+ two;\n", '"a: m" must be'), ("caught by: It holds\n", 'must be "NAME')):
+            with self.subTest(expected):
+                self.file("wrong.txt", text)
+                self.assertIn(expected, self.complaint(lambda: read_wrong_answers(exercise(), self.folder, self.solution)))
 
 
 class Parameters(InAFolder):

@@ -69,7 +69,6 @@ class BulletFunctions : public BulletBodies {
   }
 
  private:
-  //! [bullet_functions]
   void step(btRigidBody& body) const {
     body.applyGravity();
     body.applyTorque(torque_on_each_);
@@ -86,7 +85,6 @@ class BulletFunctions : public BulletBodies {
     body.proceedToTransform(there);
     body.clearForces();
   }
-  //! [bullet_functions]
 };
 
 /// Its whole world, without the search for collisions.
@@ -96,14 +94,12 @@ class BulletWorld : public BulletBodies {
     for (const auto& body : bodies_) world_.addRigidBody(body.get(), 0, 0);
   }
 
-  //! [bullet_world]
   void run(int steps) {
     for (int step = 0; step < steps; ++step) {
       for (const auto& body : bodies_) body->applyTorque(torque_on_each_);
       world_.stepSimulation(time_step_, 0);  // 0: one step, of just this length
     }
   }
-  //! [bullet_world]
 
  private:
   class WithoutCollisions : public btDiscreteDynamicsWorld {

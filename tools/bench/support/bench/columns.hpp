@@ -44,12 +44,10 @@ enum class Spacing {
 
 inline constexpr std::size_t cache_line = 64;  // bytes
 
-//! [column_stride]
 constexpr std::size_t column_stride(std::size_t bytes, Spacing spacing) {
   if (spacing == Spacing::power_of_two) return std::bit_ceil(bytes < 4096 ? 4096 : bytes);
   return ((bytes / cache_line + 1) | 1) * cache_line;
 }
-//! [column_stride]
 
 /// `count` bodies in columns of `Real`, as the scenes begin.
 template <class Real>

@@ -46,7 +46,6 @@ class OdeWorld {
     dCloseODE();
   }
 
-  //! [ode]
   void run(int steps) {
     for (int step = 0; step < steps; ++step) {
       if (has_torque_)
@@ -54,7 +53,6 @@ class OdeWorld {
       dWorldQuickStep(world_, time_step_);
     }
   }
-  //! [ode]
 
   Motion motion(std::size_t n) const {
     return {triple_of(dBodyGetPosition(bodies_[n])), triple_of(dBodyGetLinearVel(bodies_[n])),

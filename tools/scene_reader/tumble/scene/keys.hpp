@@ -29,7 +29,6 @@ consteval std::array<Key, count> keys(const Key (&list)[count]) {
 
 // --- The scene, its bodies, and where they are ---------------------------------------------------
 
-//! [scene_keys]
 inline constexpr auto scene_keys = keys({{"$schema"},
                                          {"title"},
                                          {"description"},
@@ -53,7 +52,6 @@ inline constexpr auto body_keys = keys({{"name", "", true},
                                         {"static"},
                                         {"turning"},
                                         {"many"}});
-//! [scene_keys]
 inline constexpr auto axis_angle_keys = keys({{"axis", "", true}, {"angle", "rad", true}});
 inline constexpr auto many_keys = keys({{"count", "", true},
                                         {"seed", "", true},
