@@ -135,6 +135,8 @@ TEST_CASE("A run that ends in no number differs from the truth by more than anyb
   CHECK(errors_between({truth}, {truth}).of({.angle = 1e-300, .place = 1e-300}) == 0);
   CHECK(errors_between({nowhere}, {truth}).of({.angle = 3}) == INFINITY);
   CHECK(errors_between({unturned}, {truth}).of({.place = 3}) == INFINITY);
+  CHECK(Errors{.angle = NAN}.of({.angle = 3, .place = 3}) == INFINITY);
+  CHECK(Errors{.place = NAN}.of({.angle = 3, .place = 3}) == INFINITY);
 }
 
 TEST_CASE("The order of a fall is that power, and no fall is none") {

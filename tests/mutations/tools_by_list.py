@@ -71,7 +71,7 @@ class Program:
             made = self.folder / f"{target}.{file.name}.o"
             file = self.copy / file.name if file.parent == self.sources else file
             command = self.engine.command(words, self.copy, here / "mutants.hpp")
-            self.engine.must(run([*self.engine.launcher, *command, "-c", file, "-o", made], entry["directory"]))
+            self.engine.must(run([*self.engine.launcher, *command, "-O1", "-c", file, "-o", made], entry["directory"]))
             return made
 
         with ThreadPoolExecutor(self.jobs) as pool:
