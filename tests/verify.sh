@@ -17,6 +17,7 @@ verify() { # SENTENCE CONDITION...
   else
     failures=$((failures + 1))
     printf 'error: %s\n  exit code %s\n  it said: %s\n  and: %s\n' "$sentence" "$code" "$output" "${errors-}"
+    [ -z "${TUMBLE_FIRST_FAILURE_ENDS-}" ] || exit 1
   fi
 }
 

@@ -18,10 +18,10 @@ says() { [[ $(tr -s ' \n' ' ' <<<"$output") == *"$1"* ]]; } # wherever its lines
 is_silent() { [ -z "$output$errors" ]; }
 
 # Promises: each is tried against an exact solution by a program that shares nothing with advise.
-keeps() { # NAME ARGUMENT...
+keeps() { # NAME ARGUMENT...: with time enough for a machine that does much else
   local name=$1
   shift
-  run "$@" --json
+  run "$@" --json --longest-run 60
   printf '%s\n' "$output" >"$name.json"
   verify "$name: it promises something" ends_with 0
   verify "$name: the promise holds" "$promise_kept" "$name.json"
@@ -41,10 +41,14 @@ keeps own_steps --inertia 1,2,3 --spin 1,2,0.5 --for 20 --angle 1e-6 --rate 1 --
 keeps own_steps_in_float --inertia 1,2,3 --spin 1,2,0.5 --for 4 --angle 1e-4 --rate 1 --steps own --precision float
 keeps own_steps_of_a_rod --inertia 1.7231e-4,6.58e-6,1.7243e-4 --spin 2,60,1 --for 1 --angle 1e-8 --rate 4 --steps own
 keeps own_steps_a_frame --inertia 1,2,3 --spin 1,2,0.5 --for 2 --angle 1e-9 --steps own
+keeps own_steps_that_are_repeated --inertia 1,10,10.5 --spin 0.01,0.02,4 --for 20 --angle 1e-6 --rate 1 --steps own
 keeps even_steps --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle 1e-6 --rate 1 --steps even
+keeps many_states --inertia 2,2,2 --spin 1,2,3 --for 140 --angle 0.1 --steps even # every second one is compared
+keeps hardly_a_turn --inertia 1,2,3 --spin 1e-20,2e-20,0.5e-20 --for 1 --angle 8e-17 --rate 1 # the reference is not sure of a tenth
 keeps scene t_handle --for 3 --angle 1e-3
 keeps flight t_handle --for 3 --angle 1e-8
-keeps orbits orbit --for 100 --place 100 --rate 1 # of a scene a hundred states are held against the truth
+keeps orbits orbit --for 101 --place 100 --rate 1 # of a scene a hundred states at most are held against the truth, with the last
+keeps orbits_of_two_prices orbit --for 100 --place 0.1 --rate 1 # a tenth of which is dearer
 keeps fine_orbits orbit --for 100 --place 0.001 --rate 1
 
 # The answer in words.
@@ -58,14 +62,16 @@ for words in "own steps, in " "tolerance " " rad a second: " " steps in all" " a
   verify "of a method that chooses its steps the answer says \"$words\"" says "$words"
 done
 verify "and nothing of a rung with steps of one length" says_not " a state: "
-run --inertia 1,2,3 --spin 1e5,9e4,5e4 --for 100 --angle 1e-3 --rate 1 --steps own --longest-run 0.001
+run --inertia 1,2,3 --spin 1e4,9e3,5e3 --for 100 --angle 1e-3 --rate 1 --steps own --longest-run 0.001
 verify "what can't be carried in the time that a run may take is refused" ends_with 1
 run --inertia 2,2,2 --spin 1,2,3 --for 5 --angle 1e-9 --steps own
 verify "a ball has no need of steps that are chosen" says "no method with such steps is needed"
-run satellite --for 2 --angle 0.01 --place 0.01
+run magnus_ball --for 1 --place 0.1 --longest-run 60
 verify "a scene is answered" ends_with 0
 verify "against Richardson's extrapolation" says "Richardson's extrapolation of runs with"
-verify "with its bodies" says "bodies"
+verify "with its bodies" says "The scene magnus_ball.json: 2 bodies, for 1 s, 60 states a second"
+run --inertia 1,2,3 --spin 1,2,0.5 --for 0.29 --rate 100 --angle 0.1
+verify "0.29 * 100 is a little less than 29, and that is taken for 29" says "for 0.29 s, 100 states a second"
 run --help
 verify "--help tells the options" says "--inertia A,B,C"
 verify "--help ends well" ends_with 0
@@ -96,6 +102,8 @@ run --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle 3e-7 --precision float --rat
 verify "what float can store and no method keeps is refused" says "no method here could be confirmed to be that accurate"
 verify "with what came nearest" says "nearest "
 verify "and ends with 1" ends_with 1
+run --inertia 1,2,3 --spin 1e-20,2e-20,0.5e-20 --for 1 --angle 8e-18 --rate 1
+verify "a reference that is off by a third of what is wanted confirms nothing" says "the reference is not sure enough"
 if [ -n "$python" ]; then
   output=$("$python" -c '
 import os, pty, subprocess, sys
@@ -166,14 +174,26 @@ for path in sorted(pathlib.Path(".").glob("*.json")):
         assert own or found["steps"] == (round(found["steps_per_second"] * answer["question"]["seconds"]) if even else None), path
         assert found["time_step"] is None or near(found["time_step"] * found["steps_per_second"], 1), path
         assert part(found) == 0 or near(found["margin"] * part(found), 1), path
+        # Some twenty multiplications, each of which waits for the one before.
+        assert not even or found["nanoseconds_per_simulated_second"] > found["steps_per_second"], path
         bodies = math.floor(1e9 / found["nanoseconds_per_simulated_second"]) * answer["question"].get("bodies", 1)
         assert found["bodies_per_sixtieth"] == bodies, path
         for key, error in found["expected_error"].items():  # what the reference may be off by is counted in
             assert error is None or "scene" not in answer["question"] or error >= answer["reference_uncertainty"][key], path
+    if "moments" in answer["question"]:  # 290 roundings and 65 a radian, and it turns hardly slower than at the start
+        radians = math.hypot(*answer["question"]["spin"]) * answer["question"]["seconds"]
+        least = 5 * (math.sqrt(290 / 3) + math.sqrt(65 / 3) * radians) * 2 ** -64
+        assert answer["reference_uncertainty"]["angle"] >= (1 - 1e-12) * min(least, math.pi), path
     if winner:
         assert part(winner) <= 1, path
+        names = lambda found: [found["method"], found["scheme"], found["precision"]]
+        for other in answer["others"]:
+            assert names(other) != names(winner), path
+            assert 1 <= other["nanoseconds_per_simulated_second"] / winner["nanoseconds_per_simulated_second"] < 4, path
     if answer["ten_times_better"]:
         assert part(answer["ten_times_better"]) <= 0.1, path
+        for key, error in answer["reference_uncertainty"].items():  # a quarter of that tenth
+            assert error is None or error <= wanted[key] / 40, path
     if answer["ten_times_cheaper"]:
         cheap = answer["ten_times_cheaper"]["nanoseconds_per_simulated_second"]
         assert cheap <= winner["nanoseconds_per_simulated_second"] / 10, path

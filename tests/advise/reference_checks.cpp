@@ -127,6 +127,18 @@ TEST_CASE("Two runs whose errors fall as a power of the step extrapolate to no e
     }
 }
 
+TEST_CASE("A run that ends in no number differs from the truth by more than anybody wants") {
+  const advise::Snapshot truth{{Vec3d(1, 2, 3)}, {Quaterniond{1, Vec3d::Zero()}}};
+  advise::Snapshot nowhere = truth, unturned = truth;
+  nowhere.places[0].y() = NAN;
+  unturned.orientations[0].real = NAN;
+  CHECK(errors_between({truth}, {truth}).of({.angle = 1e-300, .place = 1e-300}) == 0);
+  CHECK(errors_between({nowhere}, {truth}).of({.angle = 3}) == INFINITY);
+  CHECK(errors_between({unturned}, {truth}).of({.place = 3}) == INFINITY);
+  CHECK(Errors{.angle = NAN}.of({.angle = 3, .place = 3}) == INFINITY);
+  CHECK(Errors{.place = NAN}.of({.angle = 3, .place = 3}) == INFINITY);
+}
+
 TEST_CASE("The order of a fall is that power, and no fall is none") {
   for (const std::array<long, 3>& steps : {std::array{1L, 2L, 3L}, {2, 3, 5}, {55, 89, 144}})
     for (int order = 1; order <= 10; ++order) {

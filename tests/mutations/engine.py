@@ -75,22 +75,24 @@ class Engine:
     # --- What is compiled once -----------------------------------------------------------------------------------------
 
     def make_headers(self):
-        """The precompiled header, with the switches in it, and the object that runs the mutants."""
+        """The precompiled header, with the switches in it, and the objects that run the mutants and choose one."""
         words = [word for word in plain_words(self.build.main_words) if not word.startswith("-I")]
         version = run([words[0], "--version"]).stdout
         self.columns = ["-fdiagnostics-column-unit=byte"] if "Free Software" in version else []
         switch_text = (here / "mutants.hpp").read_text().replace("#pragma once", "")
         text = "".join(f"#include <{name}>\n" for name in precompiled) + switch_text
-        self.header, main = self.folder / "all.hpp", here / "mutants_main.cpp"
+        self.header = self.folder / "all.hpp"
         self.key = digest(text, version, words, flags)
         if self.is_new("all", self.key):
             self.header.write_text(text)
             self.must(run([*self.launcher, *words, *flags, "-x", "c++-header", self.header, "-o", f"{self.header}.gch"]))
             self.note("all", self.key)
-        key = digest(self.key, main.read_text())
-        if self.is_new("main", key):
-            self.must(run([*self.launcher, *words, "-O1", "-w", f"-I{here}", "-c", main, "-o", self.folder / "main.o"]))
-            self.note("main", key)
+        for name in "main", "switch":
+            file = here / f"mutants_{name}.cpp"
+            key = digest(self.key, file.read_text())
+            if self.is_new(name, key):
+                self.must(run([*self.launcher, *words, "-O1", "-w", f"-I{here}", "-c", file, "-o", self.folder / f"{name}.o"]))
+                self.note(name, key)
 
     def is_new(self, name, key):
         stamp = self.folder / f"{name}.key"
@@ -102,6 +104,11 @@ class Engine:
     def must(self, done):
         if done.returncode:
             raise EngineError(done.stderr[:2000])
+
+    def command(self, words, folder, header):
+        """The compiler's command of a file, with the changed copies in `folder` before all others. `header` has the switches."""
+        return [words[0], f"-I{folder}", *plain_words(words)[1:], "-include", header, "-Og", "-UNDEBUG", "-g0", *flags,
+                *self.columns]
 
     # --- A chapter -----------------------------------------------------------------------------------------------------
 
@@ -208,7 +215,8 @@ class Engine:
         if not failed:
             objects = [folder / object_of(file, precision) for file in self.sources]
             objects += [made for made, _, file in others.values() if file not in self.sources]
-            self.must(run([self.build.main_words[0], *objects, self.folder / "main.o", "-pthread", "-o", folder / program_of(precision)]))
+            objects += [self.folder / "main.o", self.folder / "switch.o", "-pthread"]
+            self.must(run([self.build.main_words[0], *objects, "-o", folder / program_of(precision)]))
         return failed
 
     def compile_file(self, folder, written, file, precision):
@@ -216,8 +224,7 @@ class Engine:
         (directory, words, _), included = self.sources[file]
         target = folder / object_of(file, precision)
         stamp = target.with_suffix(".key")
-        command = [words[0], f"-I{folder}", *plain_words(words)[1:], "-include", self.header, "-Og", "-UNDEBUG", "-g0", *flags,
-                   *self.columns, f"-DTUMBLE_ONE_PRECISION={precision}"]
+        command = [*self.command(words, folder, self.header), f"-DTUMBLE_ONE_PRECISION={precision}"]
         seen = {path.name for path in included}
         texts = sorted((name, header.text) for name, header in written.items() if Path(name).name in seen)
         key = digest(texts, self.key, command, *(path.read_text() for path in [file, *sorted(included)]))

@@ -45,15 +45,7 @@
 
 namespace tumble_mutants {
 
-int chosen_number = 0;
-unsigned char seen[most];
-
 namespace {
-
-/// Before any other static variable gets its value, since that may depend on the mutant.
-__attribute__((constructor(101))) void choose() {
-  if (const char* number = std::getenv("TUMBLE_MUTANT")) chosen_number = std::atoi(number);
-}
 
 using Seen = std::vector<unsigned char>;
 

@@ -1,4 +1,5 @@
-"""The lists of mutations: one file a chapter, NN_name.txt, and exact.txt for the exact solutions, such as
+"""The lists of mutations: one file a chapter, NN_name.txt, exact.txt for the exact solutions, scene_reader.txt for its headers, and
+simulate.txt and advise.txt for these programs, in which a file's path stands in place of a header's name. Such as
 
     tumble/force.hpp: a force replaces those before it
     - particle.force += force;
@@ -41,7 +42,7 @@ class Mutation:
 def read_mutation(chapter, block):
     """A Mutation from the lines that stand between two blank ones."""
     place = f"list of {chapter}, at \"{block[0]}\""
-    headline = re.fullmatch(r"(tumble/[\w/]+\.hpp): (.+)", block[0])
+    headline = re.fullmatch(r"(tumble/[\w/]+\.hpp|tools/[\w/]+\.[ch]pp): (.+)", block[0])
     if not headline:
         raise ListError(f"{place}: a mutation begins with \"tumble/NAME.hpp: what it breaks\"")
     mutation = Mutation(chapter, *headline.groups(), "", "")

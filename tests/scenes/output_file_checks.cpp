@@ -67,3 +67,14 @@ TEST_CASE("A file that can't get its name in the end says so, and leaves nothing
   CHECK(fs::is_directory(folder / "path.csv"));
   CHECK(folder.count() == 1);
 }
+
+TEST_CASE("A link stays a link, and where it leads the file is written") {
+  const Scratch folder;
+  std::ofstream(folder / "path.csv") << "before";
+  fs::create_symlink("path.csv", folder / "link.csv");
+  OutputFile file(folder / "link.csv");
+  file.write("after");
+  file.finish();
+  CHECK(fs::is_symlink(folder / "link.csv"));
+  CHECK(content_of(folder / "path.csv") == "after");
+}

@@ -225,6 +225,34 @@ class Numbers(unittest.TestCase):
             self.near(vector["velocity"], velocity)
             self.near(vector["angular velocity"], spin, angle=ANGLE_ERROR * math.dist((0, 0, 0), spin))
 
+    def test_the_times_of_float_are_those_of_double(self):
+        times = []
+        for precision in ("double", "float"):
+            run(SCENE, "--dt", "0.001", "--csv", "times.csv", "--precision", precision)
+            times.append([row.split(",")[0] for row in (SCRATCH / "times.csv").read_text().splitlines()])
+        self.assertEqual(*times)
+
+    def test_a_bill_adds_up(self):
+        many = {"mass": 1, "many": {"count": 400, "seed": 1, "velocity_between": [[1, 1, 1], [2, 2, 2]]}}
+        said = run({"duration": 0.1, "bodies": [{"name": name, **many} for name in "ab"],
+                    "effects": [{"kind": "quadratic_drag", "coefficient": 1e-9, "bodies": ["a"]}]}, "--bill")
+        _, *rows = said[said.index("effect  "):].splitlines()
+
+        def interval(text):
+            number, rounding = float(text), 0.05 if "." in text else 0.5
+            return [number - rounding, number + rounding]
+        parts = [re.split(r"  +", row.strip()) for row in rows if row.endswith("%")]
+        self.assertEqual(dict(row[:2] for row in parts)["quadratic drag"], "400")
+        # What each body costs, times their number, is a part of all; and all parts are the whole.
+        costs = [[int(bodies) * cost for cost in interval(each)] for _, bodies, each, _ in parts]
+        shares = [interval(share.removesuffix(" %")) for *_, share in parts]
+        least, most = (sum(cost[n] for cost in costs) for n in (0, 1))
+        for cost, share in zip(costs, shares, strict=True):
+            self.assertLessEqual(100 * cost[0] / most, share[1], said)
+            self.assertLessEqual(share[0], 100 * cost[1] / max(least, 1e-300), said)
+        self.assertLessEqual(sum(share[0] for share in shares), 100, said)
+        self.assertLessEqual(100, sum(share[1] for share in shares), said)
+
     def test_json_lines_say_what_csv_says(self):
         lines = [json.loads(line) for line in (SCRATCH / "odd.jsonl").read_text().splitlines()]
         for line, row in zip(lines, self.rows, strict=True):
@@ -256,6 +284,8 @@ class Numbers(unittest.TestCase):
             self.near(part["orientation"], given.get("orientation", [1, 0, 0, 0]), relative=FLOAT_ROUNDING)
 
     def test_every_shape_of_a_view(self):
+        mesh = {"shape": "mesh", "corners": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
+                "triangles": [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]}
         shapes = [
             ({"shape": "sphere", "radius": 2}, {"sphere": 2}),
             ({"shape": "hollow_sphere", "radius": 2}, {"sphere": 2}),
@@ -267,6 +297,7 @@ class Numbers(unittest.TestCase):
             ({"shape": "capsule", "radius": 2, "length": 5}, {"capsule": [2, 5]}),
             ({"shape": "thin_rod", "length": 200}, {"cylinder": [2, 200]}),  # as thick as a hundredth of it
             ({"shape": "thin_plate", "width": 1, "height": 2}, {"box": [1, 2, 0]}),
+            (mesh, {"mesh": {"corners": mesh["corners"], "triangles": mesh["triangles"]}}),
         ]
         bodies = [{"name": f"body {n}", "solid": solid, "static": True} for n, (solid, _) in enumerate(shapes)]
         run({"duration": 0.1, "bodies": [*bodies, {"name": "point", "mass": 1}]}, "--view", "shapes.html")
@@ -302,9 +333,11 @@ class Numbers(unittest.TestCase):
     def test_a_plot_shows_the_two_axes_along_which_paths_reach_farthest(self):
         for across, up in ((0, 2), (1, 2), (0, 1)):
             velocity = [float(axis in (across, up)) * (axis + 1) for axis in range(3)]
-            run({"duration": 1, "bodies": [{"name": "a", "mass": 1, "velocity": velocity}]}, "--plot", "path.svg", path=SCRATCH / "fake")
+            run({"title": "It's here", "duration": 1, "bodies": [{"name": "a", "mass": 1, "velocity": velocity}]}, "--plot", "path.svg",
+                path=SCRATCH / "fake")
             self.near([float(cell) for cell in table("path1.tsv")[-1]], [across + 1, up + 1])
-            self.assertIn(f"across='{'xyz'[across]}'; up='{'xyz'[up]}'", (SCRATCH / "drawn" / "words").read_text())
+            self.assertIn(f"paths=1; across='{'xyz'[across]}'; up='{'xyz'[up]}'; scene='It''s here'",
+                          (SCRATCH / "drawn" / "words").read_text())
 
     def test_a_plot_of_many_bodies_shows_six_at_equal_distances(self):
         bodies = [{"name": f"body {n}", "mass": 1, "position": [n, 0, 0]} for n in range(13)]

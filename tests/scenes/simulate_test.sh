@@ -25,6 +25,7 @@ verify "--plan prints the plan" says "tumbling: splitting"
 verify "--plan takes no step" says_not "steps per second"
 run everything --check-plan --until 0.2
 verify "--check-plan ends well" ends_with 0
+verify "--check-plan goes as far as it is asked to" says "48 steps by plan"
 verify "--check-plan prints the plan" says "tumbling: splitting"
 verify "--check-plan finds no difference" says "every number of every motion is the same"
 run t_handle --check-plan --precision float --method splitting_without_sine --until 0.2
@@ -93,6 +94,7 @@ verify "nothing of this leaves a file" leaves_nothing
 # Files.
 run everything --until 0.1 --csv all.csv --jsonl all.jsonl --view all.html
 verify "CSV has a line for each body and moment, and one of names" lines all.csv $((25 * 37 + 1))
+verify "each copy has its own name there" grep -q '^0,dust 20,' all.csv
 verify "JSON Lines have one for each body and moment" lines all.jsonl $((25 * 37))
 verify "a view is one page with the player in it" grep -q 'class="player-recording"' all.html
 verify "and asks for nothing from outside" bash -c '! grep -Eq "(src|href)=\"?(http|//)" all.html'
@@ -149,18 +151,27 @@ dt 1e-7 --dt is 1e-7 s; it must lie between 1e-6 and 3600 s
 dt 1s --dt is 1s; it must be a number of seconds
 until 0 --until is 0 s; it must be greater than 0
 until inf --until is inf; it must be a number of seconds
+until 2e9 --until is 2e9 s; it must be greater than 0 and at most 1e9 s
 until 1e-300 --until is 1e-300 s; that is less than half a step of 0.0041666
 dt 3600 the scene lasts 10 s; that is less than half a step of 3600 s, and only whole steps are taken
 seed -1 --seed is -1; it must be a whole number from 0 to 2^53
+seed 9007199254740993 --seed is 9007199254740993; it must be a whole number from 0 to 2^53
 seed 1 /bodies hold nothing random that a seed could change
 every 0 --every is 0; it must be a whole number of steps, 1 or more
 every 1.5 --every is 1.5; it must be a whole number of steps, 1 or more
 threads 0 --threads is 0; it must be from 1 to 1024
+threads 1025 --threads is 1025; it must be from 1 to 1024
 threads two --threads is two; it must be from 1 to 1024
 method spliting no method is called spliting; did you mean splitting?
 method splitting_kahan_li8 no method is called splitting_kahan_li8; did you mean splitting_kahan_li_8?
 precision half --precision is half; it must be float or double
 CASES
+run t_handle --until 0.1 --no-ledger --books never.json
+verify "books that are not kept are not written" complains "--books writes the books that --no-ledger does not keep"
+verify "and end with 2" ends_with 2
+run t_handle --until 0.1 --csv ""
+verify "an output without a name is refused" complains "--csv needs the name of a file"
+verify "with 2" ends_with 2
 run t_handle --dt
 verify "an option without its value is refused" ends_with 2
 run t_handle coin
@@ -181,6 +192,12 @@ else
   verify "and ends with 3" ends_with 3
 fi
 verify "and leaves no page" test ! -e page.html
+printf '{"duration": 10, "step": {"per_second": 200}, "bodies": [{"name": "a", "mass": 1, "many": {"count": 2000, "seed": 1}}]}' >crowd.json
+run crowd.json --live page.html
+verify "2000 bodies are not too many for a page" [ "$code" -ne 2 ]
+run crowd.json --no-ledger --view page.html --every 1000
+verify "nor are 2000 steps for a view of three moments" ends_with 0
+rm -f crowd.json page.html
 mkdir folder
 for path in folder nowhere/file.csv /dev/null; do
   run t_handle --until 0.1 --csv $path
@@ -283,7 +300,7 @@ rm errors.txt
 for file in rain.csv rain.jsonl; do
   verify "$file, which is full while something is recorded, is given up" complains "$file is given up, and the other outputs go on"
 done
-verify "the first of them is told at the end too" complains "/rain.csv: the disk may be full"
+verify "the first of them is told at the end too" [ "${errors##*/}" = "rain.csv: the disk may be full" ]
 verify "the run ends with 3" ends_with 3
 verify "and the output that isn't full is there" grep -q '"unexplained"' books.json
 rm books.json
@@ -331,6 +348,12 @@ verify "the books are printed" says "unexplained"
 run crash.json --check-plan
 verify "--check-plan tells of such a step once, and where both runs end" [ "$(grep -c "'comet' at 0.5 s" <<<"$output")" = 1 ]
 verify "and that they agree until there" says "2 steps by plan, and as many with nothing known of any body"
+run crash.json --bill
+verify "of a run that could not be ended there is no bill" says_not "a whole step"
+verify "and that is its only failure" ends_with 1
+run crash.json --until 0.5 --bill
+verify "a bill is that of the steps that were taken" says "a whole step"
+verify "and takes none beyond them" ends_with 0
 rm crash.json crash.csv
 
 # Without a standard output nothing is printed, least of all into a file that is opened.
@@ -369,6 +392,15 @@ INT 130
 TERM 143
 HUP 129
 SIGNALS
+# Who ignores one, as nohup does, runs to the end.
+rm told.txt
+(trap '' HUP && exec "$program" t_handle --until 8000 --no-ledger >told.txt 2>&1) &
+process=$!
+until grep -qs 'steps of' told.txt || ! kill -0 "$process"; do sleep 0.02; done
+kill -HUP "$process"
+wait "$process"
+code=$? output=$(cat told.txt)
+verify "a SIGHUP that is ignored ends nothing" ends_with 0
 rm told.txt
 
 # The reader goes: with the next line that is printed the simulation ends.

@@ -8,6 +8,7 @@
 
 #include "live_limits.hpp"
 #include "output_file.hpp"
+#include "page_text.hpp"
 #include "paths.hpp"
 #include "simulated_scene.hpp"
 #include "steps_until.hpp"
@@ -18,34 +19,6 @@ namespace tumble::simulate {
 inline std::string text_of_file(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// Bytes as letters that may stand in a script (RFC 4648).
-inline std::string base64(std::string_view bytes) {
-  constexpr std::string_view letters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  const auto byte = [bytes](std::size_t i) {
-    return i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u;
-  };
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const unsigned three = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
-    for (int shift = 18; shift >= 0; shift -= 6) text += letters[three >> shift & 63];
-  }
-  for (std::size_t missing = (3 - bytes.size() % 3) % 3; missing > 0; --missing)
-    text[text.size() - missing] = '=';
-  return text;
-}
-
-/// A text for the inside of an element.
-inline std::string escaped(std::string_view text) {
-  std::string safe;
-  for (const char letter : text)
-    safe += letter == '<'   ? "&lt;"
-            : letter == '>' ? "&gt;"
-            : letter == '&' ? "&amp;"
-                            : std::string(1, letter);
-  return safe;
 }
 
 /// The page of a scene; `drawing` is the figure's script, and `module` what computes it.

@@ -22,9 +22,7 @@ inline std::vector<PartOfStep> parts_of(const Work<double>& work) {
   using At = Moment<double>;
   std::vector<PartOfStep> parts;
   const auto times_of = [&work](Phase phase) {
-    const Stroke stroke = phase == Phase::drift                           ? Stroke::drift
-                          : phase == Phase::force || phase == Phase::kick ? Stroke::kick
-                                                                          : Stroke::fade;
+    const Stroke stroke = phase == Phase::drift ? Stroke::drift : Stroke::kick;
     return std::count_if(work.portions.begin(), work.portions.end(),
                          [&](const auto& portion) { return portion.stroke == stroke; });
   };

@@ -20,6 +20,11 @@ inline std::string duration_text(double seconds) {
   return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
 }
 
+/// What is still to go, s, if a part of the work, 0 to 1, took so many seconds.
+inline double time_left(double seconds, double part) {
+  return seconds * (1 - part) / part;
+}
+
 class Progress {
   using Clock = std::chrono::steady_clock;
 
@@ -53,7 +58,7 @@ class Progress {
     const std::string bar = std::string(filled, '#') + std::string(30 - filled, '.');
     std::printf("\r[%s] %3.0f %%  step %lld of %lld, %s left\033[K", bar.c_str(), 100 * part,
                 static_cast<long long>(step), static_cast<long long>(steps_),
-                duration_text(seconds() * (1 - part) / part).c_str());
+                duration_text(time_left(seconds(), part)).c_str());
     std::fflush(stdout);
   }
 
