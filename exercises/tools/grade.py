@@ -22,21 +22,20 @@ import tempfile
 from pathlib import Path
 
 from catalogue import find_all, read_catalogue
+from command import NO_RESULT, status_of
 from complaint import Complaint, GraderFailed
 from grade_class import grade_class, job_of, require_results
 from limits import Limits, seconds_computed
-from made import CommandFailed
 from outputs import Outputs, occupy_standard_descriptors, require_a_place_of_its_own
-from plain_text import complain, one_line, plain, say, why_unheard
+from plain_text import complain, one_line, plain, say
 from programs import folder_of, prepare_all
 from reports import FORMATS, marks
-from shards import WHOLE, Part, Stopped, job_of_part, merge, shard_of, stoppable
+from shards import WHOLE, Part, Stopped, job_of_part, merge, shard_of
 from submission import places_of, places_of_header, read_header, when_submitted
 from toolchain import read_toolchain
 from untrusted import require_out_of_reach, require_seals, seals, seals_in_words
 
 MOST_SECONDS = 3600  # of computing, for one check
-NO_RESULT = 3
 
 
 def counted(results, keep):
@@ -290,34 +289,25 @@ def show_how_far(done, of):
 
 def main(words):
     occupy_standard_descriptors()
-    try:
-        arguments = commanded(words)
-        if sys.stdout is None:
-            if not arguments.output:
-                raise Complaint("the standard output is closed; --output names a file for what is handed on")
-            sys.stdout = open(1, "w", encoding="utf-8", closefd=False)
-        with stoppable(), Outputs() as stack:
-            if "parts" in arguments:
-                outputs = opened_outputs(stack, arguments, [("one of the parts", part) for part in arguments.parts])
-                results, missing = merged(arguments.parts)
-                return write_outputs(arguments, outputs, results, dict.fromkeys(missing, ""))
-            arguments.shard = shard_of(arguments.shard)
-            if arguments.shard != WHOLE and (arguments.output or arguments.marks):
-                raise Complaint("a shard writes its part alone; --output and --marks are for ./course grade merge")
-            status = grade(arguments, stack)
-    except Complaint as complaint:
-        complain(complaint)
-        return 2
-    except GraderFailed as failure:
-        complain(failure)
-        return NO_RESULT
-    except CommandFailed as failure:
-        complain(f"the checks themselves don't compile:\n{failure.output}")
-        return 2
-    except Stopped as stopped:
-        return 128 + stopped.signal
-    except OSError as error:
-        return why_unheard(error)
+    return status_of(lambda: asked(words))
+
+
+def asked(words):
+    """Returns the exit status."""
+    arguments = commanded(words)
+    if sys.stdout is None:
+        if not arguments.output:
+            raise Complaint("the standard output is closed; --output names a file for what is handed on")
+        sys.stdout = open(1, "w", encoding="utf-8", closefd=False)
+    with Outputs() as stack:
+        if "parts" in arguments:
+            outputs = opened_outputs(stack, arguments, [("one of the parts", part) for part in arguments.parts])
+            results, missing = merged(arguments.parts)
+            return write_outputs(arguments, outputs, results, dict.fromkeys(missing, ""))
+        arguments.shard = shard_of(arguments.shard)
+        if arguments.shard != WHOLE and (arguments.output or arguments.marks):
+            raise Complaint("a shard writes its part alone; --output and --marks are for ./course grade merge")
+        status = grade(arguments, stack)
     say(seals_in_words(), to=sys.stderr)
     return status
 
