@@ -149,7 +149,8 @@ def write_manifest(folder, catalogue):
 
 
 def release(root, target, toolchain_file=None):
-    """Makes the release, complete or not at all; with a toolchain's file, bundled. Returns how many files it holds, and what it leaves out, and why."""
+    """Makes the release, complete or not at all; with a toolchain's file, bundled. Returns how many files it holds, and what it leaves
+    out: by its name, why."""
     target = Path(os.path.realpath(target))  # of a link, what it leads to
     if target.exists() and (not target.is_dir() or any(target.iterdir())):
         raise Complaint(f"{target} is there already and not empty; name a folder that is not there yet")
