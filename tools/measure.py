@@ -203,7 +203,7 @@ def fill(folder, programs, tasks, results, measuring):
             with tempfile.TemporaryDirectory(prefix="tumble-measure-") as scratch:
                 for number, result in enumerate(parts):
                     write(Path(scratch), {f"{number}.txt": result["text"], f"{number}.errors": result["errors"]})
-                measuring.run_into(own, program, TUMBLE_ITEMS=f"from {scratch}")
+                measuring.running.apart(measuring.run_into, own, program, TUMBLE_ITEMS=f"from {scratch}")
         else:
             write(own, parts[0]["files"])
 
