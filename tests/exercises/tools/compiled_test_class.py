@@ -279,40 +279,14 @@ class NothingLost(AClassOfStandIns):
                                  *(str(self.submissions / name) for name in self.names())])
         return status, "".join(line for line in said.getvalue().splitlines(True) if " results " in line)
 
-    def test_no_name_is_too_long_to_look_for_copied_code(self):
-        names = ["n" * 251, "n" * 252, "n" * 253 + "1", "n" * 253 + "2", "\u00e9" * 127]
-        self.hand_in_all(**{name: 1 for name in names})
-        self.run_to_the_end("--similarity", "copies")
-        found = [file.name for file in (self.place / "copies" / "doubled").iterdir()]
-        self.assertEqual(len(found), len(names) + 1)
-        self.assertIn("n" * 251 + ".hpp", found)
-
-    def test_what_is_exported_goes_over_no_header_and_through_no_link(self):
-        self.hand_in_all(doubled=1, ada=2)
-        starter = self.exercise_folder / "doubled.hpp"
-        before = starter.read_bytes()
-        for folder in (self.exercise_folder.parent, self.submissions / "ada", self.submissions / "doubled"):
-            _, said = self.run_to_the_end("--similarity", folder, code=2)
-            self.assertIn(f"--similarity is {folder}; what is graded lies there", said)
-        copies = self.place / "copies" / "doubled"
-        copies.mkdir(parents=True)
-        (copies / "ada.hpp").symlink_to(starter)
-        os.link(starter, copies / "STARTER.hpp")
-        self.run_to_the_end("--similarity", "copies")
-        self.assertEqual((starter.read_bytes(), (copies / "ada.hpp").read_text(encoding="utf-8")), (before, "// 2\n"))
-        self.assertEqual(starter.stat().st_nlink, 1)
-
     def test_a_submission_that_cannot_be_read_is_missing_alone(self):
         self.hand_in_all(ada=2, bob=1)
         self.run_to_the_end("--part", "kept")
-        for way in ("--resume", "--similarity=copies"):
-            _, said = self.run_to_the_end("--part", "kept" if way == "--resume" else "other", way, "--incomplete", code=3,
-                                          unreadable="bob")
-            self.assertIn("course: bob has no result: GraderFailed: ", said)
-            self.assertNotIn("ada", said)
-        self.assertEqual(os.listdir(self.place / "copies" / "doubled").count("ada.hpp"), 1)
+        _, said = self.run_to_the_end("--part", "kept", "--resume", "--incomplete", code=3, unreadable="bob")
+        self.assertIn("course: bob has no result: GraderFailed: ", said)
+        self.assertNotIn("ada", said)
 
-    def test_no_folder_is_taken_for_an_option(self):
+    def test_no_folder_is_taken_for_an_option_or_a_command(self):
         for name in ("ada", "--incomplete"):
             self.hand_in(name, "// 1\n")
         names = [Path(name) for name in self.names()]
@@ -323,11 +297,8 @@ class NothingLost(AClassOfStandIns):
             printed, _ = self.run_to_the_end("--format", "json", "--part", self.place / "kept", "--resume", folders=way,
                                              inside=self.submissions)
             self.assertEqual([result["submission"] for result in json.loads(printed)], ["--incomplete", "ada"])
-
-    def test_no_folder_is_taken_for_the_command_that_merges(self):
-        for name in ("merge", "zoe"):
-            self.hand_in(name, "// 1\n")
-        _, said = self.run_to_the_end(folders=["merge", "zoe"], code=2, inside=self.submissions)
+        self.hand_in("merge", "// 1\n")
+        _, said = self.run_to_the_end(folders=["merge", "ada"], code=2, inside=self.submissions)
         self.assertIn("merge could be the command or the name of what lies here", said)
 
     def test_a_name_of_two_lines_is_told_on_one(self):
@@ -415,7 +386,6 @@ class NothingLost(AClassOfStandIns):
                 (("--part", "none/x"), "none/x can't be written, and results are kept there as they come: No such file or directory"),
                 (("--output", "."), "--output: . can't be written: Is a directory"),
                 (("--marks", "x", "--output", "x"), "--output and --marks both name x"),
-                (("--similarity", "a file/x"), "--similarity: a file/x can't be written: Not a directory"),
                 (("--exercises", "doubled,doubled"), "doubled stands twice in doubled,doubled; its points count once"),
                 (("--exercises", "doubled,01_force/doubled"), "doubled stands twice"),
                 (("--seconds", "inf"), "seconds is inf; it must be greater than 0 and at most 3600"),
