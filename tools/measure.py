@@ -173,9 +173,6 @@ def put_together(arguments):
         raise Complaint("the parts are of other work than measuring")
     if list(results) != list(tasks) or any(what[key] != here[key] for key in ("programs", "set")):
         raise Complaint("the parts are of another version of the course than this one; only its own can be set into its book")
-    for task, (_, item) in tasks.items():
-        if not is_measured(results[task], item):
-            raise Complaint(f"what the parts hold for {task} is no measurement")
     count = len(arguments.merge)
     where = f"the full set, measured in {count} part{'s' * (count > 1)} on {what['processor']} ({what['compiler']})\n"
     unfinished = arguments.into.with_name(arguments.into.name + ".unfinished")
@@ -203,7 +200,7 @@ def fill(folder, programs, tasks, results, measuring):
             with tempfile.TemporaryDirectory(prefix="tumble-measure-") as scratch:
                 for number, result in enumerate(parts):
                     write(Path(scratch), {f"{number}.txt": result["text"], f"{number}.errors": result["errors"]})
-                measuring.run_into(own, program, TUMBLE_ITEMS=f"from {scratch}")
+                measuring.running.apart(measuring.run_into, own, program, TUMBLE_ITEMS=f"from {scratch}")
         else:
             write(own, parts[0]["files"])
 
@@ -221,14 +218,6 @@ def replace(folder, new):
             before.rename(folder)
         raise
     shutil.rmtree(before, ignore_errors=True)
-
-
-def is_measured(result, item):
-    """Whether it may be what result_of() has made."""
-    if not isinstance(result, dict) or item is not None:
-        return isinstance(result, dict) and has_texts(result, "text", "errors")
-    files = result.get("files")
-    return result.keys() == {"files"} and isinstance(files, dict) and has_texts(files, *files)
 
 
 def has_texts(value, *keys):

@@ -3,6 +3,7 @@
 import os
 import subprocess
 import threading
+from concurrent.futures import ThreadPoolExecutor, wait
 
 from limits import end_with
 
@@ -28,6 +29,19 @@ class Running:
             with self.lock:
                 self.running.discard(process)
         return subprocess.CompletedProcess(process.args, process.returncode, said, errors)
+
+    def apart(self, work, *arguments, **options):
+        """What the work returns. Another thread does it, for the main one gets the signals, and what they raise while it starts a program
+        is lost."""
+        with ThreadPoolExecutor(1) as pool:
+            try:
+                future = pool.submit(work, *arguments, **options)
+                while not wait([future], timeout=1).done:  # a signal just before it waits is noticed only afterwards
+                    pass
+            except BaseException:
+                self.stop()
+                raise
+            return future.result()
 
     def stop(self):
         with self.lock:

@@ -31,7 +31,6 @@ import math  # noqa: E402
 import os  # noqa: E402
 import subprocess  # noqa: E402
 import tempfile  # noqa: E402
-from concurrent.futures import ThreadPoolExecutor, wait  # noqa: E402
 
 from complaint import Complaint  # noqa: E402
 from outputs import Outputs, occupy_standard_descriptors, require_a_place_of_its_own  # noqa: E402
@@ -56,18 +55,6 @@ class Simulator:
         done = self.running.run([self.program, *options], stdout=subprocess.DEVNULL)
         return done.returncode, done.stderr.strip().removeprefix("simulate: ")
 
-    def run_alone(self, *options):
-        """The same for the main thread, which gets the signals: they may come at any moment, so another one runs the program."""
-        with ThreadPoolExecutor(1) as pool:
-            try:
-                future = pool.submit(self.run, *options)
-                while not wait([future], timeout=1).done:  # a signal just before it waits is noticed only afterwards
-                    pass
-            except BaseException:
-                self.running.stop()
-                raise
-            return future.result()
-
 
 def require_runnable(simulator, combinations):
     """Whatever differs by more than the seed is tried without a step, so that a mistake is told before hours have gone."""
@@ -76,7 +63,7 @@ def require_runnable(simulator, combinations):
         tried.setdefault(json.dumps({**combination["given"], "seeds": None}), combination["options"])
     for options in tried.values():
         try:
-            code, errors = simulator.run_alone(*options, "--plan")
+            code, errors = simulator.running.apart(simulator.run, *options, "--plan")
         except (OSError, ValueError) as error:  # ValueError: a text with a zero in it, which no program can be given
             raise Complaint(f"{simulator.program} can't be run: {error}") from None
         if code != 0:
@@ -127,18 +114,9 @@ def cell(value, digits):
     return "" if value is None else plain(" ".join(str(value).split()))
 
 
-def is_row(row):
-    return isinstance(row, list) and len(row) == len(COLUMNS) and all(map(is_value, row))
-
-
-def is_value(value):
-    """A text, nothing, or a number that a simulation can give."""
-    return value is None or isinstance(value, str) or (type(value) in (int, float) and abs(value) <= sys.float_info.max)
-
-
 def require_rows(results):
     for task, row in results.items():
-        if not is_row(row):
+        if not isinstance(row, list) or len(row) != len(COLUMNS):  # other work keeps its results in parts too
             raise Complaint(f"what is kept for {task} is no row of a sweep's table")
 
 

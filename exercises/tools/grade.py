@@ -14,7 +14,6 @@ for a run that was stopped.
 import ctrl_c  # noqa: F401
 import argparse
 import contextlib
-import hashlib
 import math
 import os
 import sys
@@ -22,21 +21,20 @@ import tempfile
 from pathlib import Path
 
 from catalogue import find_all, read_catalogue
-from complaint import Complaint, GraderFailed
+from command import NO_RESULT, status_of
+from complaint import Complaint
 from grade_class import grade_class, job_of, require_results
 from limits import Limits, seconds_computed
-from made import CommandFailed
 from outputs import Outputs, occupy_standard_descriptors, require_a_place_of_its_own
-from plain_text import complain, one_line, plain, say, why_unheard
+from plain_text import complain, one_line, plain, say
 from programs import folder_of, prepare_all
 from reports import FORMATS, marks
-from shards import WHOLE, Part, Stopped, job_of_part, merge, shard_of, stoppable
-from submission import places_of, places_of_header, read_header, when_submitted
+from shards import WHOLE, Part, Stopped, job_of_part, merge, shard_of
+from submission import places_of, places_of_header, when_submitted
 from toolchain import read_toolchain
 from untrusted import require_out_of_reach, require_seals, seals, seals_in_words
 
 MOST_SECONDS = 3600  # of computing, for one check
-NO_RESULT = 3
 
 
 def counted(results, keep):
@@ -49,37 +47,6 @@ def counted(results, keep):
         if so_far is None or keep == "last" or result["points"] > so_far["points"]:
             by_student[result["student"]] = result
     return list(by_student.values())
-
-
-def export_for_similarity(folder, submissions, exercises):
-    """EXERCISE/STUDENT.hpp: the layout that programs which look for copied code take."""
-    for exercise in exercises:
-        place = folder / exercise.name
-        place.mkdir(parents=True, exist_ok=True)
-        for name, submission in submissions.items():
-            try:
-                header = read_header(submission, exercise)
-            except GraderFailed as failure:
-                complain(f"--similarity lacks a file: {failure}")
-                continue
-            if header.text:
-                write_anew(place / f"{file_name_of(name)}.hpp", header.text.encode())
-        starter = exercise.folder / exercise.header
-        if starter.exists():
-            write_anew(place / "STARTER.hpp", starter.read_bytes())
-
-
-def write_anew(file, data):
-    """What was there is replaced: a link itself, and not what it leads to."""
-    file.unlink(missing_ok=True)
-    with open(file, "xb") as out:
-        out.write(data)
-
-
-def file_name_of(submission):
-    """A submission's name, shortened where an ending would make it too long for a file; what it lost is in a digest then."""
-    name = os.fsencode(submission)
-    return os.fsdecode(name if len(name) <= 251 else name[:200] + b"-" + hashlib.sha256(name).hexdigest()[:32].encode())
 
 
 def write_outputs(arguments, outputs, by_name, missing):
@@ -127,7 +94,7 @@ def opened_outputs(stack, arguments, inputs):
 
 
 def grade(arguments, stack):
-    submissions = places_of(arguments.folders, arguments.follow_links)
+    submissions = places_of(arguments.folders)
     exercises = find_all(read_catalogue(arguments.root, arguments.private), arguments.exercises)
     if not 0 < arguments.seconds <= MOST_SECONDS:
         raise Complaint(f"seconds is {arguments.seconds:g}; it must be greater than 0 and at most {MOST_SECONDS}")
@@ -155,8 +122,6 @@ def grade(arguments, stack):
 
 def grade_into(part, kept, arguments, toolchain, submissions, exercises, outputs):
     """Returns the exit status."""
-    if arguments.similarity:
-        export(arguments.similarity, submissions, exercises)
     prepare_all(toolchain, exercises, arguments.jobs)
     require_seals(toolchain, max(exercises, key=lambda exercise: exercise.chapter), arguments.seconds,
                   arguments.unsealed)
@@ -207,19 +172,6 @@ def part_of(arguments):
     return Path("grade.part") if len(arguments.folders) > 1 or arguments.resume else None
 
 
-def export(folder, submissions, exercises):
-    if "STARTER" in submissions:
-        raise Complaint("a submission is called STARTER, as the starters are among the files for similarity")
-    for exercise in exercises:
-        place = (folder / exercise.name).resolve()
-        if any(place.is_relative_to(read) for read in (exercise.folder.resolve(), *submissions.values())):
-            raise Complaint(f"--similarity is {folder}; what is graded lies there, and could be overwritten")
-    try:
-        export_for_similarity(folder, submissions, exercises)
-    except OSError as error:
-        raise Complaint(f"--similarity: {folder} can't be written: {error.strerror}") from None
-
-
 def parsers():
     """That of both commands, that of grading, and that of merging."""
     both = argparse.ArgumentParser(add_help=False, allow_abbrev=False)
@@ -234,11 +186,9 @@ def parsers():
     grading.add_argument("--exercises", help="those that count, such as moon,no_lag; if not given, all of them")
     grading.add_argument("--private", type=Path, help="a folder of further exercises, laid out as exercises/ is")
     grading.add_argument("--seed", default="", help="students' numbers are drawn with the key SEED-STUDENT")
-    grading.add_argument("--similarity", type=Path, help="a folder for programs that look for copied code")
     grading.add_argument("--seconds", type=float, default=Limits.seconds, help="of computing time, for one check")
     grading.add_argument("--budget", type=float, metavar="SECONDS", help="by the clock, after which a submission has no result")
     grading.add_argument("--unsealed", action="store_true", help="grade even where a submission can't be confined")
-    grading.add_argument("--follow-links", action="store_true", help="grade submissions that are symbolic links, wherever they lead")
     grading.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="submissions that are graded at the same time")
     grading.add_argument("--shard", default="1/1", help="NUMBER/OF: only this share, for ./course grade merge")
     grading.add_argument("--part", type=Path, help="the file in which results are kept as they come")
@@ -290,34 +240,25 @@ def show_how_far(done, of):
 
 def main(words):
     occupy_standard_descriptors()
-    try:
-        arguments = commanded(words)
-        if sys.stdout is None:
-            if not arguments.output:
-                raise Complaint("the standard output is closed; --output names a file for what is handed on")
-            sys.stdout = open(1, "w", encoding="utf-8", closefd=False)
-        with stoppable(), Outputs() as stack:
-            if "parts" in arguments:
-                outputs = opened_outputs(stack, arguments, [("one of the parts", part) for part in arguments.parts])
-                results, missing = merged(arguments.parts)
-                return write_outputs(arguments, outputs, results, dict.fromkeys(missing, ""))
-            arguments.shard = shard_of(arguments.shard)
-            if arguments.shard != WHOLE and (arguments.output or arguments.marks):
-                raise Complaint("a shard writes its part alone; --output and --marks are for ./course grade merge")
-            status = grade(arguments, stack)
-    except Complaint as complaint:
-        complain(complaint)
-        return 2
-    except GraderFailed as failure:
-        complain(failure)
-        return NO_RESULT
-    except CommandFailed as failure:
-        complain(f"the checks themselves don't compile:\n{failure.output}")
-        return 2
-    except Stopped as stopped:
-        return 128 + stopped.signal
-    except OSError as error:
-        return why_unheard(error)
+    return status_of(lambda: asked(words))
+
+
+def asked(words):
+    """Returns the exit status."""
+    arguments = commanded(words)
+    if sys.stdout is None:
+        if not arguments.output:
+            raise Complaint("the standard output is closed; --output names a file for what is handed on")
+        sys.stdout = open(1, "w", encoding="utf-8", closefd=False)
+    with Outputs() as stack:
+        if "parts" in arguments:
+            outputs = opened_outputs(stack, arguments, [("one of the parts", part) for part in arguments.parts])
+            results, missing = merged(arguments.parts)
+            return write_outputs(arguments, outputs, results, dict.fromkeys(missing, ""))
+        arguments.shard = shard_of(arguments.shard)
+        if arguments.shard != WHOLE and (arguments.output or arguments.marks):
+            raise Complaint("a shard writes its part alone; --output and --marks are for ./course grade merge")
+        status = grade(arguments, stack)
     say(seals_in_words(), to=sys.stderr)
     return status
 

@@ -30,16 +30,11 @@ def job_of(arguments, submissions, exercises, toolchain):
                 "seed": arguments.seed, "seconds": arguments.seconds, "unsealed": arguments.unsealed}, list(submissions))
 
 
-CHECK = {"sentence": str, "points": int, "of": int, "status": str, "message": str}
-EXERCISE = {"exercise": str, "title": str, "reason": str, "flags": [str], "checks": [CHECK]}
-RESULT = {"student": str, "submission": str, "points": int, "of": int, "exercises": [EXERCISE], "seconds": float, "handed_in": str}
-
-
 def require_results(results, job):
     """Complains of what can't have come of grading the job's submissions. Other work keeps its results in parts too, and a part may have
     been edited on its way."""
     for name, result in results.items():
-        if not _is_result(name, result, list(job["exercises"]) if _is_job(job) else None):
+        if not _is_result(name, result, job):
             raise Complaint(f"what the parts hold for {one_line(name)} is no result of grading")
     asked = {name: [(check["sentence"], check["of"]) for check in _checks_of(result)] for name, result in results.items()}
     for first, name in zip(asked, list(asked)[1:]):
@@ -51,27 +46,16 @@ def _checks_of(result):
     return [check for exercise in result["exercises"] for check in exercise["checks"]]
 
 
-def _is_job(job):
-    return isinstance(job, dict) and isinstance(job.get("exercises"), dict)
-
-
-def _is_result(name, result, exercises):
+def _is_result(name, result, job):
     """Of the job's exercises, for who is named, with points that are there and add up."""
-    if not _has_shape(result, RESULT) or [each["exercise"] for each in result["exercises"]] != exercises:
+    try:
+        checks = _checks_of(result)
+        return ((result["submission"], result["student"]) == (name, student_of(name)) and isinstance(result["handed_in"], str) and
+                [each["exercise"] for each in result["exercises"]] == list(job["exercises"]) and 0 <= result["seconds"] < math.inf and
+                all(0 <= check["points"] <= check["of"] for check in checks) and
+                all(result[key] == sum(check[key] for check in checks) for key in ("points", "of")))
+    except (KeyError, TypeError):
         return False
-    checks = _checks_of(result)
-    return ((result["submission"], result["student"]) == (name, student_of(name)) and 0 <= result["seconds"] < math.inf and
-            all(0 <= check["points"] <= check["of"] for check in checks) and
-            all(result[key] == sum(check[key] for check in checks) for key in ("points", "of")))
-
-
-def _has_shape(value, shape):
-    """Whether it has the shape's keys, elements and types."""
-    if isinstance(shape, dict):
-        return isinstance(value, dict) and value.keys() == shape.keys() and all(_has_shape(value[key], shape[key]) for key in shape)
-    if isinstance(shape, list):
-        return isinstance(value, list) and all(_has_shape(each, shape[0]) for each in value)
-    return type(value) is shape or (type(value), shape) == (int, float)
 
 
 def grade_class(arguments, folders, exercises, part, tell):

@@ -5,6 +5,7 @@ import fcntl
 import hashlib
 import json
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -53,12 +54,11 @@ def _make(target, command, inputs, dependencies, limit):
     record = Path(f"{target}.made")
     known = _read(record)
     inputs = [shutil.which(command[0]) or command[0], *map(str, inputs)]
-    if (known and known["command"] == command and known["size"] == _size(target) and known["read"].keys() >= set(inputs)
-            and all(_is_as_it_was(name, *was) for name, was in known["read"].items())):
+    before = _digests_of([*inputs, *known["read"]])
+    if (known["command"], known["size"], known["read"]) == (command, _size(target), before):
         return Made(known["output"], 0.0)
     record.unlink(missing_ok=True)
     began, clock = time.monotonic(), _clock_of_files(f"{target}.lock")
-    before = _states([*inputs, *(known["read"] if known else [])])
     # Made beside it and given its name when it is whole: who has the old one open, such as a compiler a precompiled header, goes on.
     beside = f"{target}.new"
     words = [beside if word == str(target) else word for word in command]
@@ -70,14 +70,13 @@ def _make(target, command, inputs, dependencies, limit):
         raise CommandFailed(command, output)
     if beside in words:
         os.replace(beside, target)
-    read = inputs + (dependencies_in(dependencies) if dependencies else [])
-    digests = {name: _digest_of(name) for name in read}
-    after = _states(read)  # which come last: what is saved while a digest is taken differs in them
-    # What was saved while the command ran may have been read before or after that, so it's made once more the next time, when the state
+    read = _digests_of(inputs + (dependencies_in(dependencies) if dependencies else []))
+    # What was saved while the command ran may have been read before or after that, so it's made once more the next time, when the content
     # of each file is known before. Where it isn't, the clock is asked that says when files were changed.
-    sure = all(before[name] == state if name in before else state is None or state[-1] < clock for name, state in after.items())
-    record.write_text(json.dumps({"command": command if sure else [], "output": output, "size": _size(target),
-                                  "read": {name: [after[name], digests[name]] for name in read}}), encoding="utf-8")
+    sure = all(before[name] == digest if name in before else digest is None or os.stat(name).st_ctime_ns < clock
+               for name, digest in read.items())
+    known = {"command": command if sure else [], "output": output, "size": _size(target), "read": read}
+    record.write_text(json.dumps(known), encoding="utf-8")
     return Made(output, time.monotonic() - began)
 
 
@@ -137,38 +136,17 @@ def _wait_for(lock, name):
 def dependencies_in(file):
     """The files named in a rule as compilers write them for make."""
     text = Path(file).read_text(encoding="utf-8", errors="surrogateescape").replace("\\\n", " ")
-    words, word = [], ""
-    for letter in text.partition(": ")[2]:
-        if letter in " \n" and not word.endswith("\\"):
-            words.append(word)
-            word = ""
-        elif letter in " \t#" and word.endswith("\\"):
-            word = word[:-1] + letter
-        else:
-            word += letter
-    return sorted({each.replace("$$", "$") for each in words + [word] if each})
+    words = re.findall(r"(?:\\[ \t#]|[^ \n])+", text.partition(": ")[2])
+    return sorted({re.sub(r"\\([ \t#])", r"\1", word).replace("$$", "$") for word in words})
 
 
 def _read(record):
-    """What was noted when it was made; None where that is missing or damaged."""
-    try:
+    """What was noted when it was made; nothing where that is missing or damaged."""
+    with contextlib.suppress(FileNotFoundError, ValueError, RecursionError, TypeError, KeyError):
         known = json.loads(record.read_text(encoding="utf-8"))
-    except (FileNotFoundError, ValueError, RecursionError):
-        return None
-    shape = {"command": list, "output": str, "size": int, "read": dict}
-    sound = (isinstance(known, dict) and all(isinstance(known.get(key), kind) for key, kind in shape.items())
-             and all(isinstance(was, list) and len(was) == 2 for was in known["read"].values()))
-    if not sound:
-        return None
-    for name, (state, digest) in known["read"].items():
-        _digests.setdefault((name, str(state)), digest)
-    return known
-
-
-def _is_as_it_was(name, state, digest):
-    """By its state, or by its content where that has changed: a copy of the whole folder, such as a container's, is not made again."""
-    now = _state(name)
-    return now == state or (now is not None and state is not None and _digest_of(name) == digest)
+        if isinstance(known["output"], str) and isinstance(known["read"], dict) and "command" in known and "size" in known:
+            return known
+    return {"command": [], "size": -1, "read": {}}
 
 
 def _size(file):
@@ -176,30 +154,17 @@ def _size(file):
     return os.stat(file).st_size if os.path.exists(file) else -1
 
 
-def _states(files):
-    return {name: _state(name) for name in files}
-
-
-def _state(name):
-    """Differs as soon as anything is written, whatever time the file is given: nobody but the system sets the last of these times."""
-    try:
-        status = os.stat(name)
-        return [status.st_ino, status.st_size, status.st_mtime_ns, status.st_ctime_ns]
-    except OSError:
-        return None
-
-
-_digests = {}  # by name and state: a precompiled header is large, and much is made of it
+def _digests_of(files):
+    return {name: _digest_of(name) for name in files}
 
 
 def _digest_of(name):
-    key = name, str(_state(name))
-    if key not in _digests:
-        try:
-            _digests[key] = hashlib.sha256(Path(name).read_bytes()).hexdigest()
-        except OSError:
-            _digests[key] = None
-    return _digests[key]
+    """That of the content, whatever time the file is given; None where it isn't there. What was made itself is what was noted then, which
+    is shorter than a precompiled header by far."""
+    for file in (f"{name}.made", name):
+        with contextlib.suppress(OSError, ValueError), open(file, "rb") as source:
+            return hashlib.sha256(source.read()).hexdigest()
+    return None
 
 
 def _clock_of_files(file):

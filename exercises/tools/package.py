@@ -15,11 +15,11 @@ import zipfile
 from pathlib import Path
 
 from catalogue import find_all, read_catalogue
+from command import status_of
 from complaint import Complaint
 from outputs import Outputs, occupy_standard_descriptors, require_a_place_of_its_own
-from plain_text import complain, say, why_unheard
-from release import release, released_files, tell_left_out
-from shards import Stopped, stoppable
+from plain_text import say
+from release import git, release, tell_left_out
 
 SETUP = """#!/usr/bin/env bash
 # Run once, when Gradescope makes the image: installs what is needed, and compiles the checks.
@@ -55,17 +55,18 @@ def package(root, exercises, target, private=None):
     held_back = [exercise for exercise in exercises if private and exercise.folder.is_relative_to(private)]
     gaps = {"exercises": ",".join(exercise.name for exercise in exercises), "private": PRIVATE if held_back else ""}
     files_held_back = [file for exercise in held_back for file in _files_that_grade(exercise)]
-    released, left_out = released_files(root)  # before the zip is begun, which may lie in the course
-    require_a_place_of_its_own("--output", target, [*(("a file of the course", root / name) for name in released),
+    committed = [root / os.fsdecode(name) for name in git(root, "ls-tree", "-r", "-z", "--name-only", "HEAD").split(b"\0") if name]
+    require_a_place_of_its_own("--output", target, [*(("a file of the course", file) for file in committed),
                                                     *(("a file of a private exercise", file) for file in files_held_back)])
     with Outputs() as outputs, tempfile.TemporaryDirectory(prefix="package-") as scratch:
-        write = outputs.open("--output", target)
         course = Path(scratch) / "course"
-        release(root, course)
+        _, left_out = release(root, course)  # before the zip is begun, which may lie among what isn't committed
+        write = outputs.open("--output", target)
         held_names = {exercise.name for exercise in read_catalogue(course)}
         for exercise in exercises:
             if exercise.name not in held_names and exercise not in held_back:
-                raise Complaint(f"git doesn't track the exercise {exercise.name}, so the zip would not hold it; git add it, and its solution")
+                raise Complaint(f"the exercise {exercise.name} isn't committed, so the zip would not hold it; git add it and its solution, "
+                                "and git commit")
         held = io.BytesIO()
         with zipfile.ZipFile(held, "w", zipfile.ZIP_DEFLATED, strict_timestamps=False) as packed:
             for name, text in (("setup.sh", SETUP), ("run_autograder", RUN)):
@@ -105,21 +106,14 @@ def main(words):
     parser.add_argument("--private", type=Path, help="a folder of further exercises, laid out as exercises/ is")
     parser.add_argument("--output", type=Path, default=Path("autograder.zip"))
     arguments = parser.parse_args(words)
-    try:
+
+    def run():
         exercises = find_all(read_catalogue(arguments.root, arguments.private), arguments.exercises)
-        with stoppable():
-            left_out = package(arguments.root, exercises, arguments.output, arguments.private)
+        left_out = package(arguments.root, exercises, arguments.output, arguments.private)
         say(f"{arguments.output} is for Gradescope: {', '.join(exercise.title for exercise in exercises)}; "
             f"{sum(exercise.points for exercise in exercises)} points.")
         tell_left_out(left_out)
-    except Complaint as complaint:
-        complain(complaint)
-        return 2
-    except OSError as error:
-        return why_unheard(error)
-    except Stopped as stopped:
-        return 128 + stopped.signal
-    return 0
+    return status_of(run)
 
 
 if __name__ == "__main__":

@@ -7,20 +7,22 @@ doctest with their licences, for machines on which nothing can be installed. Not
 import ctrl_c  # noqa: F401
 import argparse
 import hashlib
+import io
 import json
 import os
 import re
 import shutil
 import subprocess
 import sys
+import tarfile
 import tempfile
 from pathlib import Path
 
 from catalogue import read_catalogue
+from command import status_of
 from complaint import Complaint
 from outputs import occupy_standard_descriptors
-from plain_text import complain, one_line, say, why_unheard
-from shards import Stopped, stoppable
+from plain_text import one_line, say
 from starter import regions_of
 from toolchain import read_toolchain
 
@@ -31,60 +33,52 @@ LICENCES = {"eigen3.txt": "/usr/share/doc/libeigen3-dev/copyright", "doctest.txt
 LEAST = 12  # letters and signs of a region that can be recognised
 
 
-def _listed_by_git(root, *options):
-    """Paths below the root. What else a caller's environment says of git, as in one of its hooks, is about another checkout."""
+def git(root, *words):
+    """What git prints. What else a caller's environment says of it, as in one of its hooks, is about another checkout."""
     environment = {name: value for name, value in os.environ.items() if not name.startswith("GIT_")}
     try:
-        listed = subprocess.run(["git", "-c", f"safe.directory={os.path.realpath(root)}", "-C", str(root), "ls-files", "-z", *options],
-                                stdin=subprocess.DEVNULL, capture_output=True, check=True, env=environment).stdout
+        return subprocess.run(["git", "--no-optional-locks", "-c", f"safe.directory={os.path.realpath(root)}", "-C", str(root), *words],
+                              stdin=subprocess.DEVNULL, capture_output=True, check=True, env=environment).stdout
     except (FileNotFoundError, subprocess.CalledProcessError) as error:
         said = os.fsdecode(error.stderr).strip() if isinstance(error, subprocess.CalledProcessError) else "git is not installed"
-        raise Complaint(f"{root} is no checkout that git can read, so nobody can tell what belongs to the course from what else lies "
-                        f"there ({said}). Where the course came without git: git init, and git add of what belongs to it") from None
-    return sorted({os.fsdecode(name) for name in listed.split(b"\0") if name})
+        raise Complaint(f"git has no commit of {root}, so nobody can tell what belongs to the course from what else lies there ({said}). "
+                        "Where the course came without git: git init, git add of what belongs to it, and git commit") from None
 
 
-def released_files(root):
-    """What git tracks and students get, and what is left out although somebody might miss it: by its name, why."""
-    left_out = {name: "git doesn't track it" for name in _listed_by_git(root, "--others", "--exclude-standard", "--directory")}
-    released, inside = [], Path(os.path.realpath(root))
-    tracked = [name for name in _listed_by_git(root, "--cached") if not LEFT_OUT.match(name)]
-    private = _private_folders(tracked)
-    for name in tracked:
-        file = root / name
-        if name.startswith(private):
-            left_out[name] = "it belongs to a private folder, such as grade --private takes"
-            continue
-        if not os.path.lexists(file):
-            left_out[name] = "git tracks it, but it isn't there"
-        elif Path(os.path.realpath(file)) != inside / name:
-            left_out[name] = "it is a symbolic link, or lies behind one"
-        elif not file.is_file():
-            left_out[name] = "it is no file"
-        elif not _is_utf8(name):
-            left_out[name] = "its name is not UTF-8, so neither MANIFEST.json nor a zip can hold it"
-        else:
-            released.append(name)
-    if not released:
-        raise Complaint(f"git tracks no file of {root}; git add of what belongs to the course says what is released")
-    both_sides = [name.partition("\t")[2] for name in _listed_by_git(root, "-u")]
-    if both_sides:
-        raise Complaint(f"{one_line(both_sides[0])} holds both sides of a merge; git add of it says that one was chosen")
-    return released, left_out
+def not_committed(root):
+    """What lies there otherwise than in the last commit, and why no release has it so."""
+    listed = git(root, "status", "--porcelain", "-z", "--no-renames", "--untracked-files=normal", "--", ".")
+    names = [os.fsdecode(entry[3:]) for entry in listed.split(b"\0") if entry]
+    return {name: "it is not committed as it is here" for name in names if not LEFT_OUT.match(name)}
+
+
+def copy_commit(root, folder):
+    """Copies what students get of the last commit. Returns what is left out although somebody might miss it: by its name, why."""
+    left_out = {}
+    with tarfile.open(fileobj=io.BytesIO(git(root, "-c", "core.autocrlf=false", "archive", "HEAD^{tree}")), mode="r:") as archive:
+        members = [member for member in archive if not member.isdir() and not LEFT_OUT.match(member.name)]
+        private = _private_folders([member.name for member in members])
+        for member in members:
+            if member.name.startswith(private):
+                left_out[member.name] = "it belongs to a private folder, such as grade --private takes"
+            elif not member.isfile():
+                left_out[member.name] = "it is a symbolic link"
+            elif any("\udc80" <= letter <= "\udcff" for letter in member.name):
+                left_out[member.name] = "its name is not UTF-8, so neither MANIFEST.json nor a zip can hold it"
+            else:
+                file = folder / member.name
+                file.parent.mkdir(parents=True, exist_ok=True)
+                file.write_bytes(archive.extractfile(member).read())
+                file.chmod(0o755 if member.mode & 0o100 else 0o644)
+    if not folder.exists():
+        raise Complaint(f"the last commit of {root} holds nothing; git add and git commit of what belongs to the course say what is released")
+    return left_out
 
 
 def _private_folders(tracked):
     """Where exercises lie that are neither the course's own nor those of its tests; at the root, the folder of each alone."""
     found = [re.fullmatch(r"((?:.*/)?)([0-9]{2}_[a-z0-9_]+/[a-z][a-z0-9_]*/)exercise\.json", name, re.DOTALL) for name in tracked]
     return tuple({each[1] or each[2] for each in found if each and each[1] != "exercises/" and not each[1].startswith("tests/")})
-
-
-def _is_utf8(name):
-    try:
-        name.encode()
-    except UnicodeEncodeError:
-        return False
-    return True
 
 
 def tell_left_out(left_out):
@@ -156,22 +150,17 @@ def write_manifest(folder, catalogue):
 
 def release(root, target, toolchain_file=None):
     """Makes the release, complete or not at all; with a toolchain's file, bundled. Returns how many files it holds, and what it leaves
-    out; see released_files."""
+    out: by its name, why."""
     target = Path(os.path.realpath(target))  # of a link, what it leads to
     if target.exists() and (not target.is_dir() or any(target.iterdir())):
         raise Complaint(f"{target} is there already and not empty; name a folder that is not there yet")
     if target.is_relative_to(root.resolve()):
         raise Complaint(f"{target} lies inside the course; a release of it would hold itself")
-    released, left_out = released_files(root)
     target.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=target.parent, prefix=".release-") as scratch:
         folder = Path(scratch) / "course"
-        for name in released:
-            (folder / name).parent.mkdir(parents=True, exist_ok=True)
-            shutil.copy2(root / name, folder / name, follow_symlinks=False)
-            # The two rights that git knows: no set-user-id, and nothing that its own owner can't read.
-            (folder / name).chmod(0o755 if (folder / name).stat().st_mode & 0o100 else 0o644)
-        catalogue = read_catalogue(folder)  # and not the root's: an exercise that git doesn't track isn't even named
+        left_out = {**not_committed(root), **copy_commit(root, folder)}
+        catalogue = read_catalogue(folder)  # and not the root's: an exercise that isn't committed isn't even named
         if toolchain_file:
             bundle(folder, toolchain_file)
         complaints = what_is_left_of_solutions(root, folder, catalogue)
@@ -193,19 +182,12 @@ def main(words):
     parser.add_argument("folder", type=Path, metavar="DIR")
     parser.add_argument("--bundle", action="store_true", help="add the headers of Eigen and doctest, with their licences")
     arguments = parser.parse_args(words)
-    try:
-        with stoppable():
-            count, left_out = release(arguments.root, arguments.folder, arguments.toolchain if arguments.bundle else None)
+
+    def run():
+        count, left_out = release(arguments.root, arguments.folder, arguments.toolchain if arguments.bundle else None)
         say(f"{count} files are in {arguments.folder}; MANIFEST.json lists them.")
         tell_left_out(left_out)
-    except Complaint as complaint:
-        complain(complaint)
-        return 2
-    except OSError as error:
-        return why_unheard(error)
-    except Stopped as stopped:
-        return 128 + stopped.signal
-    return 0
+    return status_of(run)
 
 
 if __name__ == "__main__":

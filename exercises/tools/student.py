@@ -11,15 +11,16 @@ from pathlib import Path
 
 from catalogue import find, read_catalogue
 from compiler_says import first_message, why_not
+from command import status_of
 from complaint import Complaint
 from hints import read_hints
 from made import CommandFailed, dependencies_in, held
 from outputs import occupy_standard_descriptors
-from plain_text import complain, say, why_unheard
+from plain_text import say
 from programs import build_worker, folder_of, judge_of, prepare, read_for_worker, write_if_new
 from progress import Progress, bar
 from replay import has_replay, make_replay
-from shards import Stopped, stoppable
+from shards import Stopped
 from starter import solution_without_marks
 from submission import why_not_taken
 from toolchain import read_toolchain
@@ -250,21 +251,8 @@ def main(words):
     parser.add_argument("--key", help="start: the word from which your own numbers are drawn, if your teacher gave you one")
     parser.add_argument("--show", action="store_true", help="check: make the replay of a lab though it isn't solved yet")
     arguments = parser.parse_args(words)
-    try:
-        student = Student(arguments.root, arguments.toolchain)
-        method = {"progress": "show_progress"}.get(arguments.command, arguments.command)
-        with stoppable():
-            return getattr(student, method)(arguments)
-    except Complaint as complaint:
-        complain(complaint)
-        return 2
-    except Stopped as stopped:
-        return 128 + stopped.signal
-    except OSError as error:
-        return why_unheard(error)
-    except CommandFailed as failure:  # what is compiled without any of the student's code
-        complain(f"the course's own code doesn't compile:\n{failure.output}")
-        return 2
+    method = {"progress": "show_progress"}.get(arguments.command, arguments.command)
+    return status_of(lambda: getattr(Student(arguments.root, arguments.toolchain), method)(arguments))
 
 
 if __name__ == "__main__":

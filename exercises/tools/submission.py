@@ -146,7 +146,7 @@ def _bare(text):
 
 
 def name_of(folder):
-    """The submission's name: that of the folder as it was given, wherever it leads; that of the folder it is, for . and .. alone."""
+    """The submission's name: that of the folder as it was given; that of the folder it is, for . and .. alone."""
     return folder.name if folder.name not in ("", "..") else folder.resolve().name
 
 
@@ -160,11 +160,12 @@ def when_submitted(submission):
     return [int(number) for number in re.findall("[0-9]+", submission[len(student_of(submission)):])], submission
 
 
-def places_of(folders, follow_links=False):
-    """Where each submission lies, by its name. Who can make a link among the submissions must not choose by it what is graded: one that is
-    a link leads to a place in the same folder that is nobody else's, unless all links are followed."""
+def places_of(folders):
+    """Where each submission lies, by its name. Who can make a link among the submissions must not choose by it what is graded."""
     places, given = {}, {}
     for folder in folders:
+        if folder.is_symlink():
+            raise Complaint(f"{one_line(str(folder))} is a symbolic link; hand on the folder itself to which it leads")
         if not folder.is_dir():
             raise Complaint(f"{one_line(str(folder))} is no folder; a submission is a folder that holds a student's headers")
         name = name_of(folder)
@@ -172,23 +173,4 @@ def places_of(folders, follow_links=False):
             raise Complaint(f"two submissions are called {one_line(name)}: {one_line(str(given[name]))} and {one_line(str(folder))}; "
                             "the name of the folder names the student")
         places[name], given[name] = folder.resolve(), folder
-    if not follow_links:
-        _require_links_at_home(places, given)
     return places
-
-
-def _require_links_at_home(places, given):
-    owners = {}
-    for name, place in places.items():
-        owners.setdefault(place, []).append(name)
-    for name, folder in given.items():
-        if not folder.is_symlink():
-            continue
-        place, home, link = places[name], folder.parent.resolve(), f"{one_line(str(folder))} is a symbolic link"
-        unless = "--follow-links grades it nevertheless"
-        if home not in place.parents:
-            raise Complaint(f"{link} that leads out of the folder in which it lies, to {one_line(str(place))}; {unless}")
-        for each in [place, *place.parents][:len(place.parts) - len(home.parts)]:
-            for other in owners.get(each, ()):
-                if other != name:
-                    raise Complaint(f"{link} that leads to what {one_line(other)} handed in; {unless}")

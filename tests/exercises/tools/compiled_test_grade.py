@@ -29,14 +29,12 @@ class AClass(Grading):
             text, points = kinds[number * 3 % len(kinds)]
             expected[f"student{number:02}"] = points
             self.hand_in(f"student{number:02}", text)
-        marks, export = self.root / "marks.csv", self.root / "export"
-        results = self.graded("--marks", str(marks), "--similarity", str(export))
+        marks = self.root / "marks.csv"
+        results = self.graded("--marks", str(marks))
         self.assertEqual({name: result["points"] for name, result in results.items()}, expected)
         self.assertTrue(all(result["of"] == 3 for result in results.values()))
         with open(marks, newline="", encoding="utf-8") as table:
             self.assertEqual({row["student"]: int(row["points"]) for row in csv.DictReader(table)}, expected)
-        self.assertEqual(len(list((export / "doubled").glob("student*.hpp"))), 30)
-        self.assertTrue((export / "doubled" / "STARTER.hpp").exists())
 
     def test_a_table_of_what_is_asked_earns_nothing_also_where_it_jitters(self):
         table = """#pragma once

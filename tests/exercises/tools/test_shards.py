@@ -5,6 +5,7 @@ import random
 import signal
 import threading
 import time
+import zlib
 
 from complaint import Complaint
 from shards import WHOLE, Job, Part, Shard, Stopped, _line, merge, run, share, shard_of
@@ -46,9 +47,12 @@ class Shards(InAFolder):
         self.assertEqual(list(merge(files)[0].items()), [(name, work(name)) for name in NAMES])
         self.assertEqual(merge(files), merge([self.folder / "whole"]))
 
-    def test_the_tasks_of_a_part_are_names_unlike_each_other(self):
-        for tasks in ([1, 2], [None], ["a", "a"], [["a"]], {"a": 1}, "ab", None):
-            (self.folder / "part").write_bytes(_line({"job": 1, "shard": [1, 1], "tasks": tasks}))
+    def test_a_part_says_which_share_it_is_of_tasks_with_names_unlike_each_other(self):
+        lines = [_line({"job": 1, "shard": [1, 1], "tasks": tasks}) for tasks in ([1, 2], [None], ["a", "a"], [["a"]], {"a": 1}, "ab", None)]
+        lines += [_line({"job": 1, "shard": shard, "tasks": ["a"]}) for shard in ([1], [0, 0], [2, 1], ["1", "1"], 3)]
+        deep = b"[" * 100000 + b"]" * 100000
+        for line in (*lines, b"%s %08x\n" % (deep, zlib.crc32(deep))):
+            (self.folder / "part").write_bytes(line)
             self.refused("is no part of a job; see its line 1", merge, [self.folder / "part"])
 
     def test_a_run_cut_off_at_any_byte_is_taken_up_again(self):
@@ -78,6 +82,9 @@ class Shards(InAFolder):
         self.refused("its shard is [1, 1], and here it is [1, 2]", self.part, shard=Shard(1, 2), resume=True)
         self.refused("can't be written, and results are kept there as they come: No such file", self.part, "missing/part")
         self.refused("can't be written, and results are kept there as they come: Is a directory", self.part, "")
+        with self.part("removed") as part:
+            (self.folder / "removed").unlink()
+            self.refused("somebody has removed it", run, part, work)
 
     def test_another_file_is_never_taken_for_a_part(self):
         for text in (b"precious", b"precious\n", b"{}\n", b'{"job": 1}\n', b"\xff\xfe\n", b"\n"):
