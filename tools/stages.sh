@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2154
 # Stages: each prints one calm line with the time it took; what it says goes to the log. Sourced by ../course, which
-# sets root, log and timings.
+# sets root and log.
 
 now() { # in tenths of a second
   local time=${EPOCHREALTIME-}
@@ -13,26 +13,19 @@ now() { # in tenths of a second
 }
 
 started=$(now)
-stage_names=()
-stage_times=()
-stage_peaks=()
 
 seconds() { printf '%d.%d' $(($1 / 10)) $(($1 % 10)); }
 
 # stage SENTENCE COMMAND...: runs it with its output in the log, and says how long it took.
 stage() {
-  local sentence=$1 begin status=0 before took memory
+  local sentence=$1 begin status=0 before took
   shift
   before=$(wc -l <"$log")
-  memory=$(memory_lines)
   begin=$(now)
   printf '%-62s' "$sentence"
   printf '\n--- %s\n+ %s\n' "$sentence" "$*" >>"$log"
   "$@" >>"$log" 2>&1 </dev/null || status=$?
   took=$(($(now) - begin))
-  stage_names+=("$sentence")
-  stage_times+=("$took")
-  stage_peaks+=("$(peak_since "$memory")")
   if [ "$status" -eq 0 ]; then
     printf '%8s s\n' "$(seconds "$took")"
   else
@@ -58,12 +51,5 @@ failing_part() {
 }
 
 finish() {
-  local i
-  if [ -n "$timings" ]; then
-    printf '\n%-62s%10s %13s %13s\n' "stage" "time" "one process" "all at once"
-    for i in "${!stage_names[@]}"; do
-      printf '%-62s%8s s %s\n' "${stage_names[$i]}" "$(seconds "${stage_times[$i]}")" "${stage_peaks[$i]}"
-    done
-  fi
   printf '%s (%s s; log: %s)\n' "$1" "$(seconds $(($(now) - started)))" "${log#"$root"/}"
 }

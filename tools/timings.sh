@@ -1,6 +1,5 @@
 #!/usr/bin/env bash
-# How long one waits for the book and for a verdict, and how much memory that takes. Measured in a copy of the tree, without
-# the compiler's cache.
+# How long one waits for the book and for a verdict. Measured in a copy of the tree, without the compiler's cache.
 set -eu
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.."
 
@@ -13,20 +12,17 @@ mkdir -p "$copy"
 tar -cf - --exclude=./build --exclude=./work --exclude=./.git --exclude=node_modules . | tar -xf - -C "$copy"
 cd "$copy"
 export CCACHE_DISABLE=1
-. tools/memory.sh
-watch_memory "$PWD/memory.txt"
 
 # measure CASE ARGUMENT...: what ./course says about a case, and a line of the table.
 table=""
 measure() {
-  local begin took memory
-  memory=$(memory_lines)
+  local begin took
   echo
   echo "$1:"
   begin=$(date +%s%N)
   ./course "${@:2}" --no-install
   took=$((($(date +%s%N) - begin) / 10000000))
-  table+=$(printf '%-58s %5d.%02d s %s' "$1" $((took / 100)) $((took % 100)) "$(peak_since "$memory")")$'\n'
+  table+=$(printf '%-58s %5d.%02d s' "$1" $((took / 100)) $((took % 100)))$'\n'
 }
 
 measure "A clean build of the book" book
@@ -37,4 +33,4 @@ printf '\n// One line more.\n' >>"$header"
 measure "One header of chapter 03 changed, the verdict of its checks" check "$header"
 measure "The verdict of all of chapter 03's checks on it" check 03
 
-printf '\n%-68s %13s %13s\n%s' "" "one process" "all at once" "$table"
+printf '\n%s' "$table"
