@@ -1,4 +1,5 @@
 #include <answer.hpp>
+#include <sstream>
 #include <support/checks.hpp>
 
 using namespace tumble::advise;
@@ -36,4 +37,13 @@ TEST_CASE("The answer in words says steps, prices and bodies in their units") {
     CAPTURE(words);
     CHECK(words.find(said) != std::string::npos);
   }
+}
+
+TEST_CASE("No line of the answer in words is longer than 92 letters") {
+  Answer answer;
+  answer.asked.top = FreeTopQuestion{};
+  answer.refusal = "of";
+  for (int n = 0; n < 50; ++n) answer.refusal += " a";  // 91 letters, and two more are too many
+  std::istringstream words(text_of(answer));
+  for (std::string line; std::getline(words, line);) CHECK(line.size() <= 92);
 }

@@ -1,4 +1,4 @@
-#include <free_top_trials.hpp>
+#include <free_top_rungs.hpp>
 #include <support/checks.hpp>
 
 using namespace tumble;
@@ -41,4 +41,15 @@ TEST_CASE("The questions like the one asked differ from it and from each other b
       if (b == 0) CHECK(apart == doctest::Approx(1300 * 0.01));
       CHECK(angle_between(one.orientation, other.orientation) > 0.01);
     }
+}
+
+TEST_CASE("An angular momentum of the right length in a wrong direction is an error") {
+  const Top<double> top = top_of<double>({1, 2, 2.5}, Vec3d(0.5, 2, -1));
+  Top<double> turned = top;
+  turned.orientation =
+      quaternion_of_rotation_vector<double>(0.1 * angular_momentum_world(top).unitOrthogonal());
+  const Errors errors = errors_at(turned, support::exactly(top));
+  CHECK(errors.angle == doctest::Approx(0.1));
+  CHECK(errors.momentum == doctest::Approx(2 * std::sin(0.05)));
+  CHECK(errors.energy <= 4 * 0x1p-53);
 }

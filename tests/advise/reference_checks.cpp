@@ -195,3 +195,27 @@ TEST_CASE("Two extrapolations that agree by chance are not enough for a referenc
   CHECK(reference.steps == std::array{5L, 8L});
   CHECK(reference.uncertainty.place == 0);
 }
+
+TEST_CASE(
+    "In whatever order a file names the burns, the reference cuts its steps at each of them") {
+  const auto burn = [](const char* from, const char* until) {
+    return R"({"kind": "thruster", "bodies": ["box"], "point": [0, 0.1, 0], "force": [20, 0, 0],
+      "from": )" +
+           std::string(from) + R"(, "until": )" + until + "}";
+  };
+  const std::string first = burn("0.31", "0.33"), second = burn("1.47", "1.52");
+  const auto reference = [&](const std::string& effects) {
+    return reference_of(
+        [&](const StepLength& step) {
+          return scene_of(R"({"duration": 2, "bodies": [{"name": "box", "density": 250, "solid":
+            {"shape": "box", "size": [0.1, 0.2, 0.2]}}], "effects": [)" +
+                              effects + "]}",
+                          step);
+        },
+        one_state, {.angle = 0.01}, 10);
+  };
+  const Reference in_order = reference(first + "," + second),
+                  swapped = reference(second + "," + first);
+  CHECK(swapped.steps == in_order.steps);
+  CHECK(errors_between(swapped.snapshots, in_order.snapshots).angle <= 1e-9);
+}

@@ -30,7 +30,7 @@ BODY = {"name": "odd", "solid": {"shape": "compound", "parts": PARTS}, "position
         "orientation": [0.5, 0.5, -0.5, 0.5], "velocity": [1, -2, 3], "angular_velocity": [1.5, 2.5, -0.5]}
 ANCHOR, ATTACHMENT = [11, 22, 33], [0.25, 0.5, 0.75]
 SCENE = {"title": "numbers", "step": {"per_second": RATE}, "duration": STEPS / RATE, "turning_method": "splitting_kahan_li_8",
-         "bodies": [BODY], "effects": [{"kind": "gravity", "acceleration": GRAVITY}]}
+         "bodies": [BODY], "effects": [{"kind": "gravity", "name": 'a "pull"', "acceleration": GRAVITY}]}
 
 # --- Vectors, matrices and quaternions (the real part first) -----------------------------------------------------------------------
 
@@ -317,6 +317,7 @@ class Numbers(unittest.TestCase):
         self.assertEqual(joining, {"from": {"body": 0, "point": [0, 0, 0]}, "to": {"body": 1, "point": ATTACHMENT}})
         self.assertEqual(held, {"from": {"body": 1, "point": ATTACHMENT}, "to": {"point": ANCHOR}})
         self.near(central["from"]["point"], CENTRE, relative=FLOAT_ROUNDING)
+        self.near(recording("links.html")["frames"][0][7:10], BODY["position"], relative=FLOAT_ROUNDING)
 
     def test_plot(self):
         heading, *rows = self.drawn["energy.tsv"]
@@ -331,11 +332,11 @@ class Numbers(unittest.TestCase):
             self.near([float(cell) for cell in row], state_at(n * EVERY)[0][:2])
 
     def test_a_plot_shows_the_two_axes_along_which_paths_reach_farthest(self):
-        for across, up in ((0, 2), (1, 2), (0, 1)):
-            velocity = [float(axis in (across, up)) * (axis + 1) for axis in range(3)]
+        for across, up, *still in (0, 2), (1, 2), (0, 1), (0, 2, 2):  # along x alone it is x and z
+            velocity = [float(axis in (across, up) and axis not in still) * (axis + 1) for axis in range(3)]
             run({"title": "It's here", "duration": 1, "bodies": [{"name": "a", "mass": 1, "velocity": velocity}]}, "--plot", "path.svg",
                 path=SCRATCH / "fake")
-            self.near([float(cell) for cell in table("path1.tsv")[-1]], [across + 1, up + 1])
+            self.near([float(cell) for cell in table("path1.tsv")[-1]], [velocity[across], velocity[up]])
             self.assertIn(f"paths=1; across='{'xyz'[across]}'; up='{'xyz'[up]}'; scene='It''s here'",
                           (SCRATCH / "drawn" / "words").read_text())
 
@@ -360,7 +361,7 @@ class Numbers(unittest.TestCase):
         time = STEPS / RATE
         pull = [MASS * g for g in GRAVITY]
         mean_velocity = plus(BODY["velocity"], GRAVITY, time / 2)
-        gravity = next(line for line in books["effects"] if line["name"] == "gravity")
+        gravity = next(line for line in books["effects"] if line["name"] == 'a "pull"')
         self.near(gravity["momentum"], [time * f for f in pull])
         self.near([gravity["energy"]], [time * dot(pull, mean_velocity)])
         # Each kick of h m g acts where the body is before it moves.

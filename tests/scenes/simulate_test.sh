@@ -31,9 +31,11 @@ verify "--check-plan finds no difference" says "every number of every motion is 
 run t_handle --check-plan --precision float --method splitting_without_sine --until 0.2
 verify "nor in float by another method" says "every number of every motion is the same"
 verify "which it takes" says "tumbling: splitting without sine"
-run t_handle --check-plan --csv path.csv
-verify "--check-plan writes no files" complains "--check-plan compares two runs and writes no files; --csv can't go with it"
-verify "and ends as for a wrong command line" ends_with 2
+for option in csv jsonl plot view live books; do
+  run t_handle --check-plan "--$option" file
+  verify "--check-plan writes no file of --$option" complains "--check-plan compares two runs and writes no files; --$option can't go with it"
+  verify "and ends as for a wrong command line" ends_with 2
+done
 run t_handle --until 0.1
 verify "it simulates until the time that is asked for" says "1 body, 24 steps of 0.00416667 s, in double"
 verify "it tells the steps per second" says "steps per second"
@@ -84,6 +86,8 @@ run t_handle --until 0.1
 verify "and one that is one is not" says_not "whole number of steps"
 run t_handle --dt 3 --until 11
 verify "the end is the nearest one, which may be a later one" says "the last one ends at 12 s"
+run t_handle --dt 3 --until 2
+verify "or the first one" says "the last one ends at 3 s"
 run t_handle --until 0.1 --precision float
 verify "--precision float is said" says "in float"
 run --help
@@ -122,6 +126,9 @@ printf '{"duration": 0.05, "bodies": [{"name": "a", "mass": 1}]}' >untitled.json
 run untitled.json
 verify "a scene runs without a title and a description" ends_with 0
 verify "and is called as its file is" says untitled.json
+output=$("$program" /dev/stdin --plan <untitled.json)
+code=$?
+verify "what is redirected to it can be the scene" ends_with 0
 for seed in 0 1 1; do run rain --until 0.02 --csv "seed$((++count)).csv" --seed $seed --no-ledger; done
 run rain --until 0.02 --csv file.csv --no-ledger
 verify "--seed 0 draws the random bodies as the file does" same_numbers seed1.csv file.csv
@@ -192,11 +199,17 @@ else
   verify "and ends with 3" ends_with 3
 fi
 verify "and leaves no page" test ! -e page.html
+printf '{"duration": 0.001, "bodies": [{"name": "a", "mass": 1}]}' >short.json
+run short.json --live page.html
+verify "no page is written of a scene that lasts no step" complains "the scene lasts 0.001 s; that is less than half a step"
+rm -f short.json page.html
 printf '{"duration": 10, "step": {"per_second": 200}, "bodies": [{"name": "a", "mass": 1, "many": {"count": 2000, "seed": 1}}]}' >crowd.json
 run crowd.json --live page.html
 verify "2000 bodies are not too many for a page" [ "$code" -ne 2 ]
 run crowd.json --no-ledger --view page.html --every 1000
 verify "nor are 2000 steps for a view of three moments" ends_with 0
+run crowd.json --no-ledger --view page.html --every 2
+verify "but 2000 bodies at 1001 moments are too many for one" complains "it would hold 2002000 poses"
 rm -f crowd.json page.html
 mkdir folder
 for path in folder nowhere/file.csv /dev/null; do
@@ -264,6 +277,10 @@ for path in scene.json ./scene.json hard.json soft.json "$PWD/scene.json"; do
 done
 run scene.json --csv a --jsonl ./a
 verify "two outputs into one file are refused" complains "that is where --csv goes"
+ln -s . linked
+run scene.json --csv a --jsonl linked/a
+verify "and so are they by a folder that is a link" complains "that is where --csv goes"
+rm linked
 ln -s scene.json link.json
 run kept.json --view soft.json --books link.json
 verify "and through two links too" complains "that is where --view goes"
@@ -309,6 +326,10 @@ code=$? errors=$(cat errors.txt) output=""
 rm errors.txt
 verify "if what is printed can't be written it says so" complains "what is printed can't be written"
 verify "and ends with 3" ends_with 3
+"$program" t_handle --plan >/dev/full 2>errors.txt
+code=$? errors=$(cat errors.txt)
+rm errors.txt
+verify "even if nothing is printed after it" ends_with 3
 run rain --view rain.html
 verify "a page that would be too large is refused" complains "poses"
 printf '{"duration": 1, "bodies": [{"name": "far", "mass": 1, "position": [1e40, 0, 0]}]}' >far.json
@@ -354,7 +375,10 @@ verify "and that is its only failure" ends_with 1
 run crash.json --until 0.5 --bill
 verify "a bill is that of the steps that were taken" says "a whole step"
 verify "and takes none beyond them" ends_with 0
-rm crash.json crash.csv
+sed 's/\[2, 0, 0\]/[3, 0, 0]/' crash.json >later.json
+run later.json --until 0.75 --bill
+verify "nor beyond three, which are no power of two" ends_with 0
+rm crash.json later.json crash.csv
 
 # Without a standard output nothing is printed, least of all into a file that is opened.
 "$program" t_handle --until 0.1 --csv closed.csv >&- 2>&-
