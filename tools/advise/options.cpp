@@ -42,7 +42,7 @@ line or the scene is wrong.
 
 const std::vector<std::string> options_with_value = {
     "inertia", "spin", "for", "angle", "place", "rate", "precision", "steps", "longest-run"};
-const std::vector<std::string> switches = {"json", "help"};
+const std::vector<std::string> options_without_value = {"json", "help"};
 
 /// A number between `smallest` and `largest`, with `smallest` itself excluded where it is 0.
 double between(const std::string& option, const std::string& text, const std::string& unit,
@@ -170,7 +170,7 @@ std::optional<Options> read_options(int argument_count, char** arguments) {
   parser.allow_unrecognised_options();
   for (const std::string& name : options_with_value)
     parser.add_options()(name, "", cxxopts::value<std::string>());
-  for (const std::string& name : switches) parser.add_options()(name, "");
+  for (const std::string& name : options_without_value) parser.add_options()(name, "");
   parser.add_options()("scene", "", cxxopts::value<std::string>());
   parser.parse_positional({"scene"});
   try {
@@ -180,7 +180,7 @@ std::optional<Options> read_options(int argument_count, char** arguments) {
       return std::nullopt;
     }
     if (!given.unmatched().empty())
-      support::reject_word(given.unmatched()[0], {options_with_value, switches});
+      support::reject_word(given.unmatched()[0], {options_with_value, options_without_value});
     return read(given);
   } catch (const cxxopts::exceptions::exception& error) {
     throw UsageError(error.what());
