@@ -76,34 +76,28 @@ struct ShakingTorque {
 /// Orientation and L after a second by the equation of motion itself, d(Iω)/dt = (Iω + H) × ω − Ḣ +
 /// Rᵀ τ about the free axes, by Runge and Kutta's rule. H must grow evenly.
 Top<double> integrated(const World<double>& start) {
-  struct State {
-    Quaternion<double> q;
-    Vec3d momentum;
-  };
+  using State = Eigen::Vector<double, 7>;  // the orientation and L
   Top<double> top = top_in(start);
   const Vec3d change = wheels_in(start, 1.0) - wheels_in(start, 0.0);
-  const auto rate_of = [&](const State& state, double at) {
-    const Vec3d spin = top.inverse_moments.cwiseProduct(state.momentum);
-    const Vec3d total = state.momentum + wheels_in(start, at);
-    const Vec3d torque = rotate_back<double>(state.q, ShakingTorque{}.torque({}, at));
-    return State{orientation_rate_body<double>(state.q, spin),
-                 free_part<double>(top, total.cross(spin) - change + torque)};
+  const auto rate_of = [&](const State& state, double at) -> State {
+    const Quaternion<double> q{state[0], state.segment<3>(1)};
+    const Vec3d L = state.tail<3>(), spin = top.inverse_moments.cwiseProduct(L);
+    const Vec3d torque = rotate_back<double>(q, ShakingTorque{}.torque({}, at));
+    const Quaternion<double> turning = orientation_rate_body<double>(q, spin);
+    return (State() << turning.real, turning.imaginary,
+            free_part<double>(top, (L + wheels_in(start, at)).cross(spin) - change + torque))
+        .finished();
   };
-  const auto moved = [](const State& from, double by, const State& rate) {
-    return State{from.q + by * rate.q, Vec3d(from.momentum + by * rate.momentum)};
-  };
-  State state{top.orientation, top.angular_momentum_body};
+  State state;
+  state << top.orientation.real, top.orientation.imaginary, top.angular_momentum_body;
   const double h = 1.0 / 2048;
-  for (int n = 0; n < 2048; ++n) {
-    const double t = n * h;
-    const State a = rate_of(state, t), b = rate_of(moved(state, h / 2, a), t + h / 2),
-                c = rate_of(moved(state, h / 2, b), t + h / 2),
-                d = rate_of(moved(state, h, c), t + h);
-    for (const auto& [part, rate] : {std::pair(h / 6, &a), {h / 3, &b}, {h / 3, &c}, {h / 6, &d}})
-      state = moved(state, part, *rate);
+  for (double t = 0; t < 1; t += h) {
+    const State a = rate_of(state, t), b = rate_of(state + h / 2 * a, t + h / 2),
+                c = rate_of(state + h / 2 * b, t + h / 2), d = rate_of(state + h * c, t + h);
+    state += h / 6 * (a + 2 * b + 2 * c + d);
   }
-  top.orientation = normalized(state.q);
-  top.angular_momentum_body = state.momentum;
+  top.orientation = normalized(Quaternion<double>{state[0], state.segment<3>(1)});
+  top.angular_momentum_body = state.tail<3>();
   return top;
 }
 
@@ -156,6 +150,8 @@ TEST_CASE_TEMPLATE(
         const Real h = torque * running;  // and its integral: while it runs, and after that
         const Real angle = (h * running / 2 + h * std::max(t - 3, Real(0))) / inertia;
         const Top<Real> top = top_in(world);
+        CHECK(distance<Real>(wheel.rotor_momentum_body(t), h * wheel.axis) <=
+              roundings<Real>(1, 1));
         CHECK(angle_between(top.orientation, quaternion_of_rotation_vector<Real>(-angle * axis)) <=
               roundings<Real>(n, 2));
         CHECK(distance<Real>(angular_velocity_body(top), -h / inertia * axis) <=
@@ -334,7 +330,7 @@ TEST_CASE_TEMPLATE("The plan says whom a wheel visits, and why it visits none of
       if (one.effect == name) return one;
     return PlanRow{};
   };
-  const BodyHandle box = world.add("box", body_with<Real>({1, 2, 3}, {0, 0, 0}));
+  world.add("box", body_with<Real>({1, 2, 3}, {0, 0, 0}));
   const EffectHandle wheel = world.add(ReactionWheel<Real>{.momentum = 1});
   const PlanRow told = row("reaction wheel");
   CHECK(name_of(told.phase) == "turn");
@@ -342,8 +338,7 @@ TEST_CASE_TEMPLATE("The plan says whom a wheel visits, and why it visits none of
   CHECK(told.reads == "time");
   CHECK(told.writes == "orientation, spin");
   CHECK(told.reason == "not 1: points do not turn; not 1: locked about every axis");
-  CHECK(row("tumbling: splitting").visited == 1);  // at rest as they are
-  CHECK(row("steady turning").visited == 1);
+  CHECK(row("tumbling: splitting").visited == 1);  // at rest as it is
   CHECK(row("kick of the spin").visited == 0);
   CHECK(world.plan().unknown.empty());
   world.change(wheel, ReactionWheel<Real>{});
@@ -352,8 +347,6 @@ TEST_CASE_TEMPLATE("The plan says whom a wheel visits, and why it visits none of
   CHECK(row("tumbling: splitting").visited == 0);
   world.change(wheel, ReactionWheel<Real>{.torque = 1});
   CHECK(row("reaction wheel").visited == 2);
-  world.remove(box);
-  CHECK(row("reaction wheel").visited == 1);
 }
 
 TEST_CASE_TEMPLATE(
@@ -415,17 +408,15 @@ TEST_CASE_TEMPLATE("A wheel is refused with its value, its unit and the rule", R
   // A square of 1 + 8 epsilon is let through, and one of 1 + 9 epsilon is not.
   const Real epsilon = std::numeric_limits<Real>::epsilon(), longer = 1 + 4 * epsilon;
   CHECK(refusal({.axis = {0, 0, longer}}) == "nothing thrown");
-  CHECK(refusal({.axis = {0, std::sqrt(epsilon), longer}}).find("length 1") != std::string::npos);
-  CHECK(refusal({.axis = {0, nan, 1}}) ==
-        "axis of a reaction wheel is (0, nan, 1); every component must be finite");
+  CHECK(refusal({.axis = {0, std::sqrt(epsilon), longer}}).ends_with("it must have length 1"));
+  CHECK(refusal({.axis = {0, nan, 1}}).ends_with("(0, nan, 1); every component must be finite"));
   CHECK(refusal({.momentum = infinity}) ==
         "momentum of a reaction wheel is inf kg m^2/s; it must be finite");
   CHECK(refusal({.torque = nan}) == "torque of a reaction wheel is nan N m; it must be finite");
   CHECK(refusal({.from = -infinity}) == "start of a reaction wheel is -inf s; it must be finite");
-  CHECK(refusal({.from = 2, .until = 1}) ==
-        "end of a reaction wheel is 1 s; it must not lie before the start");
-  CHECK(refusal({.until = nan}) ==
-        "end of a reaction wheel is nan s; it must not lie before the start");
+  for (const Real until : {Real(1), nan})
+    CHECK(refusal({.from = 2, .until = until}) ==
+          "end of a reaction wheel is " + text_of(until) + " s; it must not lie before the start");
   CHECK(refusal({.torque = std::numeric_limits<Real>::max(), .until = 2}) ==
         "momentum of a reaction wheel at the end is inf kg m^2/s; it must be finite");
 }
