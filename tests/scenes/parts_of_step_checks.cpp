@@ -38,6 +38,9 @@ TEST_CASE(
     World<double> world = world_of(path);
     if (world.work().portions.size() != 3) continue;  // of another scheme
     ++compared;
+    // What a wheel does on both sides of the turning is one part, which no order of parts can be.
+    for (const auto& entry : std::vector(world.effects()))
+      if (entry.effect->phase() == Phase::turn) world.remove(entry.handle);
     Bodies<double> bodies = world.bodies();
     for (int step = 0; step < 2; ++step) {
       for (const simulate::PartOfStep& part : simulate::parts_of(world.work())) {
@@ -55,8 +58,8 @@ TEST_CASE("In a step of Suzuki's forces and kicks occur five times, drifts and t
   World<double> world = world_of(scenes_folder() / "everything.json");
   world.step_by(Scheme::suzuki);
   const std::vector<simulate::PartOfStep> parts = simulate::parts_of(world.work());
-  for (const std::string name :
-       {"gravity", "kick", "kick of the spin", "drift", "steady turning", "tumbling: splitting"}) {
+  for (const std::string name : {"gravity", "kick", "kick of the spin", "reaction wheel", "drift",
+                                 "steady turning", "tumbling: splitting"}) {
     CAPTURE(name);
     const auto part = std::find_if(parts.begin(), parts.end(),
                                    [&](const auto& each) { return each.name == name; });

@@ -140,6 +140,19 @@ TEST_CASE("The shipped scenes do what their descriptions say") {
   const double turns = std::acos((turned.trace() - 1) / 2) / (2 * std::numbers::pi);
   CHECK(std::abs(turns - 1 / 3.) < 0.02);
 
+  const Scene<double> wheels = after(read_scene_file<double>(shipped("reaction_wheels")), 60);
+  CHECK(std::abs(axes_of(wheels).trace() - 1) < 1e-5);  // 1 + 2 cos of a right angle
+  CHECK(angular_velocity_body(body_of(wheels, "telescope").top).norm() < 1e-12);
+  const auto steadiness = [&](const std::string& name) {  // of a spin that began along y
+    const BodyModel& model = *std::find_if(wheels.models.begin(), wheels.models.end(),
+                                           [&](const auto& one) { return one.name == name; });
+    return rotate_back(model.model_in_body.orientation,
+                       Vec3d(angular_velocity_body(body_of(wheels, name).top).normalized()))
+        .y();
+  };
+  CHECK(steadiness("tumbling") < 0.9);
+  CHECK(steadiness("steady") > 0.999);
+
   // Of the wobbling disc the axis goes round |L| at |L|/I1, the disc at its spin about the axis.
   const Scene<double> disc = read_scene_file<double>(shipped("disc_and_coin"));
   const Top<double> flat = body_of(disc, "disc").top;

@@ -426,6 +426,23 @@ TEST_CASE("A thruster burns from its start until its end, for ever if there is n
   CHECK(scene.switches == std::vector<double>{2, 5});
 }
 
+TEST_CASE("A wheel has the axis of the file in body axes, and the momentum of its motor's time") {
+  // The model's x is the world's y, wherever the principal axes lie.
+  const std::string more = R"("bodies": ["odd"], "axis": [8, 0, 0], "momentum": 2, "torque": 3)";
+  const auto momentum_at = [](const Scene<double>& scene, double time) -> Vec3d {
+    return rotate<double>(scene.world.body(scene.world.handle_at(0)).top.orientation,
+                          only_effect(scene).effect->rotor_momentum_body(time));
+  };
+  const Scene<double> scene = odd_with("reaction_wheel", more + R"(, "from": 1, "until": 5)");
+  for (const auto& [time, momentum] :
+       {std::pair(0.0, 2.0), {1.0, 2.0}, {2.0, 5.0}, {5.0, 14.0}, {9.0, 14.0}})
+    CHECK(close(momentum_at(scene, time), {0, momentum, 0}));
+  CHECK(scene.switches == std::vector<double>{1, 5});
+  const Scene<double> still = odd_with("reaction_wheel", R"("bodies": ["odd"], "axis": [1, 0, 0])");
+  CHECK(same_bits(momentum_at(still, 100), Vec3d(0, 0, 0)));
+  CHECK(still.switches.empty());
+}
+
 TEST_CASE("An effect is for the bodies that it names, one copy among them, or for all") {
   const std::string bodies =
       drop + R"(, {"name": "dust", "mass": 1, "many": {"count": 3, "seed": 1}})";
@@ -456,7 +473,8 @@ TEST_CASE("An effect has the name that the file gives it, whatever its kind") {
            {"magnus", R"("strength": 1)"},
            {"buoyancy", R"("density": 1, "radius": 1)"},
            {"spring", R"("stiffness": 1, "anchor": [0, 0, 0], "bodies": ["odd"])"},
-           {"thruster", R"("force": [1, 0, 0], "bodies": ["odd"])"}}) {
+           {"thruster", R"("force": [1, 0, 0], "bodies": ["odd"])"},
+           {"reaction_wheel", R"("axis": [1, 0, 0], "bodies": ["odd"])"}}) {
     const std::string kind = kind_of_it;  // clang 14 captures no structured binding
     CAPTURE(kind);
     const Scene<double> scene = odd_with(kind, more + R"(, "name": "mine")");

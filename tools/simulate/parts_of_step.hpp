@@ -52,6 +52,13 @@ inline std::vector<PartOfStep> parts_of(const Work<double>& work) {
   });
   add_scene(Phase::impulse, 1);
   add_scene(Phase::damping, 1);
+  for (const std::size_t i : rotors_of(work))  // what they do on both sides of the turning is one
+    parts.push_back({work.effects[i].effect->name(), times_of(Phase::drift),
+                     [&work, i](Every& bodies, const At& moment) {
+                       for (const RotorAct act : {RotorAct::join, RotorAct::turn_before,
+                                                  RotorAct::turn_after, RotorAct::leave})
+                         run_rotor(work, i, act, bodies.tops, moment);
+                     }});
   add_motion(drift_motion, work.movers, [&work](Every& bodies, const At& moment) {
     for_each_of(work.movers, bodies.centres,
                 [&](auto& centre) { drift(centre, moment.time_step); });

@@ -44,6 +44,7 @@
     spring: scene => ({bodies: [last_solid(scene)], stiffness: 50, damping: 1, anchor: [0, 0, 2]}),
     spring_between: scene => ({first: scene.bodies[0].name, second: last_solid(scene), stiffness: 50, rest_length: 1}),
     thruster: scene => ({bodies: [last_solid(scene)], force: [0, 0, 2], point: [0.1, 0.2, 0]}),
+    reaction_wheel: scene => ({bodies: [last_solid(scene)], axis: [0, 0, 1], torque: 0.01}),
   };
 
   const new_bodies = {

@@ -19,7 +19,7 @@
   how template void check_body(const std::string&, const Top<Real>&);                      \
   how template void News::tell(const Work<Real>&, std::size_t, std::int64_t);              \
   how template StepLimit<Real> step_limit(const Work<Real>&,                               \
-                                          const NamedBodies<Real, OneByOne<Real>>&);       \
+                                          const NamedBodies<Real, OneByOne<Real>>&, Real); \
   how template std::vector<PlanRow> rows_of(const Planner<Real>&,                          \
                                             const NamedBodies<Real, OneByOne<Real>>&);     \
   how template SimulationError failure(const std::string&, BodyIndex, const Bodies<Real>&, \

@@ -27,6 +27,8 @@ class AnyEffect {
   /// The energy (J) that the effect stores for a body, or for two, where it knows one.
   virtual Real potential_energy(const BodyState<Real>& first,
                                 const BodyState<Real>& second) const = 0;
+  /// The momentum of a rotor at `time` (s), kg m²/s, body axes; of other effects 0.
+  virtual Vec3<Real> rotor_momentum_body(Real time) const = 0;
   /// How it answers what the body does, or the two; empty if it does not say.
   virtual Response<Real> response(const BodyState<Real>& first,
                                   const BodyState<Real>& second) const = 0;
@@ -50,8 +52,8 @@ class EffectOf : public AnyEffect<Real> {
                 "response() returns a Response or, of what can't feed on itself, NoResponse");
   static_assert(form.count == 1, "an effect has exactly one function of those in forms.hpp");
   static_assert(ActsInItsPhase<Effect, Real>,
-                "a force or a torque acts in the phase force and a blow in the phase impulse, "
-                "whatever the effect names");
+                "a force or a torque acts in the phase force, a blow in the phase impulse and a "
+                "rotor, but nothing else, in the phase turn, whatever the effect names");
 
  public:
   explicit EffectOf(const Effect& effect)
@@ -96,6 +98,13 @@ class EffectOf : public AnyEffect<Real> {
       return effect_.potential_energy(first, second);
     else
       return 0;
+  }
+
+  Vec3<Real> rotor_momentum_body([[maybe_unused]] Real time) const override {
+    if constexpr (HoldsRotor<Effect, Real>)
+      return effect_.rotor_momentum_body(time);
+    else
+      return Vec3<Real>::Zero();
   }
 
   Response<Real> response([[maybe_unused]] const BodyState<Real>& first,

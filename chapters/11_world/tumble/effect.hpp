@@ -25,6 +25,7 @@ inline std::string_view why_unwritable(Quantities writes, const Facts& facts) {
 template <class Real, class Effect>
 std::string_view why_skipped(const Effect& effect, const Facts& facts, Quantities writes) {
   if (form_of<Effect, Real>().sees == Sees::top && facts.is_point) return "points do not turn";
+  if (HoldsRotor<Effect, Real> && !facts.can_turn) return "locked about every axis";
   if (const std::string_view why = why_unwritable(writes, facts); !why.empty()) return why;
   if constexpr (requires { effect.needs_top(); })
     if (effect.needs_top() && facts.is_point) return "points have no orientation";

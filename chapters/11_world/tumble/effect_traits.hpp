@@ -26,6 +26,7 @@ struct EffectTraits {
   bool depends_on_speed = false;  ///< what it gives depends on a velocity or a spin
   int smoothness = 9;             ///< how many derivatives of what it gives never jump; 9: all
   bool joins_two() const { return sees == Sees::pair; }
+  bool changes_limit() const { return has_response || phase == Phase::turn; }  ///< of the step
   bool visits_tops() const { return sees == Sees::top; }
 };
 
@@ -45,9 +46,10 @@ Quantities writes_of(const Effect& effect) {
 template <class Real, class Effect>
 constexpr Quantities reads_of() {
   constexpr Sees sees = form_of<Effect, Real>().sees;
-  constexpr Quantities seen = sees == Sees::centre ? quantity::of_centre
-                              : sees == Sees::top  ? quantity::of_top
-                                                   : quantity::of_body;
+  constexpr Quantities seen = HoldsRotor<Effect, Real> ? quantity::time
+                              : sees == Sees::centre   ? quantity::of_centre
+                              : sees == Sees::top      ? quantity::of_top
+                                                       : quantity::of_body;
   if constexpr (requires { Effect::reads; }) {
     static_assert(seen.has(Effect::reads), "the effect's function does not see what it reads");
     return Effect::reads;

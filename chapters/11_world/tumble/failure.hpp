@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <tumble/guard.hpp>
+#include <tumble/rotors.hpp>
 #include <tumble/sine_cosine.hpp>
 #include <tumble/tumbling.hpp>
 
@@ -76,9 +77,20 @@ class Replay {
         before_drift = bodies_;
         const Real h = part.time_step;
         for_each_of(work_.movers, bodies_.centres, [&](auto& one) { drift(one, h); });
-        for_each_of(work_.steady, bodies_.tops, [&](auto& one) { turn_steadily(one, h); });
-        work_.rule->turn(bodies_.tops, work_.tumbling, h);
         if (is_lost()) return reason(before_drift, h);
+        const auto rotor = [&](std::size_t i, RotorAct act) {
+          run_rotor(work_, i, act, bodies_.tops, part);
+          if (!sentence_.empty() || !is_lost()) return;
+          culprit = work_.effects[i].effect.get();
+          sentence_ = fault_of_rotor(*culprit, act, part);
+        };
+        with_rotors(rotors_of(work_), rotor, [&] {
+          before_drift.tops = bodies_.tops;
+          for_each_of(work_.steady, bodies_.tops, [&](auto& one) { turn_steadily(one, h); });
+          work_.rule->turn(bodies_.tops, work_.tumbling, h);
+          if (sentence_.empty() && is_lost()) sentence_ = reason(before_drift, h);
+        });
+        if (!sentence_.empty()) return sentence_;
       }
     }
     if (ask_each(Phase::drift, step, culprit, false)) return sentence_;
@@ -89,6 +101,17 @@ class Replay {
   bool is_lost() const {
     const BodyState<Real> body = state_of(bodies_, lost_);
     return !detail::not_finite_in(body.centre, body.top).empty();
+  }
+
+  std::string fault_of_rotor(const AnyEffect<Real>& rotor, RotorAct act,
+                             const Moment<Real>& drift) const {
+    Top<Real> turned = state_of(bodies_, lost_).top;
+    const Vec3<Real> H = turned.angular_momentum_body =
+        rotor.rotor_momentum_body(time_of(act, drift));
+    return is_finite(H) ? rotor.name() + " would turn it by " +
+                              turn_too_far<Real>(turned, drift.time_step / 2)
+                        : rotor.name() + " holds a momentum of " + text_of(H) +
+                              " kg m^2/s; every component must be finite";
   }
 
   /// What went wrong in a kick, or nothing.

@@ -68,6 +68,12 @@ concept BlowBetween = requires(const Effect& effect, const BodyState<Real>& body
   { effect.blow(body, body, moment) } -> std::same_as<PairBlow<Real>>;
 };
 
+/// The momentum (kg m²/s, body axes) of what spins inside the body, relative to it: of a rotor.
+template <class Effect, class Real>
+concept HoldsRotor = requires(const Effect& effect, const Real& time) {
+  { effect.rotor_momentum_body(time) } -> std::convertible_to<Vec3<Real>>;
+};
+
 /// Such an effect may itself find which bodies meet, in each step: a contact would.
 template <class Effect, class Real>
 concept FindsPairs = requires(const Effect& effect, const Bodies<Real>& bodies,
@@ -124,6 +130,8 @@ constexpr Form form_of() {
     form = {Sees::pair, quantity::force | quantity::torque, form.count + 1};
   if (BlowBetween<Effect, Real>)
     form = {Sees::pair, quantity::velocity | quantity::spin, form.count + 1};
+  if (HoldsRotor<Effect, Real>)
+    form = {Sees::top, quantity::orientation | quantity::spin, form.count + 1};
   return form;
 }
 
@@ -155,11 +163,13 @@ concept NamesPhase = requires {
 };
 
 /// An effect may name its phase if it gives an acceleration, or writes a velocity, a spin or a
-/// place itself. A force or a torque has to be in the sums before the kick, and a blow after it.
+/// place itself. A force or a torque has to be in the sums before the kick, a blow after it, and a
+/// rotor about the drift.
 template <class Effect, class Real>
 concept ActsInItsPhase =
     !NamesPhase<Effect> ||
-    (form_of<Effect, Real>().sees != Sees::pair &&
+    (form_of<Effect, Real>().sees != Sees::pair && !HoldsRotor<Effect, Real> &&
+     Effect::phase != Phase::turn &&
      !form_of<Effect, Real>().writes.has_any(quantity::force | quantity::torque));
 
 /// The phase in which the effect acts: that of what it gives, or, if it gives an acceleration or
@@ -168,6 +178,8 @@ template <class Effect, class Real>
 constexpr Phase phase_of() {
   if constexpr (NamesPhase<Effect>)
     return Effect::phase;
+  else if (HoldsRotor<Effect, Real>)
+    return Phase::turn;
   else if (form_of<Effect, Real>().writes.has_any(quantity::force | quantity::torque))
     return Phase::force;
   else if (BlowBetween<Effect, Real>)

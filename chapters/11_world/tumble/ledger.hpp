@@ -130,13 +130,18 @@ class Ledger {
           book("drift", [&] {
             for_each_of(work.movers, bodies.centres, [&](auto& centre) { drift(centre, h); });
           });
-        if (!work.steady.empty())
-          book("steady turning", [&] {
-            for_each_of(work.steady, bodies.tops, [&](auto& top) { turn_steadily(top, h); });
-          });
-        if (!work.tumbling.empty())
-          book("tumbling: " + work.rule->name(),
-               [&] { work.rule->turn(bodies.tops, work.tumbling, h); });
+        const auto rotor = [&](std::size_t i, RotorAct act) {
+          book(work.effects[i].effect->name(), [&] { run_rotor(work, i, act, bodies.tops, part); });
+        };
+        with_rotors(rotors_of(work), rotor, [&] {
+          if (!work.steady.empty())
+            book("steady turning", [&] {
+              for_each_of(work.steady, bodies.tops, [&](auto& top) { turn_steadily(top, h); });
+            });
+          if (!work.tumbling.empty())
+            book("tumbling: " + work.rule->name(),
+                 [&] { work.rule->turn(bodies.tops, work.tumbling, h); });
+        });
       }
     }
     book_phase(Phase::drift, moment);

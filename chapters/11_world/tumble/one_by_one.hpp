@@ -3,6 +3,7 @@
 #pragma once
 
 #include <tumble/guard.hpp>
+#include <tumble/rotors.hpp>
 #include <tumble/tumbling.hpp>
 
 namespace tumble {
@@ -39,7 +40,7 @@ class OneByOne {
             run(work, Phase::damping, bodies_, moment);
             break;
           case Stroke::drift:
-            drift_all(work, moment_of(portion, moment).time_step);
+            drift_all(work, moment_of(portion, moment));
         }
       run(work, Phase::drift, bodies_, moment);
     } catch (...) {  // an effect has thrown
@@ -63,10 +64,16 @@ class OneByOne {
                 [&](auto& centre) { kick(centre, h), clear_force(centre); });
     for_each_of(work.torqued, bodies_.tops, [&](auto& top) { kick(top, h), clear_torque(top); });
   }
-  void drift_all(const Work<Real>& work, Real h) {
+  void drift_all(const Work<Real>& work, const Moment<Real>& moment) {
+    const Real h = moment.time_step;
     for_each_of(work.movers, bodies_.centres, [&](auto& centre) { drift(centre, h); });
-    for_each_of(work.steady, bodies_.tops, [&](auto& top) { turn_steadily(top, h); });
-    work.rule->turn(bodies_.tops, work.tumbling, h);
+    const auto rotor = [&](std::size_t i, RotorAct act) {
+      run_rotor(work, i, act, bodies_.tops, moment);
+    };
+    with_rotors(rotors_of(work), rotor, [&] {
+      for_each_of(work.steady, bodies_.tops, [&](auto& top) { turn_steadily(top, h); });
+      work.rule->turn(bodies_.tops, work.tumbling, h);
+    });
   }
   //! [strokes]
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <tumble/facts.hpp>
+#include <tumble/rotors.hpp>
 #include <tumble/tumbling.hpp>
 #include <tumble/work.hpp>
 
@@ -14,29 +15,33 @@ namespace tumble {
 template <class Real, class DoesVisit, class Moves, class IndexOf>
 void step_without_groups(Bodies<Real>& bodies, const Work<Real>& work, const Moment<Real>& moment,
                          const DoesVisit& visits, const Moves& moves, const IndexOf& index_of) {
-  const auto run_phase = [&](Phase phase, const Moment<Real>& at) {
-    for (const Entry<Real>& entry : work.effects) {
-      const EffectTraits<Real>& traits = entry.effect->traits();
-      if (traits.phase != phase) continue;
-      if (traits.finds_pairs) {
-        entry.effect->run(bodies, {}, at);
-      } else if (traits.joins_two()) {
-        for (std::size_t i = 0; i < entry.targets.size(); i += 2)
-          entry.effect->run(
-              bodies, {{}, {{index_of(entry.targets[i]), index_of(entry.targets[i + 1])}}}, at);
-      } else {
-        const auto visit_one = [&](BodyIndex body) {
-          Visits one;
-          if (!visits(entry, body)) return;
-          one.group.insert(traits.visits_tops() ? bodies.top_of[body] : body);
-          entry.effect->run(bodies, one, at);
-        };
-        if (entry.everyone)
-          for (BodyIndex body = 0; body < bodies.centres.size(); ++body) visit_one(body);
-        for (const BodyHandle body : entry.targets) visit_one(index_of(body));
-      }
+  const auto for_each_visit = [&](const Entry<Real>& entry, const auto& run) {
+    const EffectTraits<Real>& traits = entry.effect->traits();
+    if (traits.finds_pairs) {
+      run(Visits{});
+    } else if (traits.joins_two()) {
+      for (std::size_t i = 0; i < entry.targets.size(); i += 2)
+        run(Visits{{}, {{index_of(entry.targets[i]), index_of(entry.targets[i + 1])}}});
+    } else {
+      const auto visit_one = [&](BodyIndex body) {
+        Visits one;
+        if (!visits(entry, body)) return;
+        one.group.insert(traits.visits_tops() ? bodies.top_of[body] : body);
+        run(one);
+      };
+      if (entry.everyone)
+        for (BodyIndex body = 0; body < bodies.centres.size(); ++body) visit_one(body);
+      for (const BodyHandle body : entry.targets) visit_one(index_of(body));
     }
   };
+  const auto run_phase = [&](Phase phase, const Moment<Real>& at) {
+    for (const Entry<Real>& entry : work.effects)
+      if (entry.effect->phase() == phase)
+        for_each_visit(entry, [&](const Visits& one) { entry.effect->run(bodies, one, at); });
+  };
+  std::vector<std::size_t> rotors;
+  for (std::size_t i = 0; i < work.effects.size(); ++i)
+    if (work.effects[i].effect->phase() == Phase::turn) rotors.push_back(i);
   const auto for_centres = [&](const Motion& motion, const auto& change) {
     for (BodyIndex body = 0; body < bodies.centres.size(); ++body)
       if (moves(motion, body)) change(bodies.centres[body]);
@@ -59,13 +64,21 @@ void step_without_groups(Bodies<Real>& bodies, const Work<Real>& work, const Mom
       run_phase(Phase::damping, moment);
     } else {
       for_centres(drift_motion, [&](auto& centre) { drift(centre, h); });
-      for_tops(steady_turning, [&](auto& top) { turn_steadily(top, h); });
-      for_tops(tumbling_motion, [&](auto& top) {
-        Group one;
-        one.insert(0);
-        std::vector<Top<Real>> alone = {top};
-        work.rule->turn(alone, one, h);
-        top = alone[0];
+      const auto rotor = [&](std::size_t i, RotorAct act) {
+        const Entry<Real>& entry = work.effects[i];
+        for_each_visit(entry, [&](const Visits& one) {
+          run_rotor(*entry.effect, one.group, act, bodies.tops, part);
+        });
+      };
+      with_rotors(rotors, rotor, [&] {
+        for_tops(steady_turning, [&](auto& top) { turn_steadily(top, h); });
+        for_tops(tumbling_motion, [&](auto& top) {
+          Group one;
+          one.insert(0);
+          std::vector<Top<Real>> alone = {top};
+          work.rule->turn(alone, one, h);
+          top = alone[0];
+        });
       });
     }
   }

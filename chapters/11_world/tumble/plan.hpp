@@ -10,8 +10,8 @@ namespace tumble {
 
 /// The name of a phase.
 inline std::string_view name_of(Phase phase) {
-  constexpr std::array<std::string_view, 5> names = {"force", "kick", "impulse", "damping",
-                                                     "drift"};
+  constexpr std::array<std::string_view, 6> names = {"force",   "kick", "impulse",
+                                                     "damping", "turn", "drift"};
   return names[static_cast<std::size_t>(phase)];
 }
 
@@ -141,6 +141,7 @@ std::vector<PlanRow> rows_of(const Planner<Real>& planner, const Roster& roster)
   add_motion(kick_of_spin, work.torqued);
   add_scene(Phase::impulse);
   add_scene(Phase::damping);
+  add_scene(Phase::turn);
   add_motion(drift_motion, work.movers);
   add_motion(steady_turning, work.steady);
   add_motion(tumbling_motion, work.tumbling, "tumbling: " + work.rule->name());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <tumble/held_points.hpp>
+#include <tumble/rotors.hpp>
 #include <tumble/semi_implicit_euler.hpp>
 #include <tumble/work.hpp>
 #include <vector>
@@ -27,10 +28,12 @@ struct StepLimit {
 template <class Real>
 class Responses {
  public:
-  /// `roster` has the bodies and knows the place of a handle, see NamedBodies.
+  /// `roster` has the bodies and knows the place of a handle, see NamedBodies. Rotors count with
+  /// what they hold at `time` (s).
   template <class Roster>
-  Responses(const std::vector<Entry<Real>>& entries, const Roster& roster)
+  Responses(const Work<Real>& work, const Roster& roster, Real time)
       : nutations_(roster.size(), Real(0)) {
+    const std::vector<Entry<Real>>& entries = work.effects;
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const EffectTraits<Real>& traits = entries[i].effect->traits();
       if (!traits.has_response) continue;
@@ -40,8 +43,8 @@ class Responses {
       for (const BodyHandle target : entries[i].targets) bodies.push_back(roster.index_of(target));
       const std::size_t stride = traits.joins_two() ? 2 : 1;
       for (std::size_t k = 0; k < bodies.size(); k += stride) {
-        const RigidBody<Real> first = roster.body(bodies[k]),
-                              second = stride == 2 ? roster.body(bodies[k + 1]) : first;
+        RigidBody<Real> first = roster.body(bodies[k]),
+                        second = stride == 2 ? roster.body(bodies[k + 1]) : first;
         const Response<Real> response =
             entries[i].effect->response({first.centre, first.top}, {second.centre, second.top});
         if (response.stiffness == 0 && response.damping == 0 &&
@@ -51,9 +54,14 @@ class Responses {
           continue;
         holds_.push_back({i, bodies[k], ends_.size(), stride});
         const auto ends = static_cast<Real>(stride);
+        const auto add_rotors = [&](Top<Real>& top, BodyIndex body) {
+          top.angular_momentum_body += nutating_momentum(work, roster.top_of(body), top, time);
+        };
+        add_rotors(first.top, bodies[k]);
         hold(first, bodies[k], response, response.arm_first, response.force, ends);
-        if (stride == 2)
-          hold(second, bodies[k + 1], response, response.arm_second, -response.force, ends);
+        if (stride == 1) continue;
+        add_rotors(second.top, bodies[k + 1]);
+        hold(second, bodies[k + 1], response, response.arm_second, -response.force, ends);
       }
     }
     for (HeldTurns<Real>* turnings : {&stiff_, &damped_}) turnings->find_strengths(roster);

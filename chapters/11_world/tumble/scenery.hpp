@@ -40,7 +40,7 @@ class Scenery : public SceneBodies<Real, Keeping> {
   void remove(EffectHandle effect) {
     const Entry<Real>& entry = entry_of(effect);
     news_.note("'" + entry.effect->name() + "' was removed");
-    limit_changed_ |= entry.effect->traits().has_response;
+    limit_changed_ |= entry.effect->traits().changes_limit();
     planner_.remove_effect(effect.number, bodies_);
   }
 
@@ -62,7 +62,7 @@ class Scenery : public SceneBodies<Real, Keeping> {
     news_.note("'" + erased->name() + "' was changed");
     for (std::size_t i = 0; const BodyHandle body : entry_of(handle).targets)
       require_top_for(*erased, body, i++);
-    limit_changed_ |= erased->traits().has_response;
+    limit_changed_ |= erased->traits().changes_limit();
     planner_.replace_effect(handle.number, std::move(erased), bodies_);
   }
 
@@ -131,7 +131,7 @@ class Scenery : public SceneBodies<Real, Keeping> {
         throw std::invalid_argument("'" + name + "' was given '" + name_of(bodies[i]) + "' twice");
     }
     news_.note("'" + name + "' came");
-    limit_changed_ |= erased->traits().has_response;
+    limit_changed_ |= erased->traits().changes_limit();
     const EffectHandle handle{++last_effect_, bodies_.family()};
     planner_.add_effect({handle, std::move(erased), everyone, bodies, {}}, bodies_);
     return handle;

@@ -57,6 +57,11 @@ namespace tumble {
 /// enough if 1/h² ≥ 1/h₀² + (ν/π)², with the limit h₀ of the scene at rest and its fastest nutation
 /// ν.
 ///
+/// A rotor adds to it, as it holds at `time` (s). Along the axis of a symmetric top its half turns
+/// leave the axis and Π = L + H alone, and between them the top is free: the axis circles by θ = h
+/// |Π|/I⊥, and all is as before with Π for L. Elsewhere Π is put for L too. Beside one locked axis
+/// the spin turns about it by a midpoint rule, Z = h A there: N is 1, and nothing is lost.
+///
 /// This is proved for tops that spin about an axis of symmetry between springs that hold that axis,
 /// without dampers, or with dampers that act alike on all of these motions. For other bodies,
 /// whose stiffness or inertia turns past, even the true motion may grow in some of them, and with
@@ -73,8 +78,8 @@ namespace tumble {
 /// Suzuki's too. Both are tried on random scenes, and not proved.
 //! [bound]
 template <class Real, class Roster>
-StepLimit<Real> step_limit(const Work<Real>& work, const Roster& roster) {
-  const Responses<Real> responses(work.effects, roster);
+StepLimit<Real> step_limit(const Work<Real>& work, const Roster& roster, Same<Real> time) {
+  const Responses<Real> responses(work, roster, time);
   const Real half_turn = std::numbers::pi_v<Real>;
   const StepLimit<Real> limit = responses.limit(1, half_turn, yielding<Real>);
   if (responses.is_damped() || work.scheme != Scheme::suzuki) return limit;

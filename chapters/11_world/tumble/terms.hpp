@@ -12,6 +12,7 @@ enum class Phase {
   kick,     ///< the sums change the momenta
   impulse,  ///< blows meet the new velocities
   damping,  ///< speeds fade
+  turn,     ///< rotors inside bodies share their momentum, at either end of each drift
   drift     ///< positions and orientations follow
 };
 

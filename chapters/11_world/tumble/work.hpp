@@ -33,7 +33,7 @@ template <class Real>
 struct Work {
   std::vector<Entry<Real>> effects;  ///< in the order in which they came
   /// Those that visit any body, by phase: indices into `effects`.
-  std::array<std::vector<std::size_t>, 5> in_phase;
+  std::array<std::vector<std::size_t>, 6> in_phase;
   std::vector<Input<Real>> inputs;            ///< pushes of this step alone
   Group pushed, movers;                       ///< centres
   Group torqued, steady, tumbling;            ///< tops

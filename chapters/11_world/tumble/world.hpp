@@ -86,16 +86,23 @@ class World : public Scenery<Real, Keeping> {
                           "' may gain energy without bound: the time step is " +
                           text_of(time_step_) + " s, and only up to " + text_of(limit.time_step) +
                           " s can this be excluded";
-    if (time_step_ <= limit.at_rest)
+    if (time_step_ <= limit.at_rest) {
+      const BodyIndex body = limit.spinning;
+      const Vec3<Real> rotors =
+          nutating_momentum<Real>(work(), bodies_.top_of(body), bodies_.body(body).top, time());
+      const std::string named = "'" + bodies_.name_of(body) + "'";
       warning +=
-          ", since '" + bodies_.name_of(limit.spinning) + "' spins, and its nutation turns by " +
+          ", since " +
+          (rotors == Vec3<Real>::Zero() ? named + " spins" : "a wheel spins in " + named) +
+          ", and its nutation turns by " +
           text_of(std::round(time_step_ * limit.nutation_rate * 180 / std::numbers::pi_v<Real>)) +
           " degrees in a step";
+    }
     return {warning};
   }
 
   /// Up to which step no effect that has a response() can feed on itself, as the bodies are now.
-  StepLimit<Real> step_limit() const { return tumble::step_limit(work(), bodies_); }
+  StepLimit<Real> step_limit() const { return tumble::step_limit(work(), bodies_, time()); }
 
   /// What has changed the plan since the world began, a sentence each; the last hundred of them.
   std::vector<std::string> news() const {

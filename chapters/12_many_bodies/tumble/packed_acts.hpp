@@ -40,7 +40,7 @@ struct PackedActs {
                                   moment);
         return false;
       default:
-        move(pass, array, begin, end, moment);
+        move(work, pass, array, begin, end, moment);
         return false;
     }
   }
@@ -76,16 +76,24 @@ struct PackedActs {
     clear_torque(top);
   }
 
-  void move(const Pass& pass, PackedArray<Particle, Real, width>& centres, std::uint32_t begin,
-            std::uint32_t end, const Moment<Real>& moment) {
+  void move(const Work<Real>&, const Pass& pass, PackedArray<Particle, Real, width>& centres,
+            std::uint32_t begin, std::uint32_t end, const Moment<Real>& moment) {
     visit_packs(centres, pass.group, begin, end,
                 [h = Pack<Real, width>(moment.time_step)](auto& centre) { drift(centre, h); });
   }
-  void move(const Pass& pass, PackedArray<Top, Real, width>& tops, std::uint32_t begin,
-            std::uint32_t end, const Moment<Real>& moment) {
-    if (pass.act == Act::turn_steadily)
+  void move(const Work<Real>& work, const Pass& pass, PackedArray<Top, Real, width>& tops,
+            std::uint32_t begin, std::uint32_t end, const Moment<Real>& moment) {
+    using Packed = Pack<Real, width>;
+    const Packed h = moment.time_step;
+    if (pass.act == Act::rotor)
       visit_packs(tops, pass.group, begin, end,
-                  [h = Pack<Real, width>(moment.time_step)](auto& top) { turn_steadily(top, h); });
+                  [h, act = pass.rotor_act,
+                   H = work.effects[pass.entry]
+                           .effect->rotor_momentum_body(time_of(pass.rotor_act, moment))
+                           .template cast<Packed>()
+                           .eval()](auto& top) { act_on<Packed>(top, act, H, h); });
+    else if (pass.act == Act::turn_steadily)
+      visit_packs(tops, pass.group, begin, end, [h](auto& top) { turn_steadily(top, h); });
     else
       pass.rule->turn_packs(tops, pass.group, begin, end, moment.time_step);
   }

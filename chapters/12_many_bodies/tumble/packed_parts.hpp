@@ -21,6 +21,8 @@ PackedPart packed_part_of(const Work<Real>& work, const PackedPass<Real, width>&
   switch (pass.act) {
     case Act::effect:
       return {work.effects[pass.entry].effect->name(), work.effects[pass.entry].visits.size()};
+    case Act::rotor:
+      return {work.effects[pass.entry].effect->name(), bodies};
     case Act::inputs:
       return {"input", work.inputs.size()};
     case Act::kick:

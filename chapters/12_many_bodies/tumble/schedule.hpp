@@ -5,11 +5,12 @@
 #include <tumble/guard.hpp>
 #include <tumble/packed_effect.hpp>
 #include <tumble/packs_apart.hpp>
+#include <tumble/rotors.hpp>
 
 namespace tumble {
 
 /// What a pass does to each block.
-enum class Act { remember, effect, inputs, kick, drift, turn_steadily, tumble, guard };
+enum class Act { remember, effect, inputs, kick, drift, rotor, turn_steadily, tumble, guard };
 
 /// One thing that is done to the bodies of a group, sorted into packs.
 template <class Real, int width>
@@ -20,6 +21,7 @@ struct PackedPass {
   std::size_t entry = 0;  ///< the number of the scene's effect, if it is one
   const PackedEffect<Real, width>* effect = nullptr;  ///< that one
   const PackedRule<Real, width>* rule = nullptr;      ///< for those that tumble
+  RotorAct rotor_act = {};                            ///< what a rotor does
   PacksApart apart = {};  ///< for more threads than one, of an effect that sees centre and top
 };
 
@@ -73,11 +75,18 @@ class Schedule {
         add_effects(work, Phase::damping);
       } else {
         on_centres(Act::drift, work.movers);
-        on_tops(Act::turn_steadily, work.steady);
-        on_tops(Act::tumble, work.tumbling);
-        if (!work.tumbling.empty())
-          stages.back().on_tops.passes.back().rule =
-              dynamic_cast<const PackedRule<Real, width>*>(work.rule.get());
+        const auto rotor = [&](std::size_t i, RotorAct act) {
+          on_tops(Act::rotor, work.effects[i].visits.group);
+          stages.back().on_tops.passes.back().entry = i;
+          stages.back().on_tops.passes.back().rotor_act = act;
+        };
+        with_rotors(rotors_of(work), rotor, [&] {
+          on_tops(Act::turn_steadily, work.steady);
+          on_tops(Act::tumble, work.tumbling);
+          if (!work.tumbling.empty())
+            stages.back().on_tops.passes.back().rule =
+                dynamic_cast<const PackedRule<Real, width>*>(work.rule.get());
+        });
       }
     }
     now_ = whole_step<Real>;

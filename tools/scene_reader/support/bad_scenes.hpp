@@ -300,6 +300,15 @@ inline std::vector<BadScene> bad_scenes() {
       on_both(
           effect("thruster", R"("bodies": ["ball"], "force": [1, 0, 0], "from": 2, "until": 1)"),
           "/effects/0/until is 1 s; it must not lie before the start, 2 s"),
+      on_both(
+          effect("reaction_wheel", R"("bodies": ["drop"], "axis": [1, 0, 0])"),
+          "/effects/0 is refused: 'reaction wheel' needs an orientation, and 'drop' is a point"),
+      on_both(effect("reaction_wheel", R"("bodies": ["ball"], "axis": [0, 0, 0])"),
+              "/effects/0/axis is [0,0,0]; it needs a direction"),
+      on_both(
+          effect("reaction_wheel",
+                 R"("bodies": ["ball"], "axis": [1, 0, 0], "torque": 1, "from": 2, "until": 1)"),
+          "/effects/0/until is 1 s; it must not lie before the start, 2 s"),
       on_both(effect("buoyancy", R"("density": 1000, "radius": -1)"),
               "/effects/0/radius is -1 m; it must be 0 or more"),
   };

@@ -153,8 +153,16 @@ inline constexpr auto thruster_keys = keys({kind_key,
                                             {"point", "m"},
                                             {"from", "s"},
                                             {"until", "s"}});
+inline constexpr auto reaction_wheel_keys = keys({kind_key,
+                                                  name_key,
+                                                  fixed_bodies_key,
+                                                  {"axis", "", true},
+                                                  {"momentum", "kg m^2/s"},
+                                                  {"torque", "N m"},
+                                                  {"from", "s"},
+                                                  {"until", "s"}});
 
-inline constexpr std::array<ObjectKeys, 11> effect_kinds = {
+inline constexpr std::array<ObjectKeys, 12> effect_kinds = {
     {{"gravity", gravity_keys},
      {"gravity_as_acceleration", gravity_keys},
      {"point_gravity", point_gravity_keys},
@@ -165,6 +173,7 @@ inline constexpr std::array<ObjectKeys, 11> effect_kinds = {
      {"buoyancy", buoyancy_keys},
      {"spring", spring_keys},
      {"spring_between", spring_between_keys},
-     {"thruster", thruster_keys}}};
+     {"thruster", thruster_keys},
+     {"reaction_wheel", reaction_wheel_keys}}};
 
 }  // namespace tumble

@@ -6,6 +6,7 @@
 #include <set>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
+#include <tumble/reaction_wheel.hpp>
 #include <tumble/scene/scene.hpp>
 #include <tumble/springs.hpp>
 #include <tumble/thruster.hpp>
@@ -155,21 +156,46 @@ void read_spring_to_point(const Object& object, Scene<Real, Keeping>& scene) {
            DrawnEnd{anchor}});
 }
 
-template <class Real, class Keeping>
-void read_thruster(const Object& object, Scene<Real, Keeping>& scene) {
+/// When something starts and stops, s.
+inline std::pair<double, double> read_running(const Object& object) {
   const double from = object.not_negative("from", 0);
   const double forever = std::numeric_limits<double>::infinity();
   const double until = object.has("until") ? object["until"].number() : forever;
   if (until < from)
     object["until"].reject("it must not lie before the start, " + text_of(from) + " s");
+  return {from, until};
+}
+
+template <class Real, class Keeping>
+void read_thruster(const Object& object, Scene<Real, Keeping>& scene) {
+  const auto running = read_running(object);
   const Vec3d force = object.vector("force"), point = object.vector("point");
-  scene.switches.insert(scene.switches.end(), {from, until});
+  scene.switches.insert(scene.switches.end(), {running.first, running.second});
   add_for_each_model(object, scene, [&](const Posed& model_in_body) {
     return Thruster<Real>{
         .force_body = rotate(model_in_body.orientation, force).template cast<Real>(),
         .point = point_outward(model_in_body, point).template cast<Real>(),
-        .from = static_cast<Real>(from),
-        .until = static_cast<Real>(until)};
+        .from = static_cast<Real>(running.first),
+        .until = static_cast<Real>(running.second)};
+  });
+}
+
+template <class Real, class Keeping>
+void read_reaction_wheel(const Object& object, Scene<Real, Keeping>& scene) {
+  const auto running = read_running(object);
+  const Vec3d direction = object["axis"].vector();
+  if (direction == Vec3d::Zero()) object["axis"].reject("it needs a direction");
+  // Scaled to about 1 first, so that no square over- or underflows.
+  const Vec3d axis = (direction / direction.cwiseAbs().maxCoeff()).normalized();
+  const double momentum = object.number("momentum", 0), torque = object.number("torque", 0);
+  if (torque != 0) scene.switches.insert(scene.switches.end(), {running.first, running.second});
+  add_for_each_model(object, scene, [&](const Posed& model_in_body) {
+    return ReactionWheel<Real>{
+        .axis = rotate(model_in_body.orientation, axis).template cast<Real>(),
+        .momentum = static_cast<Real>(momentum),
+        .torque = static_cast<Real>(torque),
+        .from = static_cast<Real>(running.first),
+        .until = static_cast<Real>(running.second)};
   });
 }
 
@@ -212,8 +238,10 @@ void read_effect(const Value& value, Scene<Real, Keeping>& scene) {
     read_spring_to_point(object, scene);
   } else if (kind == "spring_between") {
     read_spring_between(object, scene);
-  } else {
+  } else if (kind == "thruster") {
     read_thruster(object, scene);
+  } else {
+    read_reaction_wheel(object, scene);
   }
 }
 

@@ -38,7 +38,7 @@ struct Scene {
   World<Real, Keeping> world = World<Real, Keeping>();
   std::vector<BodyModel> models = {};  ///< in the order of the file
   std::vector<std::array<DrawnEnd, 2>> springs = {};
-  std::vector<double> switches = {};  ///< when thrusters begin and end, s, in no order
+  std::vector<double> switches = {};  ///< when thrusters and motors start and stop, s
 };
 //! [scene]
 

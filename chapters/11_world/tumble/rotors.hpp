@@ -1,0 +1,114 @@
+/// @file
+/// Rotors inside bodies: how what spins inside shares its momentum with what it is built into.
+#pragma once
+
+#include <tumble/splitting.hpp>
+#include <tumble/work.hpp>
+
+namespace tumble {
+
+/// What is done to a top with a rotor in each drift, in this order; the turning lies in the middle.
+enum class RotorAct {
+  join,         ///< L ← L + H: the top turns with all of the momentum
+  turn_before,  ///< half a drift's turn about −I⁻¹ H
+  turn_after,   ///< the other half
+  leave         ///< L ← L − H: the rotor keeps what it holds by then
+};
+
+/// Does it. H (`momentum`) in kg m²/s, body axes, `time_step` in s, of the whole drift.
+///
+/// With Π = L + H the energy of the body is ½ (Π − H)·I⁻¹(Π − H) = ½ Π·I⁻¹Π − Π·I⁻¹H + a constant.
+/// The first part alone is that of a free top with the momentum Π, and the second turns the body
+/// about −I⁻¹H, while Π stands still in the world. See Hughes, Spacecraft Attitude Dynamics (1986),
+/// on gyrostats.
+///
+/// Where an axis is locked, L turns with the body, and what locks the axis bears all of Π × ω but
+/// A L, the part of H × I⁻¹L about the free axes. There a drift turns by the mean M of L before and
+/// after it: M − h/2 A M is the L before, and M + h/2 A M that after. As A² is −1 times a number,
+/// (h/2 A)² = −d, the first makes M = (L + h/2 A L)/(1 + d). The half turns take and give H's part
+/// about the free axes, since no L with that may come under another rotor's A.
+//! [rotor_act]
+template <class Real>
+void act_on(Top<Real>& top, RotorAct act, const Vec3<Same<Real>>& momentum, Same<Real> time_step) {
+  const Vec3<Real>& J = top.inverse_moments;
+  Vec3<Real>& L = top.angular_momentum_body;
+  const auto is_free = J.x() != 0 && J.y() != 0 && J.z() != 0;
+  if (act == RotorAct::turn_before || act == RotorAct::turn_after) {
+    const Vec3<Real> H = free_part<Real>(top, momentum);
+    const Vec3<Real> turn = -(time_step / 2) * J.cwiseProduct(H);
+    const Quaternion<Real> q = quaternion_of_rotation_vector(turn);
+    const Vec3<Real> carried = with_length_of<Real>(L, rotate_back(q, L));
+    const Vec3<Real> shared = act == RotorAct::turn_before ? Vec3<Real>(L + H) : Vec3<Real>(L - H);
+    top.orientation = renormalized(top.orientation * q);
+    for (int axis = 0; axis < 3; ++axis) L[axis] = select(is_free, carried[axis], shared[axis]);
+    return;
+  }
+  const Vec3<Real> H = select(is_free, Real(1), Real(0)) * momentum;
+  const Vec3<Real> c = select(is_free, Real(0), time_step / 2) * momentum;
+  const Real d =
+      c.x() * c.x() * J.y() * J.z() + c.y() * c.y() * J.z() * J.x() + c.z() * c.z() * J.x() * J.y();
+  L += free_part<Real>(top, c.cross(J.cwiseProduct(L)));
+  if (act == RotorAct::join)
+    L = L / (1 + d) + H;
+  else
+    L -= H;
+}
+//! [rotor_act]
+
+/// When it is done in a drift that begins at its `time` and may lead back, s.
+template <class Real>
+Real time_of(RotorAct act, const Moment<Real>& drift) {
+  return act < RotorAct::turn_after ? drift.time : drift.time + drift.time_step;
+}
+
+/// Does it to the tops of a group.
+template <class Real>
+void run_rotor(const AnyEffect<Real>& rotor, const Group& group, RotorAct act,
+               std::vector<Top<Real>>& tops, const Moment<Real>& drift) {
+  const Vec3<Real> H = rotor.rotor_momentum_body(time_of(act, drift));
+  for_each_of(group, tops, [&](auto& top) { act_on<Real>(top, act, H, drift.time_step); });
+}
+
+/// Does it to all that the effect number `i` visits.
+template <class Real>
+void run_rotor(const Work<Real>& work, std::size_t i, RotorAct act, std::vector<Top<Real>>& tops,
+               const Moment<Real>& drift) {
+  run_rotor(*work.effects[i].effect, work.effects[i].visits.group, act, tops, drift);
+}
+
+/// Those of the scene's effects that are rotors and visit any body: indices.
+template <class Real>
+const std::vector<std::size_t>& rotors_of(const Work<Real>& work) {
+  return work.in_phase[static_cast<std::size_t>(Phase::turn)];
+}
+
+/// What rotors do about the turning: calls `act` with each of `rotors` and what it does. All have
+/// joined before any of them turns a body, and after `turn` all goes the other way round, so that a
+/// drift back undoes a drift forth.
+//! [with_rotors]
+template <class Act, class Turn>
+void with_rotors(const std::vector<std::size_t>& rotors, const Act& act, const Turn& turn) {
+  for (const RotorAct what : {RotorAct::join, RotorAct::turn_before})
+    for (auto i = rotors.begin(); i != rotors.end(); ++i) act(*i, what);
+  turn();
+  for (const RotorAct what : {RotorAct::turn_after, RotorAct::leave})
+    for (auto i = rotors.rbegin(); i != rotors.rend(); ++i) act(*i, what);
+}
+//! [with_rotors]
+
+/// What of all rotors of a top can make it nutate at `time` (s), kg m²/s, body axes: nothing about
+/// an axis beside which it can't turn about both others.
+template <class Real>
+Vec3<Real> nutating_momentum(const Work<Real>& work, BodyIndex index, const Top<Real>& top,
+                             Real time) {
+  Vec3<Real> sum = Vec3<Real>::Zero();
+  for (const std::size_t i : rotors_of(work))
+    if (work.effects[i].visits.group.contains(index))
+      sum += work.effects[i].effect->rotor_momentum_body(time);
+  const Vec3<Real>& J = top.inverse_moments;
+  for (int axis = 0; axis < 3; ++axis)
+    if (J[(axis + 1) % 3] == 0 || J[(axis + 2) % 3] == 0) sum[axis] = 0;
+  return sum;
+}
+
+}  // namespace tumble
