@@ -6,7 +6,9 @@ import json
 import math
 import os
 import pathlib
+import pty
 import re
+import resource
 import shutil
 import subprocess
 import sys
@@ -346,6 +348,28 @@ class Numbers(unittest.TestCase):
         for path, body in enumerate((0, 2, 4, 6, 8, 10), 1):
             heading, first, *_ = table(f"path{path}.tsv")
             self.assertEqual((heading[1], float(first[0])), (f"body {body}", body))
+
+    def test_a_terminal_shows_a_bar_which_no_failure_overwrites(self):
+        ours, its = pty.openpty()
+        with subprocess.Popen([SIMULATE, "everything", "--until", "0.1", "--csv", "full.csv", "--books", "bar.json"], cwd=SCRATCH, stdout=its,
+                              stderr=its, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, 10_000))) as simulate:
+            os.close(its)
+            said = b""
+            try:
+                while part := os.read(ours, 4096):
+                    said += part
+            except OSError:
+                pass  # so a terminal ends
+        self.assertEqual(simulate.returncode, 3)
+        said = said.decode().replace("\r\n", "\n")
+        self.assertRegex(said, r"\n\r\[#\.{29}\]   4 %  step 1 of 24, \d+ s left\x1b\[K")
+        self.assertRegex(said, r"\[K\nsimulate: .*/full\.csv is given up, and the other outputs go on: cannot write .*/full\.csv: the disk may be full\n")
+        self.assertRegex(said, rf"\r\[{30 * '#'}\] 100 %  step 24 of 24, 0 s left\x1b\[K\n24 steps in ")
+
+    def test_what_is_no_number_is_null_in_the_books(self):
+        run({"duration": 0.1, "bodies": [{"name": "a", "mass": 1e20, "velocity": [1e150, 0, 0]}]}, "--books", "null.json")
+        now = json.loads((SCRATCH / "null.json").read_text())["now"]
+        self.assertEqual((now["energy"], now["momentum"]), (None, [1e170, 0, 0]))
 
     def test_books(self):
         books = json.loads((SCRATCH / "books.json").read_text())
