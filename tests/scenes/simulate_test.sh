@@ -60,23 +60,23 @@ cat >fall.json <<'SCENE'
 {"title": "Fall", "description": "A stone.", "duration": 9, "bodies": [{"name": "stone", "mass": 2, "velocity": [1, 0, 0]}],
  "effects": [{"kind": "gravity", "acceleration": [0, 0, -8]}]}
 SCENE
-run fall.json --dt 0.25 --until 1.1 --bill --csv f.csv --jsonl f.jsonl --view f.html --books f.json
+run fall.json --dt 0.125 --until 1.06 --bill --csv f.csv --jsonl f.jsonl --view f.html --books f.json
 verify "it prints all this, with the plan and the books" diff - <(sed -E "s#$PWD/##; /^effect  +phase/,/^order/d; /^ +energy/,/^unexplained/d
   s/in [^ ]+ s: [^ ]+ steps/in N s: N steps/; s/ ([0-9]{1,2}\.[0-9]|[0-9]{3,}) +[0-9.]+ %$/N  N %/; s/ ([0-9]{1,2}\.[0-9]|[0-9]{3,}) +$/N/
   /N/s/ +/ /g" <<<"$output") <<'SAID'
 Fall
 A stone.
 
-a time step of 0.25 s is taken as 250000000 ns
-1.1 s are no whole number of steps: the last one ends at 1 s
-1 body, 4 steps of 0.25 s, in double
+a time step of 0.125 s is taken as 125000000 ns
+1.06 s are no whole number of steps: the last one ends at 1 s
+1 body, 8 steps of 0.125 s, in double
 
 
- 25 %: step 1 of 4
- 50 %: step 2 of 4
- 75 %: step 3 of 4
-100 %: step 4 of 4
-4 steps in N s: N steps per second
+ 25 %: step 2 of 8
+ 50 %: step 4 of 8
+ 75 %: step 6 of 8
+100 %: step 8 of 8
+8 steps in N s: N steps per second
 
 
 effect                            bodies  ns per body and step    part of the step
@@ -92,12 +92,12 @@ wrote f.html
 wrote f.json
 SAID
 verify "and the books of it" diff - f.json <<'BOOKS'
-{"bodies":1,"turning_method":"splitting","scheme":"semi-implicit Euler","steps":4,"time_step":0.25,"time":1,"stored_at_the_start":0,"stored_now":-80,
+{"bodies":1,"turning_method":"splitting","scheme":"semi-implicit Euler","steps":8,"time_step":0.125,"time":1,"stored_at_the_start":0,"stored_now":-72,
 "at_the_start":{"energy":1,"momentum":[2,0,0],"angular_momentum":[0,0,0]},
 "effects":[
-{"name":"gravity","energy":64,"momentum":[0,0,-16],"angular_momentum":[0,6,0]},
+{"name":"gravity","energy":64,"momentum":[0,0,-16],"angular_momentum":[0,7,0]},
 {"name":"drift","energy":0,"momentum":[0,0,0],"angular_momentum":[0,0,0]}],
-"now":{"energy":65,"momentum":[2,0,-16],"angular_momentum":[0,6,0]},
+"now":{"energy":65,"momentum":[2,0,-16],"angular_momentum":[0,7,0]},
 "unexplained":{"energy":0,"momentum":[0,0,0],"angular_momentum":[0,0,0]}}
 BOOKS
 rm f.* fall.json
@@ -289,7 +289,7 @@ folder it is a directory
 nowhere/file.csv there is no directory $PWD/nowhere
 /dev/null it is no regular file
 /proc/sys/kernel/ostype no permission
-/proc/no_such.csv
+/proc/no_such.csv $([ "$(id -u)" = 0 ] && echo No such file or directory || echo no permission)
 PATHS
 verify "/dev/null is still there" test -c /dev/null
 run t_handle --csv kept.csv --view nowhere/x.html
@@ -335,8 +335,14 @@ done <<'ENDINGS'
 exit 1;3;gnuplot says: broken
 exit 130;130;gnuplot was interrupted
 kill -INT $PPID $$;130;gnuplot was interrupted
+kill -TERM $PPID $$;3;gnuplot says: broken
 ENDINGS
-rm -r programs
+# A gnuplot that shows what has been told before it is called.
+printf '#!/bin/sh\ncat "%s/told.txt" >&2; exit 1\n' "$PWD" >programs/gnuplot
+PATH=$PWD/programs:$PATH "$program" t_handle --until 0.1 --plot a.svg >told.txt 2>errors.txt
+code=$? output="" errors=$(cat errors.txt)
+verify "how far it is can be read at once" complains "100 %: step 24 of 24"
+rm -r programs told.txt errors.txt
 
 # No output goes over the scene or over another output, by whatever name.
 printf '{"duration": 0.05, "bodies": [{"name": "a", "mass": 1}]}' >scene.json
@@ -383,7 +389,8 @@ output=$( (ulimit -f 10 && "$program" rain --until 1 --csv rain.csv 2>errors.txt
 code=$?
 errors=$(cat errors.txt)
 rm errors.txt
-verify "a file beyond the limit of its size is told" complains "cannot write"
+verify "a file beyond the limit of its size is told" complains "simulate: cannot write"
+verify "at once where there is no other" says_not "steps per second"
 verify "and ends with 3" ends_with 3
 output=$( (ulimit -f 10 && "$program" rain --until 0.1 --csv rain.csv --jsonl rain.jsonl --books books.json 2>errors.txt </dev/null))
 code=$?
@@ -479,6 +486,7 @@ while read -r signal expected; do
     ls rain.csv.partial-* >/dev/null 2>&1 && grep -q 'steps of' told.txt && break
     sleep 0.1
   done
+  verify "what is simulated can be read at once" grep -q 'steps of' told.txt
   kill "-$signal" "$process"
   wait "$process"
   code=$?

@@ -33,7 +33,7 @@ Comparison compared(World<Real>& planned, World<Real>& exhaustive, std::int64_t 
       return {step_failed, "they part in step " + std::to_string(planned.ticks()) + ", at " +
                                support::number("%.6g s: ", static_cast<double>(planned.time())) +
                                where + "\n"};
-    if (!complaint.empty()) said = complaint + "\n";
+    if (!complaint.empty()) said += complaint + "\n";
   }
   return {all_simulated, said + std::to_string(planned.ticks()) +
                              " steps by plan, and as many with nothing known of any body: every "
