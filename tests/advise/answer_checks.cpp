@@ -51,7 +51,7 @@ Answer refused_answer() {
   Answer answer = answer_about_a_scene();
   answer.bodies = 1;
   answer.uncertainty = failed_run;
-  answer.verdict = {.nearest = answer.verdict.winner};
+  answer.verdict.nearest = std::exchange(answer.verdict.winner, {});
   answer.refusal = "of";
   for (int n = 0; n < 36; ++n) answer.refusal += " a";
   return answer;

@@ -52,13 +52,12 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "In a step of Suzuki's forces and kicks occur five times, drifts and turns ten, dampings once") {
+    "In a step of Suzuki's forces and kicks occur five times, drifts and turns ten, damping once") {
   World<double> world = world_of(scenes_folder() / "everything.json");
   world.step_by(Scheme::suzuki);
   const std::vector<simulate::PartOfStep> parts = simulate::parts_of(world.work());
-  for (const std::string name :
-       {"gravity", "kick", "kick of the spin", "drift", "steady turning", "tumbling: splitting",
-        "linear damping"}) {
+  for (const std::string name : {"gravity", "kick", "kick of the spin", "drift", "steady turning",
+                                 "tumbling: splitting", "linear damping"}) {
     CAPTURE(name);
     const auto part = std::find_if(parts.begin(), parts.end(),
                                    [&](const auto& each) { return each.name == name; });

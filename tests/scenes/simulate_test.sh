@@ -241,6 +241,8 @@ method splitting_kahan_li8 no method is called splitting_kahan_li8; did you mean
 scheme verlt no scheme is called verlt; did you mean verlet?
 precision half --precision is half; it must be float or double
 CASES
+run t_handle --scheme euler
+verify "what is called otherwise is listed" complains "The schemes are: semi_implicit_euler, verlet, suzuki"
 run t_handle --until 0.1 --no-ledger --books never.json
 verify "books that are not kept are not written" complains "--books writes the books that --no-ledger does not keep"
 verify "and end with 2" ends_with 2
@@ -260,6 +262,7 @@ verify "and ends with 2 as well" ends_with 2
 run t_handle --live page.html
 if ends_with 0; then
   verify "a page with the engine holds the scene" grep -q 'class="live-texts">{"scene":"{.u000a  ...schema.*"file":"t_handle.json"}' page.html
+  verify "which is told" [ "$output" = "wrote $PWD/page.html" ]
   verify "and the engine" grep -q "tumble_live.modules.scene = 'AGFzbQ" page.html
   rm page.html
 else
@@ -321,15 +324,17 @@ done
 rm log.txt
 
 # One output that fails does not lose those after it.
-mkdir programs
+mkdir programs tmp
 while IFS=';' read -r ending expected complaint; do
   printf '#!/bin/sh\necho broken >&2\n%s\n' "$ending" >programs/gnuplot
   chmod +x programs/gnuplot
-  path=$PWD/programs:$PATH run t_handle --until 0.1 --csv a.csv --plot a.svg --view a.html --books a.json
+  path=$PWD/programs:$PATH TMPDIR=$PWD/tmp run t_handle --until 0.1 --csv a.csv --plot a.svg --view a.html --books a.json
   verify "where gnuplot ends with '$ending' it is told" complains "a.svg: $complaint"
   verify "and simulate ends with $expected" ends_with "$expected"
   verify "and all but the figure are there" [ "$(echo ./a*)" = "./a.csv ./a.html ./a.json" ]
   verify "and whole" grep -q '"unexplained"' a.json
+  verify "and of what gnuplot should draw nothing is left" rmdir tmp
+  mkdir tmp
   rm -f ./a.*
 done <<'ENDINGS'
 exit 1;3;gnuplot says: broken
@@ -342,7 +347,7 @@ printf '#!/bin/sh\ncat "%s/told.txt" >&2; exit 1\n' "$PWD" >programs/gnuplot
 PATH=$PWD/programs:$PATH "$program" t_handle --until 0.1 --plot a.svg >told.txt 2>errors.txt
 code=$? output="" errors=$(cat errors.txt)
 verify "how far it is can be read at once" complains "100 %: step 24 of 24"
-rm -r programs told.txt errors.txt
+rm -r programs tmp told.txt errors.txt
 
 # No output goes over the scene or over another output, by whatever name.
 printf '{"duration": 0.05, "bodies": [{"name": "a", "mass": 1}]}' >scene.json
