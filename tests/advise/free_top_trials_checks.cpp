@@ -78,6 +78,11 @@ TEST_CASE(
       CHECK(candidate.trials == trials);
       if (!candidate.takes_steps)  // 290 roundings and 65 for each of 5 radians
         CHECK(candidate.errors(1, trials - 1).angle <= 1000 * 0x1p-53);
+      if (candidate.chooses_steps() && !candidate.is_given_angle) {
+        const double least = 3 * 0x1p-52;  // rad/s: for each state a rounding
+        CHECK(candidate.given(candidate.finest) >= least);
+        CHECK(candidate.given(candidate.finest + 1) < least);
+      }
       names += candidate.method + ", ";
     }
     return names;
