@@ -42,11 +42,13 @@ keeps own_steps_in_float --inertia 1,2,3 --spin 1,2,0.5 --for 4 --angle 1e-4 --r
 keeps own_steps_of_a_rod --inertia 1.7231e-4,6.58e-6,1.7243e-4 --spin 2,60,1 --for 1 --angle 1e-8 --rate 4 --steps own
 keeps own_steps_a_frame --inertia 1,2,3 --spin 1,2,0.5 --for 2 --angle 1e-9 --steps own
 keeps own_steps_that_are_repeated --inertia 1,10,10.5 --spin 0.01,0.02,4 --for 20 --angle 1e-6 --rate 1 --steps own
-keeps even_steps --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle 1e-6 --rate 1 --steps even
-keeps many_states --inertia 2,2,2 --spin 1,2,3 --for 140 --angle 0.1 --steps even # every second one is compared
+keeps even_steps_in_double --inertia 1,2,3 --spin 1,2,0.5 --for 2 --angle 1e-4 --rate 1 --steps even --precision double
+keeps many_steps_a_state --inertia 1,2,3 --spin 10,20,5 --for 2 --rate 1 --angle 1e-8 --steps even # one costs far less than a tenth
+keeps many_states --inertia 2,2,2 --spin 1,2,3 --for 140 --angle 0.1 --steps even # every third one is compared
 keeps hardly_a_turn --inertia 1,2,3 --spin 1e-20,2e-20,0.5e-20 --for 1 --angle 8e-17 --rate 1 # the reference is not sure of a tenth
 keeps scene t_handle --for 3 --angle 1e-3
-keeps flight t_handle --for 3 --angle 1e-8
+keeps scene_in_float t_handle --for 1 --angle 1e-3 --precision float
+keeps flight_in_double t_handle --for 3 --angle 1e-5 --precision double
 keeps orbits orbit --for 101 --place 100 --rate 1 # of a scene a hundred states at most are held against the truth, with the last
 keeps orbits_of_two_prices orbit --for 100 --place 0.1 --rate 1 # a tenth of which is dearer
 keeps fine_orbits orbit --for 100 --place 0.001 --rate 1
@@ -107,22 +109,31 @@ verify "and ends with 1" ends_with 1
 run --inertia 1,2,3 --spin 1e-20,2e-20,0.5e-20 --for 1 --angle 8e-18 --rate 1
 verify "a reference that is off by a third of what is wanted confirms nothing" says "the reference is not sure enough"
 if [ -n "$python" ]; then
-  output=$("$python" -c '
+  on_terminal() { # ARGUMENT...
+    errors="" output=$("$python" -c '
 import os, pty, subprocess, sys
 ours, its = pty.openpty()
-answer = subprocess.run(sys.argv[1:], stderr=its, stdout=subprocess.PIPE).stdout.decode()
-os.close(its)
-said = b""
-try:
-    while part := os.read(ours, 4096):
-        said += part
-except OSError:
-    pass  # so a terminal ends
-print(answer.count("trying"), said.decode())' "$program" --inertia 1,2,3 --spin 1,2,0.5 --for 1 --angle 1e-4 --precision float --rate 1)
-  code=$? errors=""
+with subprocess.Popen(sys.argv[1:], stderr=its, stdout=subprocess.PIPE) as advise:
+    os.close(its)
+    said = b""
+    try:
+        while part := os.read(ours, 4096):
+            said += part
+    except OSError:
+        pass  # so a terminal ends
+    print(advise.stdout.read().decode().count("trying"), said.decode())' "$program" "$@")
+    code=$?
+  }
+  on_terminal --inertia 1,2,3 --spin 1,2,0.5 --for 1 --angle 1e-4 --precision float --rate 1
   verify "on a terminal it says what it tries" says "what was asked for: trying exact solution in float, "
+  verify "and for what" says "a tenth of the error: trying exact solution in float, "
   verify "and takes that away again" [ "${output: -4}" = $'\r\e[K' ]
   verify "and the answer is free of it" [ "${output%% *}" = 0 ]
+  on_terminal orbit --for 10 --place 1e6 --rate 1
+  verify "a scene needs a reference first" says "computing the reference"
+  verify "where nothing tumbles it tries one method by three schemes in two precisions" says ": trying splitting in double, 1 of 6"
+  on_terminal t_handle --for 1 --angle 1
+  verify "and where nothing is kicked all methods by one scheme" says ": trying exact_solution in double, 1 of 30"
 fi
 run --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle 1e-17 --json
 printf '%s\n' "$output" >refused.json
@@ -172,6 +183,9 @@ for path in sorted(pathlib.Path(".").glob("*.json")):
         even, own = found["steps_per_second"] is not None, found["rejected_steps"] is not None
         exactly = "moments" in answer["question"] and found["method"] == "exact solution"
         assert even + own + exactly == 1, path
+        assert own or "own_steps" not in path.stem, path  # a question is called by what it asks for
+        assert even or "even_steps" not in path.stem, path
+        assert found["precision"] in path.stem or not path.stem.endswith(("_in_float", "_in_double")), path
         assert own == (found["tolerance_per_second"] is not None) + (found["angle_per_step"] is not None), path
         assert own or found["steps"] == (round(found["steps_per_second"] * answer["question"]["seconds"]) if even else None), path
         assert found["time_step"] is None or near(found["time_step"] * found["steps_per_second"], 1), path
@@ -194,6 +208,7 @@ for path in sorted(pathlib.Path(".").glob("*.json")):
         assert part(answer["ten_times_better"]) <= 0.1, path
         for key, error in answer["reference_uncertainty"].items():  # a quarter of that tenth
             assert error is None or error <= wanted[key] / 40, path
+    assert answer["ten_times_cheaper"] or path.stem != "many_steps_a_state", path
     if answer["ten_times_cheaper"]:
         assert answer["least_cost"] is None, path
         cheap = answer["ten_times_cheaper"]["nanoseconds_per_simulated_second"]
@@ -244,10 +259,28 @@ top="--inertia 1,2,3 --spin 1,2,0.5 --for 10"
   refuses "--inertia is 1,-2,3 kg m^2; each moment must be greater than 0" --inertia 1,-2,3 --spin 1,2,3 --for 1 --angle 1
   refuses "--inertia is 0,1,1 kg m^2; each moment must be greater than 0" --inertia 0,1,1 --spin 1,2,3 --for 1 --angle 1
   refuses "--inertia is 1,2,9 kg m^2; no body has these: the largest must not be more than the sum of the other two" --inertia 1,2,9 --spin 1,2,3 --for 1 --angle 1
+  refuses "--inertia is 1,2,; it must be three numbers" --inertia 1,2, --spin 1,2,3 --for 1 --angle 1
+  refuses "--inertia is 1e-301,1e-301,1e-301 kg m^2; each must lie between 1e-300 and 1e300" --inertia 1e-301,1e-301,1e-301 --spin 1,2,3 --for 1 --angle 1
+  refuses "--inertia is 1,2e300,2e300 kg m^2; each must lie between 1e-300 and 1e300" --inertia 1,2e300,2e300 --spin 1,2,3 --for 1 --angle 1
+  refuses "--inertia is 1,2,3.00001 kg m^2; no body has these" --inertia 1,2,3.00001 --spin 1,2,3 --for 1 --angle 1
+  refuses "--spin is -1e7,2,3 rad/s; each must lie between -1e6 and 1e6" --inertia 1,2,3 --spin=-1e7,2,3 --for 1 --angle 1
+  refuses "--angle is 4 rad; it must be greater than 0 and at most 3 rad" $top --angle 4
+  refuses "--place is 1e13 m; it must be greater than 0 and at most 1e+12 m" t_handle --for 1 --place 1e13
   refuses "--spin is 1,2,1e7 rad/s; each must lie between -1e6 and 1e6" --inertia 1,2,3 --spin 1,2,1e7 --for 1 --angle 1
   refuses "there is no option --angel; did you mean --angle?" $top --angel 1
   refuses "one word too many: coin" t_handle coin --for 1 --angle 1
 }
+run --inertia 1,2,3.000002 --spin 1,1e6,-1e6 --for 1e-6 --rate 1e6 --angle 3 --longest-run 600 # all as large as they may be
+verify "what is at its bound is none" ends_with 0
+printf '{"duration": 1, "bodies": [{"name": "a", "mass": 1, "position": [1e40, 0, 0]}]}' >far.txt
+refuses "far.txt: /bodies/0/position/0 is 1e+40 m; it does not fit a float" far.txt --for 1 --place 1 --precision float
+run far.txt --for 1 --place 1 --longest-run 60
+verify "what float can't hold is answered in double" says ", in double"
+verify "by the first runs of which three extrapolations agree" says "runs with 3 and 5 steps a state, sure to 0 m"
+printf '{"duration": 1, "bodies": [{"name": "a", "mass": 1}], "effects": [{"kind": "point_gravity", "strength": 1}]}' >centre.txt
+run centre.txt --for 1 --place 1
+verify "a scene that can't be run is told" complains "the scene can't be run: 'a' at 0 s (step 0): point gravity gives a force of"
+verify "and ends with 1" ends_with 1
 printf '{"title": ' >bad_scene.txt
 refuses "bad_scene.txt: line 1, column 11: not valid JSON" bad_scene.txt --for 1 --angle 1
 

@@ -102,8 +102,11 @@ TEST_CASE("A method that fails when it is run again is passed over, however chea
   const Verdict verdict = asked(list, 1e-4);
   REQUIRE(verdict.winner.has_value());
   CHECK(verdict.winner->candidate->method == "sound");
-  const std::vector<Candidate> lucky_alone = {lucky};
-  CHECK(!asked(lucky_alone, 1e-4).winner.has_value());
+  for (const bool takes_steps : {true, false}) {
+    lucky.takes_steps = takes_steps;
+    const std::vector<Candidate> lucky_alone = {lucky};
+    CHECK(!asked(lucky_alone, takes_steps ? 1e-4 : 2).winner.has_value());
+  }
 }
 
 TEST_CASE("A run that ends in no number, or lasts too long, or never converges, is no answer") {
@@ -296,6 +299,19 @@ TEST_CASE(
     CHECK(found->errors.angle == list[0].errors(found->fineness, 0).angle);
   }
   CHECK(!advisor.best_for(50, {.angle = 1}).has_value());
+  // Where the cost grows as the square, 25 times the fineness is too much for 25 times the cost.
+  std::vector<Candidate> square = {list[0]};
+  square[0].nanoseconds = [](long fineness, int) {
+    return 100 * static_cast<double>(fineness * fineness);
+  };
+  const auto found = Advisor(square, frames, longest_run).best_for(2500, {.angle = 1});
+  REQUIRE(found.has_value());
+  CHECK(found->fineness == 4);  // 25, 19, 15, 11, 8, 6: a fifth less each time, and one
+  CHECK(found->nanoseconds == 1600);
+  // What is dearer when it is measured again does not do.
+  int measured = 0;
+  square[0].nanoseconds = [&](long, int) { return ++measured == 1 ? 100 : 1000; };
+  CHECK(!Advisor(square, frames, longest_run).best_for(500, {.angle = 1}).has_value());
 }
 
 TEST_CASE("For a given cost the advisor finds the least error, and for none the least cost") {

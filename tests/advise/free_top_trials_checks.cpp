@@ -24,6 +24,7 @@ TEST_CASE("A free top has the moments and the spin of the question in right-hand
     CHECK(handed(built, L.cwiseProduct(inverse)) == doctest::Approx(handed(I, w)));
     CHECK(L.cwiseAbs2().dot(inverse) == doctest::Approx(w.cwiseAbs2().dot(I)));
     CHECK(L.norm() == doctest::Approx(w.cwiseProduct(I).norm()));
+    CHECK(std::abs(inverse[0] - inverse[1]) == doctest::Approx(1 / 2.0 - 1 / 2.5));  // the closest
   } while (std::next_permutation(order.begin(), order.end()));
 }
 
@@ -52,4 +53,48 @@ TEST_CASE("An angular momentum of the right length in a wrong direction is an er
   CHECK(errors.angle == doctest::Approx(0.1));
   CHECK(errors.momentum == doctest::Approx(2 * std::sin(0.05)));
   CHECK(errors.energy <= 4 * 0x1p-53);
+}
+
+TEST_CASE(
+    "Of many frames so many are compared that there are 4096 at most, and half of them at least") {
+  for (const long count : {1L, 4096L, 4097L, 8191L, 8192L, 10'000'000L}) {
+    CAPTURE(count);
+    const long compared = count / frames_between_samples({.count = count});
+    CHECK(compared <= 4096);
+    CHECK(compared >= std::min(count, 2048L));
+  }
+}
+
+TEST_CASE(
+    "The candidates for a free top are all rungs that turn it rightly, by such steps as are asked "
+    "for") {
+  const Frames frames{.count = 6, .rate = 3};
+  const auto named = [&](const FreeTopQuestion& question, const StepKinds& kinds) {
+    std::vector<Candidate> candidates;
+    append_free_top<double>(candidates, question, frames, kinds, 1);
+    std::string names;
+    for (const Candidate& candidate : candidates) {
+      CAPTURE(candidate.method);
+      CHECK(candidate.trials == trials);
+      if (!candidate.takes_steps)  // 290 roundings and 65 for each of 5 radians
+        CHECK(candidate.errors(1, trials - 1).angle <= 1000 * 0x1p-53);
+      if (candidate.chooses_steps() && !candidate.is_given_angle) {
+        const double least = 3 * 0x1p-52;  // rad/s: for each state a rounding
+        CHECK(candidate.given(candidate.finest) >= least);
+        CHECK(candidate.given(candidate.finest + 1) < least);
+      }
+      names += candidate.method + ", ";
+    }
+    return names;
+  };
+  std::string steady, tumbling, own;
+  for (const TurningRung<double>& rung : turning_ladder<double>)
+    (rung.claims.order == 0 ? steady : tumbling) += std::string(rung.name) + ", ";
+  for (const FreeJourney<double>& rung : free_journeys<double>)
+    own += std::string(rung.name) + ", ";
+  const FreeTopQuestion tumbles{{1, 2, 3}, {1, 2, 0.5}}, spins{{2, 2, 2}, {1, 2, 0.5}};
+  CHECK(named(tumbles, {.even = true, .own = false}) == tumbling);
+  CHECK(named(tumbles, {.even = false, .own = true}) == own);
+  CHECK(named(tumbles, {}) == tumbling + own + "exact solution, ");
+  CHECK(named(spins, {}) == steady + "exact solution, ");
 }

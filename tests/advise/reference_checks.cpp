@@ -182,6 +182,14 @@ TEST_CASE("No run of the reference is begun that would take longer than a run ma
   CHECK(longest <= 3);
 }
 
+TEST_CASE("What two runs differ by in their angles tells the reference the order of the fall") {
+  const std::string text = R"({"duration": 2, "bodies": [{"name": "box", "mass": 1,
+      "inertia": [1, 2, 2.5], "angular_velocity": [1, 2, 0.5]}]})";
+  const Reference reference = reference_of(
+      [&](const StepLength& step) { return scene_of(text, step); }, one_state, {.angle = 1e-8}, 10);
+  CHECK(reference.steps[1] <= 89);  // 34; if every fall were taken for one of first order, 233
+}
+
 TEST_CASE("Two extrapolations that agree by chance are not enough for a reference") {
   // A point at rest, with another place in the first run: the later ones are at 1 m, and so are the
   // extrapolations of 2 and 3 steps a frame, of 3 and 5, and of 5 and 8. That of 1 and 2 is at 2 m.

@@ -54,16 +54,19 @@ TEST_CASE(
   CHECK(compared >= 10);
 }
 
-TEST_CASE("In a step of Suzuki's forces and kicks occur five times, drifts and turns ten times") {
+TEST_CASE(
+    "In a step of Suzuki's forces and kicks occur five times, drifts and turns ten, damping once") {
   World<double> world = world_of(scenes_folder() / "everything.json");
   world.step_by(Scheme::suzuki);
   const std::vector<simulate::PartOfStep> parts = simulate::parts_of(world.work());
   for (const std::string name : {"gravity", "kick", "kick of the spin", "reaction wheel", "drift",
-                                 "steady turning", "tumbling: splitting"}) {
+                                 "steady turning", "tumbling: splitting", "linear damping"}) {
     CAPTURE(name);
     const auto part = std::find_if(parts.begin(), parts.end(),
                                    [&](const auto& each) { return each.name == name; });
     REQUIRE(part != parts.end());
-    CHECK(part->times == (name == "gravity" || name.starts_with("kick") ? 5 : 10));
+    CHECK(part->times == (name == "gravity" || name.starts_with("kick") ? 5
+                          : name == "linear damping"                    ? 1
+                                                                        : 10));
   }
 }

@@ -6,10 +6,13 @@ import json
 import math
 import os
 import pathlib
+import pty
 import re
+import resource
 import shutil
 import subprocess
 import sys
+import time
 import unittest
 
 SIMULATE, SCRATCH = os.path.abspath(sys.argv[1]), pathlib.Path(sys.argv[2])
@@ -194,8 +197,10 @@ class Numbers(unittest.TestCase):
         gnuplot = SCRATCH / "fake" / "gnuplot"
         gnuplot.write_text(FAKE_GNUPLOT)
         gnuplot.chmod(0o755)
+        begun = time.monotonic()
         cls.said = run(SCENE, "--csv", "odd.csv", "--jsonl", "odd.jsonl", "--view", "odd.html", "--plot", "odd.svg", "--books",
                        "books.json", "--every", str(EVERY), path=SCRATCH / "fake")
+        cls.took = time.monotonic() - begun
         with open(SCRATCH / "odd.csv", newline="") as lines:
             cls.rows = list(csv.DictReader(lines))
         cls.recording = recording("odd.html")
@@ -334,18 +339,46 @@ class Numbers(unittest.TestCase):
     def test_a_plot_shows_the_two_axes_along_which_paths_reach_farthest(self):
         for across, up, *still in (0, 2), (1, 2), (0, 1), (0, 2, 2):  # along x alone it is x and z
             velocity = [float(axis in (across, up) and axis not in still) * (axis + 1) for axis in range(3)]
-            run({"title": "It's here", "duration": 1, "bodies": [{"name": "a", "mass": 1, "velocity": velocity}]}, "--plot", "path.svg",
-                path=SCRATCH / "fake")
-            self.near([float(cell) for cell in table("path1.tsv")[-1]], [velocity[across], velocity[up]])
+            body = {"name": "a", "mass": 1, "position": [3, 5, 7], "velocity": velocity}
+            run({"title": "It's\nhere", "duration": 1, "bodies": [body]}, "--plot", "path.svg", path=SCRATCH / "fake")
+            self.near([float(cell) for cell in table("path1.tsv")[-1]], [body["position"][axis] + velocity[axis] for axis in (across, up)])
             self.assertIn(f"paths=1; across='{'xyz'[across]}'; up='{'xyz'[up]}'; scene='It''s here'",
                           (SCRATCH / "drawn" / "words").read_text())
 
     def test_a_plot_of_many_bodies_shows_six_at_equal_distances(self):
-        bodies = [{"name": f"body {n}", "mass": 1, "position": [n, 0, 0]} for n in range(13)]
+        bodies = [{"name": f'a\n"body"\t{n}', "mass": 1, "position": [n, 0, 0]} for n in range(13)]
         run({"duration": 0.1, "bodies": bodies}, "--plot", "many.svg", path=SCRATCH / "fake")
         for path, body in enumerate((0, 2, 4, 6, 8, 10), 1):
             heading, first, *_ = table(f"path{path}.tsv")
-            self.assertEqual((heading[1], float(first[0])), (f"body {body}", body))
+            self.assertEqual((heading[1], float(first[0])), (f"a  body  {body}", body))
+
+    def test_a_terminal_shows_a_bar_which_no_failure_overwrites(self):
+        ours, its = pty.openpty()
+        with subprocess.Popen([SIMULATE, "everything", "--until", "0.1", "--csv", "full.csv", "--view", "bar.html"], cwd=SCRATCH, stdout=its,
+                              stderr=its, preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (10_000, 10_000))) as simulate:
+            os.close(its)
+            said = b""
+            try:
+                while part := os.read(ours, 4096):
+                    said += part
+            except OSError:
+                pass  # so a terminal ends
+        self.assertEqual(simulate.returncode, 3)
+        said = said.decode().replace("\r\n", "\n")
+        self.assertRegex(said, r"\n\r\[#\.{29}\]   4 %  step 1 of 24, .+ left\x1b\[K")
+        self.assertRegex(said, r"\[K\nsimulate: .*/full\.csv is given up, and the other outputs go on: cannot write .*/full\.csv: the disk may be full\n")
+        self.assertRegex(said, rf"\r\[{30 * '#'}\] 100 %  step 24 of 24, 0 s left\x1b\[K\n24 steps in ")
+
+    def test_steps_are_counted_per_second(self):
+        steps, seconds, rate = map(float, re.search(r"(\d+) steps in (\S+) s: (\S+) steps per second", self.said).groups())
+        self.assertEqual(steps, STEPS)
+        self.assertLessEqual(abs(rate * seconds / steps - 1), 0.006)  # three digits and four
+        self.assertLessEqual(0.995 * seconds, self.took)
+
+    def test_what_is_no_number_is_null_in_the_books(self):
+        run({"duration": 0.1, "bodies": [{"name": "a", "mass": 1e20, "velocity": [1e150, 0, 0]}]}, "--books", "null.json")
+        now = json.loads((SCRATCH / "null.json").read_text())["now"]
+        self.assertEqual((now["energy"], now["momentum"]), (None, [1e170, 0, 0]))
 
     def test_books(self):
         books = json.loads((SCRATCH / "books.json").read_text())

@@ -31,6 +31,20 @@ verify "--check-plan finds no difference" says "every number of every motion is 
 run t_handle --check-plan --precision float --method splitting_without_sine --until 0.2
 verify "nor in float by another method" says "every number of every motion is the same"
 verify "which it takes" says "tumbling: splitting without sine"
+# The rule turns this orientation, although it is at rest, until it finds one that it leaves as it is. And the step is too long for the spring.
+cat >rest.json <<'SCENE'
+{"duration": 0.1, "turning_method": "splitting_without_sine",
+ "bodies": [{"name": "box", "mass": 1, "inertia": [1, 2, 2.5], "orientation": [0.1, 0.5, 0.7, 0.5]}],
+ "effects": [{"kind": "spring", "bodies": ["box"], "stiffness": 1e6, "anchor": [0, 0, 0]}]}
+SCENE
+run rest.json --check-plan
+verify "nor where the rule turns what is at rest" diff <(tail -1 <<<"$output") - <<'SAID'
+6 steps by plan, and as many with nothing known of any body: every number of every motion is the same
+SAID
+verify "and a warning is that of the plan alone" [ "$errors$(grep -c ^warning: <<<"$output")" = 1 ]
+run rest.json
+verify "as where the scene is run" [ "$errors$(grep -c ^warning: <<<"$output")" = 1 ]
+rm rest.json
 for option in csv jsonl plot view live books; do
   run t_handle --check-plan "--$option" file
   verify "--check-plan writes no file of --$option" complains "--check-plan compares two runs and writes no files; --$option can't go with it"
@@ -42,6 +56,51 @@ verify "it tells the steps per second" says "steps per second"
 verify "it prints the books" says "unexplained"
 verify "without a terminal it tells calmly how far it is" says " 50 %: step 12 of 24"
 verify "and draws no bar" says_not "["
+cat >fall.json <<'SCENE'
+{"title": "Fall", "description": "A stone.", "duration": 9, "bodies": [{"name": "stone", "mass": 2, "velocity": [1, 0, 0]}],
+ "effects": [{"kind": "gravity", "acceleration": [0, 0, -8]}]}
+SCENE
+run fall.json --dt 0.125 --until 1.06 --bill --csv f.csv --jsonl f.jsonl --view f.html --books f.json
+verify "it prints all this, with the plan and the books" diff - <(sed -E "s#$PWD/##; /^effect  +phase/,/^order/d; /^ +energy/,/^unexplained/d
+  s/in [^ ]+ s: [^ ]+ steps/in N s: N steps/; s/ ([0-9]{1,2}\.[0-9]|[0-9]{3,}) +[0-9.]+ %$/N  N %/; s/ ([0-9]{1,2}\.[0-9]|[0-9]{3,}) +$/N/
+  /N/s/ +/ /g" <<<"$output") <<'SAID'
+Fall
+A stone.
+
+a time step of 0.125 s is taken as 125000000 ns
+1.06 s are no whole number of steps: the last one ends at 1 s
+1 body, 8 steps of 0.125 s, in double
+
+
+ 25 %: step 2 of 8
+ 50 %: step 4 of 8
+ 75 %: step 6 of 8
+100 %: step 8 of 8
+8 steps in N s: N steps per second
+
+
+effect                            bodies  ns per body and step    part of the step
+memory of centres 1 N N %
+gravity 1 N N %
+kick 1 N N %
+drift 1 N N %
+guard of centres 1 N N %
+a whole step 1 N
+wrote f.csv
+wrote f.jsonl
+wrote f.html
+wrote f.json
+SAID
+verify "and the books of it" diff - f.json <<'BOOKS'
+{"bodies":1,"turning_method":"splitting","scheme":"semi-implicit Euler","steps":8,"time_step":0.125,"time":1,"stored_at_the_start":0,"stored_now":-72,
+"at_the_start":{"energy":1,"momentum":[2,0,0],"angular_momentum":[0,0,0]},
+"effects":[
+{"name":"gravity","energy":64,"momentum":[0,0,-16],"angular_momentum":[0,7,0]},
+{"name":"drift","energy":0,"momentum":[0,0,0],"angular_momentum":[0,0,0]}],
+"now":{"energy":65,"momentum":[2,0,-16],"angular_momentum":[0,7,0]},
+"unexplained":{"energy":0,"momentum":[0,0,0],"angular_momentum":[0,0,0]}}
+BOOKS
+rm f.* fall.json
 run t_handle --until 0.1 --no-ledger
 verify "--no-ledger leaves the books out" says_not "unexplained"
 run t_handle --until 0.1 --no-ledger=false --plan=false --bill=false --help=false
@@ -88,6 +147,12 @@ run t_handle --dt 3 --until 11
 verify "the end is the nearest one, which may be a later one" says "the last one ends at 12 s"
 run t_handle --dt 3 --until 2
 verify "or the first one" says "the last one ends at 3 s"
+run t_handle --plan --scheme verlet
+verify "--scheme changes the order" says "order 2: Verlet"
+run t_handle --plan --until 1e9
+verify "it may be asked for 1e9 s" says "240000000000 steps"
+run rain --plan --seed 9007199254740992 --every 9223372036854775807 --dt 1e-6
+verify "and for the largest seed, the most seldom record and the shortest step" says "steps of 1e-06 s"
 run t_handle --until 0.1 --precision float
 verify "--precision float is said" says "in float"
 run --help
@@ -117,10 +182,11 @@ run rain --until 0.1 --csv one.csv --threads 1 --no-ledger --every 6
 run rain --until 0.1 --csv two.csv --threads 2 --no-ledger --every 6
 verify "the number of threads changes no number" same_numbers one.csv two.csv
 cat >name.json <<'SCENE'
-{"title": "", "description": "", "duration": 0.05, "bodies": [{"name": "a \"b\", c", "mass": 1}]}
+{"title": "", "description": "", "duration": 0.05, "bodies": [{"name": "a \"b\", c", "mass": 1}, {"name": "two\nlines", "mass": 1}]}
 SCENE
 run ./name.json --csv name.csv --jsonl name.jsonl
 verify "a name with commas and quotes is one cell" grep -qF '0,"a ""b"", c",0,0,0,1,0,0,0,0' name.csv
+verify "and so is one with the end of a line" grep -qx '0,"two' name.csv
 verify "and one text of JSON" grep -qF '"body":"a \"b\", c"' name.jsonl
 printf '{"duration": 0.05, "bodies": [{"name": "a", "mass": 1}]}' >untitled.json
 run untitled.json
@@ -165,14 +231,18 @@ seed -1 --seed is -1; it must be a whole number from 0 to 2^53
 seed 9007199254740993 --seed is 9007199254740993; it must be a whole number from 0 to 2^53
 seed 1 /bodies hold nothing random that a seed could change
 every 0 --every is 0; it must be a whole number of steps, 1 or more
+every 9223372036854775808 --every is 9223372036854775808; it must be a whole number of steps, 1 or more
 every 1.5 --every is 1.5; it must be a whole number of steps, 1 or more
 threads 0 --threads is 0; it must be from 1 to 1024
 threads 1025 --threads is 1025; it must be from 1 to 1024
 threads two --threads is two; it must be from 1 to 1024
 method spliting no method is called spliting; did you mean splitting?
 method splitting_kahan_li8 no method is called splitting_kahan_li8; did you mean splitting_kahan_li_8?
+scheme verlt no scheme is called verlt; did you mean verlet?
 precision half --precision is half; it must be float or double
 CASES
+run t_handle --scheme euler
+verify "what is called otherwise is listed" complains "The schemes are: semi_implicit_euler, verlet, suzuki"
 run t_handle --until 0.1 --no-ledger --books never.json
 verify "books that are not kept are not written" complains "--books writes the books that --no-ledger does not keep"
 verify "and end with 2" ends_with 2
@@ -192,6 +262,7 @@ verify "and ends with 2 as well" ends_with 2
 run t_handle --live page.html
 if ends_with 0; then
   verify "a page with the engine holds the scene" grep -q 'class="live-texts">{"scene":"{.u000a  ...schema.*"file":"t_handle.json"}' page.html
+  verify "which is told" [ "$output" = "wrote $PWD/page.html" ]
   verify "and the engine" grep -q "tumble_live.modules.scene = 'AGFzbQ" page.html
   rm page.html
 else
@@ -212,11 +283,16 @@ run crowd.json --no-ledger --view page.html --every 2
 verify "but 2000 bodies at 1001 moments are too many for one" complains "it would hold 2002000 poses"
 rm -f crowd.json page.html
 mkdir folder
-for path in folder nowhere/file.csv /dev/null; do
-  run t_handle --until 0.1 --csv $path
-  verify "$path can't be written" complains "cannot write $path: "
+while read -r path why; do
+  run t_handle --until 0.1 --csv "$path"
+  verify "$path can't be written" complains "cannot write $path: $why"
   verify "and ends with 3" ends_with 3
-done
+done <<PATHS
+folder it is a directory
+nowhere/file.csv there is no directory $PWD/nowhere
+/dev/null it is no regular file
+/proc/no_such.csv $([ "$(id -u)" = 0 ] && echo No such file or directory || echo no permission)
+PATHS
 verify "/dev/null is still there" test -c /dev/null
 run t_handle --csv kept.csv --view nowhere/x.html
 verify "if one file can't be written, the others are not touched" test ! -e kept.csv
@@ -247,21 +323,30 @@ done
 rm log.txt
 
 # One output that fails does not lose those after it.
-mkdir programs
+mkdir programs tmp
 while IFS=';' read -r ending expected complaint; do
   printf '#!/bin/sh\necho broken >&2\n%s\n' "$ending" >programs/gnuplot
   chmod +x programs/gnuplot
-  path=$PWD/programs:$PATH run t_handle --until 0.1 --csv a.csv --plot a.svg --view a.html --books a.json
+  path=$PWD/programs:$PATH TMPDIR=$PWD/tmp run t_handle --until 0.1 --csv a.csv --plot a.svg --view a.html --books a.json
   verify "where gnuplot ends with '$ending' it is told" complains "a.svg: $complaint"
   verify "and simulate ends with $expected" ends_with "$expected"
   verify "and all but the figure are there" [ "$(echo ./a*)" = "./a.csv ./a.html ./a.json" ]
   verify "and whole" grep -q '"unexplained"' a.json
+  verify "and of what gnuplot should draw nothing is left" rmdir tmp
+  mkdir tmp
   rm -f ./a.*
 done <<'ENDINGS'
 exit 1;3;gnuplot says: broken
 exit 130;130;gnuplot was interrupted
+kill -INT $PPID $$;130;gnuplot was interrupted
+kill -TERM $PPID $$;3;gnuplot says: broken
 ENDINGS
-rm -r programs
+# A gnuplot that shows what has been told before it is called.
+printf '#!/bin/sh\ncat "%s/told.txt" >&2; exit 1\n' "$PWD" >programs/gnuplot
+PATH=$PWD/programs:$PATH "$program" t_handle --until 0.1 --plot a.svg >told.txt 2>errors.txt
+code=$? output="" errors=$(cat errors.txt)
+verify "how far it is can be read at once" complains "100 %: step 24 of 24"
+rm -r programs tmp told.txt errors.txt
 
 # No output goes over the scene or over another output, by whatever name.
 printf '{"duration": 0.05, "bodies": [{"name": "a", "mass": 1}]}' >scene.json
@@ -308,7 +393,8 @@ output=$( (ulimit -f 10 && "$program" rain --until 1 --csv rain.csv 2>errors.txt
 code=$?
 errors=$(cat errors.txt)
 rm errors.txt
-verify "a file beyond the limit of its size is told" complains "cannot write"
+verify "a file beyond the limit of its size is told" complains "simulate: cannot write"
+verify "at once where there is no other" says_not "steps per second"
 verify "and ends with 3" ends_with 3
 output=$( (ulimit -f 10 && "$program" rain --until 0.1 --csv rain.csv --jsonl rain.jsonl --books books.json 2>errors.txt </dev/null))
 code=$?
@@ -345,6 +431,9 @@ if command -v gnuplot >/dev/null 2>&1; then
   path=$PATH TMPDIR=/nowhere run t_handle --until 0.1 --plot t.svg
   verify "without a place for what gnuplot draws from it says so" complains "there is no folder for temporary files"
   verify "and ends with 3" ends_with 3
+  path=$PATH TMPDIR=/proc run t_handle --until 0.1 --plot t.svg
+  verify "and so it does where none can be made" complains "no folder for what gnuplot draws from"
+  verify "with 3" ends_with 3
 fi
 path=/nowhere run t_handle --plot t.svg
 verify "without gnuplot it says so" complains "gnuplot draws it and is not installed"
@@ -401,6 +490,7 @@ while read -r signal expected; do
     ls rain.csv.partial-* >/dev/null 2>&1 && grep -q 'steps of' told.txt && break
     sleep 0.1
   done
+  verify "what is simulated can be read at once" grep -q 'steps of' told.txt
   kill "-$signal" "$process"
   wait "$process"
   code=$?

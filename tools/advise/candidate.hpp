@@ -62,10 +62,10 @@ struct Candidate {
   long finest = most_steps_per_frame;  ///< beyond it there is nothing to gain
   /// The errors at such a fineness. Trial 0 is the question that was asked; the others are others
   /// like it, up to `trials` in all.
-  std::function<Errors(long fineness, int trial)> errors;
+  std::function<Errors(long fineness, int trial)> errors = {};
   int trials = 1;
   /// The time of the whole run, ns: the fastest of so many repetitions.
-  std::function<double(long fineness, int repetitions)> nanoseconds;
+  std::function<double(long fineness, int repetitions)> nanoseconds = {};
 
   bool chooses_steps() const { return power > 0; }
   /// What a method that chooses its steps is given: steps are as long as its root.

@@ -20,7 +20,7 @@ inline constexpr int trials = 4;
 inline constexpr long most_frames_seen = 4096;
 
 inline long frames_between_samples(const Frames& frames) {
-  return std::max(1L, frames.count / most_frames_seen);
+  return (frames.count + most_frames_seen - 1) / most_frames_seen;
 }
 
 /// The top with these moments and this spin, its axes in the order in which chapter 5 puts them.

@@ -100,7 +100,7 @@ Frames frames_of(const std::string& seconds, const std::string& rate) {
   frames.rate = static_cast<long>(states);
   const double count = between("for", seconds, "s", 0, 1e6) * states;
   frames.count = std::lround(count);
-  if (frames.count < 1 || std::abs(count - std::round(count)) > 1e-9 * count)
+  if (std::abs(count - std::round(count)) > 1e-9 * count)
     throw UsageError("--for is " + seconds + " s; with " + rate +
                      " states a second it must be a whole number of states, not " +
                      tumble::text_of(count));

@@ -83,8 +83,8 @@ void append(SceneCandidates& made, const std::filesystem::path& file, const Fram
   World<Real> world = scene_with<Real>(file, steps_per_second(frames.rate), {}).world;
   const std::string chosen = world.turning_method();
   const bool tumbles = !world.work().tumbling.empty();
-  const bool is_kicked = !world.work().pushed.empty() || !world.work().torqued.empty() ||
-                         !world.work().in_phase[std::size_t(Phase::kick)].empty();
+  const bool is_kicked =
+      !world.work().pushed.empty() || !world.work().in_phase[std::size_t(Phase::kick)].empty();
   for (std::size_t method = 0; method < support::SceneRules::names.size(); ++method) {
     const std::string_view name = support::SceneRules::names[method];
     if (!tumbles && name != chosen) continue;  // without a tumbling body they are all the same
@@ -122,7 +122,6 @@ SceneCandidates scene_candidates(const std::filesystem::path& file, const Frames
       frames, tolerance, longest_run));
   made.uncertainty = reference->uncertainty;
   made.reference_steps = reference->steps;
-  if (reference->snapshots.empty()) return made;
   if (precisions.twice) append<double>(made, file, frames, reference);
   try {
     if (precisions.single) append<float>(made, file, frames, reference);

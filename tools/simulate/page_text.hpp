@@ -1,9 +1,12 @@
 /// @file
-/// What may stand in a page: bytes in a script, a text in an element.
+/// The text of a page that holds the engine and a scene.
 #pragma once
 
 #include <string>
 #include <string_view>
+#include <support/json_text.hpp>
+#include <support/live_files.hpp>
+#include <support/player_page.hpp>
 
 namespace tumble::simulate {
 
@@ -33,6 +36,39 @@ inline std::string escaped(std::string_view text) {
             : letter == '&' ? "&amp;"
                             : std::string(1, letter);
   return safe;
+}
+
+/// The page of a scene; `drawing` is the figure's script, and `module` what computes it.
+template <class AnyScene>
+std::string live_page(const AnyScene& scene, std::string_view text, std::string_view file,
+                      std::string_view drawing, std::string_view module) {
+  std::string page = R"(<!DOCTYPE html>
+<html lang="en-GB">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>)" + escaped(scene.title) +
+                     R"(</title>
+<link rel="icon" href="data:,">
+<style>
+)";
+  page.append(support::player_style).append(support::live_style).append(R"(</style>
+</head>
+<body class="player-page">
+<main>
+<h1>)");
+  page.append(escaped(scene.title)).append("</h1>\n<p>").append(escaped(scene.description));
+  page.append(R"(</p>
+<noscript><p>The scene is computed and drawn by a script, and this browser runs none.</p></noscript>
+<figure class="live" id="live_scene" data-live="scene" data-script="">
+<div class="live-picture"></div>
+<script type="application/json" class="live-texts">)");
+  page.append(support::json_in_script("{\"scene\":" + support::json_text(text) +
+                                      ",\"file\":" + support::json_text(file) + "}"));
+  page.append("</script>\n</figure>\n</main>\n<script>\n");
+  page.append(support::player_script).append(support::live_script).append(drawing);
+  page.append("tumble_live.modules.scene = '").append(base64(module));
+  return page.append("';\n</script>\n</body>\n</html>\n");
 }
 
 }  // namespace tumble::simulate

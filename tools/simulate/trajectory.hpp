@@ -11,7 +11,7 @@ namespace tumble::simulate {
 
 /// A name as a cell of CSV (RFC 4180).
 inline std::string cell(const std::string& name) {
-  if (name.find_first_of(",\"\r\n") == std::string::npos) return name;
+  if (name.find_first_of(",\"\n") == std::string::npos) return name;
   std::string quoted = "\"";
   for (const char letter : name) quoted.append(letter == '"' ? 2 : 1, letter);
   return quoted + '"';
