@@ -27,6 +27,15 @@ struct SwirlOfSpin {
   }
 };
 
+/// Rotors about an axis, which two by two do not commute either.
+template <class Real, int axis>
+struct Wheels {
+  static constexpr std::string_view name = "wheels";
+  Vec3<Real> rotor_momentum_body(Real time) const {
+    return Vec3<Real>::Unit(axis) * (1 + time) / 16;
+  }
+};
+
 /// Finds those that are near each other now.
 template <class Real>
 struct Neighbours {
@@ -72,9 +81,13 @@ AnyWorld crowd(AnyWorld world, const AddMore& add_more) {
 
 /// Steps both kinds of world, and lets `meddle` change each before every step.
 template <class Real, class AddMore, class Meddle>
-void compare(const AddMore& add_more, const Meddle& meddle) {
+void compare(const AddMore& add_more, const Meddle& meddle,
+             Scheme scheme = Scheme::semi_implicit_euler, int threads = 1) {
   auto plain = crowd(World<Real>(steps_per_second(60)), add_more);
   auto packed = crowd(ManyBodies<Real>(steps_per_second(60)), add_more);
+  plain.step_by(scheme);
+  packed.step_by(scheme);
+  packed.keeping().use_threads(threads);
   for (int step = 0; step < 12; ++step) {
     meddle(plain, step);
     meddle(packed, step);
@@ -88,36 +101,44 @@ constexpr auto nothing = [](auto&, int) {};
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("Effects of all phases act on packs in the order in which they act one by one",
-                   Real, EVERY_PRECISION) {
-  compare<Real>(
-      [](auto& world) {
-        world.add(Swirl<Real, Phase::drift, 0>{});
-        world.add(Swirl<Real, Phase::damping, 1>{});
-        world.add(Swirl<Real, Phase::impulse, 2>{});
-        world.add(Swirl<Real, Phase::kick, 0>{});
-        world.add(Swirl<Real, Phase::force, 1>{});
-        std::vector<BodyHandle> tops;
-        for (BodyIndex i = 0; i < world.body_count(); ++i)
-          if (!world.is_point(world.handle_at(i))) tops.push_back(world.handle_at(i));
-        world.add(SwirlOfSpin<Real, Phase::drift, 0>{}, tops);
-        world.add(SwirlOfSpin<Real, Phase::damping, 1>{}, tops);
-        world.add(SwirlOfSpin<Real, Phase::impulse, 2>{}, tops);
-        world.add(SwirlOfSpin<Real, Phase::kick, 0>{}, tops);
-        world.add(SwirlOfSpin<Real, Phase::force, 1>{}, tops);
-      },
-      nothing);
+TEST_CASE_TEMPLATE(
+    "By each scheme, and with any number of threads, effects of all phases act on packs in the "
+    "order in which they act one by one",
+    Real, EVERY_PRECISION) {
+  const auto add_more = [](auto& world) {
+    world.add(Swirl<Real, Phase::drift, 0>{});
+    world.add(Swirl<Real, Phase::damping, 1>{});
+    world.add(Swirl<Real, Phase::impulse, 2>{});
+    world.add(Swirl<Real, Phase::kick, 0>{});
+    world.add(Swirl<Real, Phase::force, 1>{});
+    std::vector<BodyHandle> tops;
+    for (BodyIndex i = 0; i < world.body_count(); ++i)
+      if (!world.is_point(world.handle_at(i))) tops.push_back(world.handle_at(i));
+    world.add(SwirlOfSpin<Real, Phase::drift, 0>{}, tops);
+    world.add(SwirlOfSpin<Real, Phase::damping, 1>{}, tops);
+    world.add(SwirlOfSpin<Real, Phase::impulse, 2>{}, tops);
+    world.add(SwirlOfSpin<Real, Phase::kick, 0>{}, tops);
+    world.add(SwirlOfSpin<Real, Phase::force, 1>{}, tops);
+    world.add(Wheels<Real, 0>{}, tops);
+    world.add(Wheels<Real, 1>{}, tops);
+  };
+  const auto push = [](auto& world, int) {
+    for (BodyIndex i = 0; i < world.body_count(); i += 3)
+      world.push_at(world.handle_at(i), {1, 2, 3}, {0, 1, 0});
+  };
+  for (const Scheme scheme : {Scheme::semi_implicit_euler, Scheme::verlet, Scheme::suzuki})
+    for (const int threads : {1, 2, 3}) {
+      CAPTURE(name_of(scheme));
+      CAPTURE(threads);
+      compare<Real>(add_more, push, scheme, threads);
+    }
 }
 
 TEST_CASE_TEMPLATE("An effect that finds its pairs finds them in packs too", Real,
                    EVERY_PRECISION) {
   compare<Real>([](auto& world) { world.add(Rubbing<Real>{}); }, nothing);
-  compare<Real>(
-      [](auto& world) {
-        world.add(Clinging<Real>{});
-        if constexpr (requires { world.keeping().use_threads(2); }) world.keeping().use_threads(2);
-      },
-      nothing);
+  compare<Real>([](auto& world) { world.add(Clinging<Real>{}); }, nothing,
+                Scheme::semi_implicit_euler, 2);
 }
 
 TEST_CASE_TEMPLATE("Pushes of one step alone move packs as one by one, and no step longer", Real,
