@@ -29,7 +29,8 @@ struct Pull {
 
 /// The square of the fastest swing, 1/s²: how many times as large a motion becomes, in the end,
 /// when the springs answer it again and again.
-double fastest_square(const std::vector<Pull>& pulls, std::size_t bodies, support::Dice& dice) {
+double fastest_square(const std::vector<Pull>& pulls, std::size_t bodies,
+                      support::RandomGenerator& dice) {
   std::vector<Vec3d> moves(2 * bodies), answers(2 * bodies);
   for (Vec3d& move : moves) move = dice.vector<double>();
   double times = 0;
@@ -57,7 +58,7 @@ double fastest_square(const std::vector<Pull>& pulls, std::size_t bodies, suppor
 /// is held by a spring, and about every second pair is joined by another. They hold the boxes
 /// within, or by arms of up to 1 m along each axis.
 double too_careful(std::uint64_t seed, bool by_arms) {
-  support::Dice dice(seed);
+  support::RandomGenerator dice(seed);
   World<double> world;
   world.on_warning([](const std::string&) {});
   std::vector<BodyHandle> handles;

@@ -49,7 +49,7 @@ struct SteeringBetween {
   }
 };
 
-RigidBody<double> random_body(Dice& dice) {
+RigidBody<double> random_body(RandomGenerator& dice) {
   const Vec3d sides = (Vec3d(1, 1, 1) + dice.vector<double>()) / 2 + Vec3d::Constant(0.05);
   return make_rigid_body<double>(
              "box", mass_properties(Box<double>{sides}, std::exp2(3 * dice.real<double>())),
@@ -58,7 +58,7 @@ RigidBody<double> random_body(Dice& dice) {
 }
 
 /// A controller's matrix: of one axis, of all alike, or of three that lie anywhere.
-Mat3d random_gain(Dice& dice) {
+Mat3d random_gain(RandomGenerator& dice) {
   const double strength = std::exp2(6 * dice.real<double>());
   const Vec3d axis = dice.vector<double>().normalized();
   if (dice.one_in(3)) return strength * axis * axis.transpose();
@@ -74,7 +74,7 @@ Mat3d random_gain(Dice& dice) {
 /// One controller: on one body, or between two.
 struct Loop {
   explicit Loop(std::uint64_t seed) {
-    Dice dice(seed);
+    RandomGenerator dice(seed);
     for (std::uint64_t n = 0; n < 1 + seed % 2; ++n) bodies.push_back(random_body(dice));
     stiffness = dice.one_in(4) ? Mat3d::Zero() : random_gain(dice);
     damping = stiffness.isZero() || !dice.one_in(3) ? random_gain(dice) : Mat3d::Zero();
@@ -137,7 +137,7 @@ double turning_energy_of(const World<double>& world) {
 
 /// How many times the first kinetic energy it is at most, after a small random spin.
 double growth(World<double> world, int steps) {
-  Dice dice(77);
+  RandomGenerator dice(77);
   for (BodyIndex n = 0; n < world.body_count(); ++n)
     world.set_angular_velocity(world.handle_at(n), 1e-9 * dice.vector<double>());
   const double first = turning_energy_of(world);
@@ -186,7 +186,7 @@ TEST_CASE("Controllers, springs and tension on the same bodies are stable below 
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     CAPTURE(seed);
     const auto build = [seed](World<double>& world) {
-      Dice dice(seed);
+      RandomGenerator dice(seed);
       std::vector<BodyHandle> boxes;
       world.on_warning([](const std::string&) {});
       for (int n = 0; n < 3; ++n) {

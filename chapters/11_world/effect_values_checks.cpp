@@ -12,7 +12,7 @@ template <class Real>
 const Real nan_of = std::numeric_limits<Real>::quiet_NaN();
 
 template <class Real>
-RigidBody<Real> random_box(Dice& dice) {
+RigidBody<Real> random_box(RandomGenerator& dice) {
   return make_rigid_body<Real>(
              "box", mass_properties(Box<Real>{{1, 2, 3}}, 2),
              {dice.vector<Real>(), quaternion_of_rotation_vector<Real>(3 * dice.vector<Real>())},
@@ -55,8 +55,8 @@ TEST_CASE_TEMPLATE("Each value of each effect is refused where it is no number",
 
 TEST_CASE_TEMPLATE("A body that moves and turns needs every effect whose strength is not zero",
                    Real, EVERY_PRECISION) {
-  const Facts facts{.moves = true, .turns = true};
-  const auto needed = [&](const auto& effect) { return effect.why_skipped(facts).empty(); };
+  const BodyFlags flags{.moves = true, .turns = true};
+  const auto needed = [&](const auto& effect) { return effect.skip_reason(flags).empty(); };
   CHECK(needed(LinearDamping<Real>{.rate = 1}));
   CHECK_FALSE(needed(LinearDamping<Real>{}));
   CHECK(needed(AngularDamping<Real>{.rate = 1}));
@@ -73,7 +73,7 @@ TEST_CASE_TEMPLATE("A body that moves and turns needs every effect whose strengt
   CHECK(needed(SpringToPoint<Real>{.spring = {.damping = 1}}));
   CHECK_FALSE(needed(SpringToPoint<Real>{}));
   const auto joins = [&](const Spring<Real>& spring) {
-    return SpringBetween<Real>{.spring = spring}.why_skipped().empty();
+    return SpringBetween<Real>{.spring = spring}.skip_reason().empty();
   };
   CHECK(joins({.stiffness = 1}));
   CHECK(joins({.damping = 1}));
@@ -82,7 +82,7 @@ TEST_CASE_TEMPLATE("A body that moves and turns needs every effect whose strengt
 
 TEST_CASE_TEMPLATE("A spring between bodies pulls and damps as one to a point that moves along",
                    Real, EVERY_PRECISION) {
-  Dice dice(17);
+  RandomGenerator dice(17);
   for (int n = 0; n < 50; ++n) {
     const RigidBody<Real> a = random_box<Real>(dice), b = random_box<Real>(dice);
     const Spring<Real> spring{.stiffness = 3, .damping = 2, .rest_length = Real(0.5)};
@@ -141,25 +141,25 @@ TEST_CASE_TEMPLATE("A body is whole only if each of its numbers is finite", Real
   for (const Real bad : {nan_of<Real>, std::numeric_limits<Real>::infinity()}) {
     for (int axis = 0; axis < 3; ++axis) {
       Particle<Real> lost = make_particle<Real>(1), racing = lost;
-      CHECK(is_whole(lost));
+      CHECK(is_finite(lost));
       lost.position[axis] = bad;
       racing.velocity[axis] = bad;
-      CHECK_FALSE(is_whole(lost));
-      CHECK_FALSE(is_whole(racing));
+      CHECK_FALSE(is_finite(lost));
+      CHECK_FALSE(is_finite(racing));
       Top<Real> turned, spun;
-      CHECK(is_whole(turned));
+      CHECK(is_finite(turned));
       turned.orientation.imaginary[axis] = bad;
       spun.angular_momentum_body[axis] = bad;
-      CHECK_FALSE(is_whole(turned));
-      CHECK_FALSE(is_whole(spun));
+      CHECK_FALSE(is_finite(turned));
+      CHECK_FALSE(is_finite(spun));
     }
     Top<Real> top;
     top.orientation.real = bad;
-    CHECK_FALSE(is_whole(top));
+    CHECK_FALSE(is_finite(top));
   }
   Top<Real> half_turn;
   half_turn.orientation = {.real = 0, .imaginary = {1, 0, 0}};
-  CHECK(is_whole(half_turn));
+  CHECK(is_finite(half_turn));
 }
 
 TEST_CASE_TEMPLATE("The turn that was too far is told as |ω| h", Real, EVERY_PRECISION) {
@@ -183,8 +183,8 @@ TEST_CASE_TEMPLATE(
 
 TEST_CASE_TEMPLATE("Why an effect is skipped can be asked of the effect itself", Real,
                    EVERY_PRECISION) {
-  CHECK(why_skipped<Real>(Gravity<Real>{}, Facts{}).empty());
-  CHECK(why_skipped<Real>(Gravity<Real>{}, Facts{.is_static = true, .can_turn = true}) ==
+  CHECK(skip_reason<Real>(Gravity<Real>{}, BodyFlags{}).empty());
+  CHECK(skip_reason<Real>(Gravity<Real>{}, BodyFlags{.is_static = true, .can_turn = true}) ==
         "nothing can move them");
-  CHECK(why_skipped<Real>(Gravity<Real>{{0, 0, 0}}, Facts{}) == "gravity is zero");
+  CHECK(skip_reason<Real>(Gravity<Real>{{0, 0, 0}}, BodyFlags{}) == "gravity is zero");
 }

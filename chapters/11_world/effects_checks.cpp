@@ -28,7 +28,7 @@ template <class Real>
 struct Blow {
   static constexpr std::string_view name = "blow";
   static constexpr Phase phase = Phase::impulse;
-  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>&) const {
+  Vec3<Real> velocity(const Particle<Real>& centre, const StepTime<Real>&) const {
     return centre.velocity.cwiseAbs2();
   }
 };
@@ -39,7 +39,7 @@ struct Motor {
   static constexpr std::string_view name = "motor";
   static constexpr Phase phase = when;
   Real speed = 1;
-  Vec3<Real> velocity(const Particle<Real>&, const Moment<Real>&) const { return {speed, 0, 0}; }
+  Vec3<Real> velocity(const Particle<Real>&, const StepTime<Real>&) const { return {speed, 0, 0}; }
 };
 
 }  // namespace
@@ -124,7 +124,7 @@ TEST_CASE_TEMPLATE("A spring to a point is chapter 6's oscillator, to rounding",
 
 TEST_CASE_TEMPLATE("A spring off the centre gives the torque of its force at its attachment", Real,
                    EVERY_PRECISION) {
-  Dice dice(3);
+  RandomGenerator dice(3);
   for (int n = 0; n < 50; ++n) {
     RigidBody<Real> body =
         make_rigid_body<Real>(
@@ -159,7 +159,7 @@ TEST_CASE_TEMPLATE("A tether pulls and never pushes", Real, EVERY_PRECISION) {
   CHECK(spring_energy<Real>(tether, {1, 0, 0}) == 0);
   CHECK(spring_energy<Real>(tether, {4, 0, 0}) == 20);
   CHECK(same_bits(spring_force<Real>(tether, rest, rest), rest));
-  Dice dice(4);
+  RandomGenerator dice(4);
   for (int n = 0; n < 1000; ++n) {
     const Vec3<Real> extent = 4 * dice.vector<Real>(), rate = 50 * dice.vector<Real>();
     CHECK(spring_force<Real>(tether, extent, rate).dot(extent) <= 0);
@@ -220,7 +220,7 @@ TEST_CASE_TEMPLATE(
   CHECK(std::abs(steps_burnt(Scheme::suzuki, 1, Real(1.3)) - p) <= rounding);
   CHECK(std::abs(steps_burnt(Scheme::suzuki, Real(1.45), Real(1.55)) - (1 - 4 * p)) <= rounding);
   // By every scheme what is given differs from what should be by a step's worth at most.
-  Dice dice(5);
+  RandomGenerator dice(5);
   for (const Scheme scheme : {Scheme::semi_implicit_euler, Scheme::verlet, Scheme::suzuki})
     for (int n = 0; n < 100; ++n) {
       const Real from = 1 + dice.real<Real>(), until = from + 1 + dice.real<Real>();
@@ -242,7 +242,7 @@ TEST_CASE_TEMPLATE(
   const Magnus<Real> with_wind{.strength = Real(0.5), .wind = {2, 0, 0}};
   CHECK(same_bits(with_wind.force({topspin.centre, topspin.top}, 0), Vec3<Real>(0, 0, 0)));
   // With any wind; and towards the side of the ball whose skin, ω × r, runs with the air.
-  Dice dice(8);
+  RandomGenerator dice(8);
   for (int n = 0; n < 50; ++n) {
     const Magnus<Real> wind{.strength = Real(0.5), .wind = dice.vector<Real>()};
     const RigidBody<Real> ball =

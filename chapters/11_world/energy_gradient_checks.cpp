@@ -69,7 +69,7 @@ void check_effect(const Effect& effect, const RigidBody<Real>& body, Witness for
                   Witness arm) {
   const EffectOf<Real, Effect> ours(effect);
   REQUIRE(ours.traits().stores_energy);
-  const auto witness = effect.template widened<Witness>();
+  const auto witness = effect.template broadcast<Witness>();
   const auto energy = [&](const RigidBody<Witness>& at) {
     return witness.potential_energy({at.centre, at.top});
   };
@@ -80,7 +80,7 @@ void check_effect(const Effect& effect, const RigidBody<Real>& body, Witness for
 
 /// A body of 1 to 3 kg somewhere within 3 m, facing anywhere.
 template <class Real>
-RigidBody<Real> drawn_body(Dice& dice) {
+RigidBody<Real> drawn_body(RandomGenerator& dice) {
   RigidBody<Real> body;
   body.centre = make_particle<Real>(2 + dice.real<Real>(), 3 * dice.vector<Real>());
   body.top.orientation = quaternion_of_rotation_vector<Real>(3 * dice.vector<Real>());
@@ -89,7 +89,7 @@ RigidBody<Real> drawn_body(Dice& dice) {
 
 /// A spring, with its damper: nothing moves here, so that gives no force.
 template <class Real>
-Spring<Real> drawn_spring(Dice& dice) {
+Spring<Real> drawn_spring(RandomGenerator& dice) {
   return {.stiffness = 2 + dice.real<Real>(),
           .damping = 1,
           .rest_length = 2 + dice.real<Real>(),
@@ -114,7 +114,7 @@ bool is_smooth(const Spring<Real>& spring, Real length) {
 
 TEST_CASE_TEMPLATE("The force of each gravity is the slope of its energy, and it gives no torque",
                    Real, EVERY_PRECISION) {
-  Dice dice(41);
+  RandomGenerator dice(41);
   for (int trial = 0; trial < 50; ++trial) {
     const RigidBody<Real> body = drawn_body<Real>(dice);
     const Vec3<Real> g = 10 * dice.vector<Real>(), centre = 2 * dice.vector<Real>();
@@ -131,7 +131,7 @@ TEST_CASE_TEMPLATE("The force of each gravity is the slope of its energy, and it
 
 TEST_CASE_TEMPLATE("Force and torque of a spring to a point are the slopes of its energy", Real,
                    EVERY_PRECISION) {
-  Dice dice(42);
+  RandomGenerator dice(42);
   int slack = 0, taut = 0;
   for (int trial = 0; trial < 200; ++trial) {
     CAPTURE(trial);
@@ -152,7 +152,7 @@ TEST_CASE_TEMPLATE("Force and torque of a spring to a point are the slopes of it
 
 TEST_CASE_TEMPLATE("Force and torques of a spring between bodies are the slopes of its energy",
                    Real, EVERY_PRECISION) {
-  Dice dice(43);
+  RandomGenerator dice(43);
   int tried = 0;
   for (int trial = 0; trial < 100; ++trial) {
     CAPTURE(trial);

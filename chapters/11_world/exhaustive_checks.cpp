@@ -55,35 +55,35 @@ struct OwnAcceleration : Named {
 template <class Real, Phase when>
 struct OwnVelocity : Named {
   static constexpr Phase phase = when;
-  Vec3<Real> velocity(const Particle<Real>& seen, const Moment<Real>& moment) const {
+  Vec3<Real> velocity(const Particle<Real>& seen, const StepTime<Real>& moment) const {
     return seen.velocity + moment.time_step * Vec3<Real>(1, seen.position.x(), 0);
   }
 };
 template <class Real, Phase when>
 struct OwnVelocityOfBody : Named {
   static constexpr Phase phase = when;
-  Vec3<Real> velocity(const BodyState<Real>& seen, const Moment<Real>& moment) const {
+  Vec3<Real> velocity(const BodyState<Real>& seen, const StepTime<Real>& moment) const {
     return seen.centre.velocity + moment.time_step * rotate<Real>(seen.top.orientation, {0, 1, 0});
   }
 };
 template <class Real, Phase when>
 struct OwnSpin : Named {
   static constexpr Phase phase = when;
-  Vec3<Real> angular_momentum_body(const Top<Real>& seen, const Moment<Real>& moment) const {
+  Vec3<Real> angular_momentum_body(const Top<Real>& seen, const StepTime<Real>& moment) const {
     return seen.angular_momentum_body + moment.time_step * Vec3<Real>(1, 2, 3);
   }
 };
 template <class Real, Phase when>
 struct OwnPosition : Named {
   static constexpr Phase phase = when;
-  Vec3<Real> position(const Particle<Real>& seen, const Moment<Real>&) const {
+  Vec3<Real> position(const Particle<Real>& seen, const StepTime<Real>&) const {
     return {seen.position.x(), seen.position.y(), std::max(seen.position.z(), Real(0))};
   }
 };
 template <class Real, Phase when>
 struct OwnOrientation : Named {
   static constexpr Phase phase = when;
-  Quaternion<Real> orientation(const Top<Real>& seen, const Moment<Real>&) const {
+  Quaternion<Real> orientation(const Top<Real>& seen, const StepTime<Real>&) const {
     return renormalized(seen.orientation *
                         quaternion_of_rotation_vector<Real>(Vec3<Real>(0, Real(0.01), 0)));
   }
@@ -98,7 +98,7 @@ struct OwnPushBetween : Named {
 template <class Real>
 struct OwnBlowBetween : Named {
   PairBlow<Real> blow(const BodyState<Real>& first, const BodyState<Real>& second,
-                      const Moment<Real>&) const {
+                      const StepTime<Real>&) const {
     const Vec3<Real> parting = first.centre.velocity - second.centre.velocity;
     return {.impulse_on_first = (Vec3<Real>(1, 0, 0) - parting) / 64,
             .turn_on_first = Vec3<Real>(0, 0, Real(0.125)),
@@ -118,10 +118,10 @@ struct OwnContact : OwnBlowBetween<Real> {
 
 /// Steps both worlds side by side, the second exhaustively, and meddles with both alike.
 template <class Real>
-void step_side_by_side(World<Real>& planned, Dice dice, int steps, bool meddles) {
+void step_side_by_side(World<Real>& planned, RandomGenerator dice, int steps, bool meddles) {
   settle(planned);
   World<Real> exhaustive = planned;
-  Dice other_dice = dice;
+  RandomGenerator other_dice = dice;
   for (int n = 0; n < steps; ++n) {
     if (meddles && n % 3 == 2) {
       meddle(planned, dice, n);
@@ -141,7 +141,7 @@ int try_own_effect(const Effect& effect) {
   int moved = 0;
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     CAPTURE(seed);
-    Dice dice(seed);
+    RandomGenerator dice(seed);
     World<Real> world(steps_per_second(60));
     std::vector<BodyHandle> bodies, with_tops;
     for (int n = 0; n < 7; ++n)
@@ -178,7 +178,7 @@ TEST_CASE_TEMPLATE("A thousand random worlds move by plan as when nothing is kno
   std::set<std::string> kinds;
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     CAPTURE(seed);
-    Dice dice(seed);
+    RandomGenerator dice(seed);
     World<Real> world = random_world<Real>(dice);
     CHECK(world.body_count() >= 1);
     CHECK(world.body_count() <= 5);

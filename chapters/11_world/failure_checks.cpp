@@ -59,7 +59,7 @@ template <class Real, Phase when>
 struct Spoiler {
   static constexpr Phase phase = when;
   std::string name;
-  Vec3<Real> velocity(const Particle<Real>&, const Moment<Real>&) const {
+  Vec3<Real> velocity(const Particle<Real>&, const StepTime<Real>&) const {
     return {std::numeric_limits<Real>::quiet_NaN(), 0, 0};
   }
 };
@@ -69,7 +69,7 @@ template <class Real>
 struct Doubler {
   static constexpr Phase phase = Phase::force;
   static constexpr std::string_view name = "doubler";
-  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>&) const {
+  Vec3<Real> velocity(const Particle<Real>& centre, const StepTime<Real>&) const {
     return 2 * centre.velocity;
   }
 };
@@ -87,7 +87,7 @@ struct Tripwire {
   static constexpr Phase phase = Phase::drift;
   static constexpr std::string_view name = "tripwire";
   Vec3<Real> start = Vec3<Real>::Zero();
-  Vec3<Real> velocity(const BodyState<Real>& body, const Moment<Real>&) const {
+  Vec3<Real> velocity(const BodyState<Real>& body, const StepTime<Real>&) const {
     const bool is_there =
         body.centre.position == start && body.top.orientation.imaginary == Vec3<Real>::Zero();
     return is_there ? body.centre.velocity
@@ -100,7 +100,7 @@ template <class Real>
 struct BadPlace {
   static constexpr Phase phase = Phase::drift;
   static constexpr std::string_view name = "bad place";
-  Vec3<Real> position(const Particle<Real>&, const Moment<Real>&) const {
+  Vec3<Real> position(const Particle<Real>&, const StepTime<Real>&) const {
     return {0, std::numeric_limits<Real>::infinity(), 0};
   }
 };
@@ -108,7 +108,7 @@ template <class Real>
 struct BadSpin {
   static constexpr Phase phase = Phase::kick;
   static constexpr std::string_view name = "bad spin";
-  Vec3<Real> angular_momentum_body(const Top<Real>&, const Moment<Real>&) const {
+  Vec3<Real> angular_momentum_body(const Top<Real>&, const StepTime<Real>&) const {
     return {0, 0, std::numeric_limits<Real>::infinity()};
   }
 };
@@ -117,7 +117,7 @@ struct BadFacing {
   static constexpr Phase phase = Phase::drift;
   static constexpr std::string_view name = "bad facing";
   Quaternion<Real> given;
-  Quaternion<Real> orientation(const Top<Real>&, const Moment<Real>&) const { return given; }
+  Quaternion<Real> orientation(const Top<Real>&, const StepTime<Real>&) const { return given; }
 };
 
 }  // namespace
@@ -307,7 +307,7 @@ template <class Real, Phase when>
 struct Refusal {
   static constexpr Phase phase = when;
   static constexpr std::string_view name = "refusal";
-  Vec3<Real> velocity(const Particle<Real>&, const Moment<Real>&) const {
+  Vec3<Real> velocity(const Particle<Real>&, const StepTime<Real>&) const {
     throw std::domain_error("off the map");
   }
 };

@@ -21,7 +21,7 @@ template <class Real, Phase when>
 struct OwnKick {
   static constexpr std::string_view name = "own kick";
   static constexpr Phase phase = when;
-  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>& moment) const {
+  Vec3<Real> velocity(const Particle<Real>& centre, const StepTime<Real>& moment) const {
     return centre.velocity + Vec3<Real>(moment.time_step, 0, 0);
   }
 };
@@ -45,7 +45,7 @@ TEST_CASE_TEMPLATE("The books close to rounding: what the effects put in is what
                    Real, EVERY_PRECISION) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     CAPTURE(seed);
-    Dice dice(seed);
+    RandomGenerator dice(seed);
     World<Real> world = random_world<Real>(dice);
     Ledger<Real> ledger(world);
     double turnover = size_of(ledger.start());
@@ -64,7 +64,7 @@ TEST_CASE_TEMPLATE("The books close to rounding: what the effects put in is what
 
 TEST_CASE_TEMPLATE("A step with books is a step without them, to the bit", Real, EVERY_PRECISION) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-    Dice dice(seed);
+    RandomGenerator dice(seed);
     World<Real> booked = random_world<Real>(dice);
     World<Real> plain = booked;
     Ledger<Real> ledger(booked);

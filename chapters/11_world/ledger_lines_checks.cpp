@@ -19,7 +19,7 @@ struct Change {
   static constexpr Phase phase = when;
   std::string name;
   Real factor, more;
-  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>&) const {
+  Vec3<Real> velocity(const Particle<Real>& centre, const StepTime<Real>&) const {
     return factor * centre.velocity + Vec3<Real>(more, 0, 0);
   }
 };
@@ -73,7 +73,7 @@ template <class Real>
 struct Floor {
   static constexpr std::string_view name = "floor";
   static constexpr Phase phase = Phase::drift;
-  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>&) const {
+  Vec3<Real> velocity(const Particle<Real>& centre, const StepTime<Real>&) const {
     return centre.position.z() < 0 ? Vec3<Real>(0, 0, 0) : centre.velocity;
   }
 };

@@ -27,20 +27,22 @@ template <class Real>
 struct Elsewhere : Named {
   static constexpr Phase phase = Phase::drift;
   Vec3<Real> place;
-  Vec3<Real> position(const Particle<Real>&, const Moment<Real>&) const { return place; }
+  Vec3<Real> position(const Particle<Real>&, const StepTime<Real>&) const { return place; }
 };
 template <class Real>
 struct Facing : Named {
   static constexpr Phase phase = Phase::drift;
   Quaternion<Real> facing;
-  Quaternion<Real> orientation(const Top<Real>&, const Moment<Real>&) const { return facing; }
+  Quaternion<Real> orientation(const Top<Real>&, const StepTime<Real>&) const { return facing; }
 };
 /// The same, by a function that sees the body.
 template <class Real>
 struct FacingOfBody : Named {
   static constexpr Phase phase = Phase::drift;
   Quaternion<Real> facing;
-  Quaternion<Real> orientation(const BodyState<Real>&, const Moment<Real>&) const { return facing; }
+  Quaternion<Real> orientation(const BodyState<Real>&, const StepTime<Real>&) const {
+    return facing;
+  }
 };
 template <class Real>
 struct TorqueOnBody : Named {
@@ -51,7 +53,7 @@ template <class Real>
 struct SpinOfBody : Named {
   static constexpr Phase phase = Phase::kick;
   Vec3<Real> given;
-  Vec3<Real> angular_momentum_body(const BodyState<Real>&, const Moment<Real>&) const {
+  Vec3<Real> angular_momentum_body(const BodyState<Real>&, const StepTime<Real>&) const {
     return given;
   }
 };
@@ -59,7 +61,7 @@ struct SpinOfBody : Named {
 /// A blow on those that are less than 2 m apart.
 template <class Real>
 struct Touch : Named {
-  PairBlow<Real> blow(const BodyState<Real>&, const BodyState<Real>&, const Moment<Real>&) const {
+  PairBlow<Real> blow(const BodyState<Real>&, const BodyState<Real>&, const StepTime<Real>&) const {
     return {.impulse_on_first = {1, 2, 3}, .turn_on_first = {4, 5, 6}, .turn_on_second = {7, 8, 9}};
   }
   void find_pairs(const Bodies<Real>& bodies, std::vector<BodyPair>& pairs) const {
@@ -78,7 +80,7 @@ struct LateForce : Named {
 struct EarlyBlow : Named {
   static constexpr Phase phase = Phase::force;
   PairBlow<double> blow(const BodyState<double>&, const BodyState<double>&,
-                        const Moment<double>&) const {
+                        const StepTime<double>&) const {
     return {};
   }
 };
@@ -126,8 +128,8 @@ TEST_CASE_TEMPLATE("An orientation that an effect writes for everyone turns no p
   const BodyHandle point = world.add("point", make_particle<Real>(1));
   const BodyHandle body = world.add("body", body_at<Real>({5, 0, 0}));
   world.add(Facing<Real>{});
-  CHECK(!world.facts()[world.index_of(point)].turns);
-  CHECK(world.facts()[world.index_of(body)].turns);
+  CHECK(!world.flags()[world.index_of(point)].turns);
+  CHECK(world.flags()[world.index_of(body)].turns);
 }
 
 TEST_CASE_TEMPLATE("A step that fails takes back an orientation that an effect has given", Real,

@@ -25,7 +25,7 @@ template <class Real, Phase when>
 struct Still {
   static constexpr Phase phase = when;
   std::string name;
-  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>&) const {
+  Vec3<Real> velocity(const Particle<Real>& centre, const StepTime<Real>&) const {
     return centre.velocity;
   }
 };
@@ -171,12 +171,12 @@ TEST_CASE_TEMPLATE(
   CHECK(plan() == std::pair<std::size_t, std::size_t>(0, 0));
   world.restore(both);
   CHECK(plan() == std::pair<std::size_t, std::size_t>(1, 1));
-  CHECK(world.facts()[0].moves);
-  CHECK_FALSE(world.facts()[0].turns);
-  CHECK(world.facts()[1].turns);
+  CHECK(world.flags()[0].moves);
+  CHECK_FALSE(world.flags()[0].turns);
+  CHECK(world.flags()[1].turns);
   world.restore(read_snapshot<Real>(file));
   CHECK(plan() == std::pair<std::size_t, std::size_t>(1, 0));
-  CHECK(world.facts()[0].moves);
+  CHECK(world.flags()[0].moves);
 }
 
 TEST_CASE_TEMPLATE("A push of one step calls for one kick, and for none if the world is taken back",
@@ -217,12 +217,12 @@ TEST_CASE_TEMPLATE("A torque calls for no drift, a force for no turn, and a plan
   World<Real> world;
   world.add("box", box_body<Real>({0, 0, 0}));
   const EffectHandle turn = world.add(Turn<Real>{});
-  CHECK(world.facts()[0] ==
-        Facts{.can_turn = true, .is_gyroscopic = true, .is_torqued = true, .turns = true});
+  CHECK(world.flags()[0] ==
+        BodyFlags{.can_turn = true, .is_gyroscopic = true, .is_torqued = true, .turns = true});
   world.remove(turn);
   world.add(Gravity<Real>{});
-  CHECK(world.facts()[0] ==
-        Facts{.can_turn = true, .is_gyroscopic = true, .is_pushed = true, .moves = true});
+  CHECK(world.flags()[0] ==
+        BodyFlags{.can_turn = true, .is_gyroscopic = true, .is_pushed = true, .moves = true});
   world.add(Still<Real, Phase::drift>{"e"});
   world.add(Still<Real, Phase::damping>{"d"});
   world.add(Still<Real, Phase::impulse>{"c"});

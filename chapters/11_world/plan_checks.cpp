@@ -44,11 +44,11 @@ TEST_CASE_TEMPLATE("A thousand random worlds move by plan as by the reference ru
   int moved = 0;
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     CAPTURE(seed);
-    Dice dice(seed);
+    RandomGenerator dice(seed);
     World<Real> planned = random_world<Real>(dice);
     World<Real> reference = planned;
     const Bodies<Real> start = planned.bodies();
-    Dice planned_dice = dice, reference_dice = dice;
+    RandomGenerator planned_dice = dice, reference_dice = dice;
     for (int n = 0; n < 12; ++n) {
       if (n % 4 == 3) {
         meddle(planned, planned_dice, n);
@@ -68,7 +68,7 @@ TEST_CASE_TEMPLATE("A step that fails by plan fails by the reference run too, in
   int failed = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     CAPTURE(seed);
-    Dice dice(seed);
+    RandomGenerator dice(seed);
     World<Real> planned = random_world<Real>(dice);
     planned.add(BrokenMotor<Real>{});
     World<Real> reference = planned;
@@ -88,7 +88,7 @@ TEST_CASE_TEMPLATE("A step that fails by plan fails by the reference run too, in
 
 TEST_CASE_TEMPLATE("A top with equal moments turns by splitting as it turns steadily", Real,
                    EVERY_PRECISION) {
-  Dice dice(7);
+  RandomGenerator dice(7);
   for (int n = 0; n < 100; ++n) {
     Top<Real> steady;
     steady.inverse_moments = Vec3<Real>::Constant(Real(2));
@@ -124,12 +124,12 @@ TEST_CASE_TEMPLATE("A first spin changes the plan at once, and the world says so
   CHECK(row_of(world.plan(), "tumbling: splitting")->visited == 0);
   CHECK(row_of(world.plan(), "tumbling: splitting")->reason ==
         "not 1: no spin and nothing that can give torque");
-  CHECK(world.news().empty());
+  CHECK(world.change_log().empty());
   for (int n = 0; n < 3; ++n) world.step();
   world.set_angular_velocity(box, {0, 1, 0});
   CHECK(row_of(world.plan(), "tumbling: splitting")->visited == 1);
-  REQUIRE(world.news().size() == 1);
-  CHECK(world.news()[0] ==
+  REQUIRE(world.change_log().size() == 1);
+  CHECK(world.change_log()[0] ==
         "step 3: tumbling: splitting visits 1 of 1, before 0 ('box' got its first spin)");
   const Quaternion<Real> before = world.body(box).top.orientation;
   world.step();

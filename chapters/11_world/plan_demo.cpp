@@ -60,7 +60,7 @@ int main(int argument_count, char** arguments) {
   table.add(AngularDamping<double>{.rate = 0.1});
   for (int n = 0; n < 60; ++n) table.step();
   table.set_angular_velocity(coin, {0, 0, 30});
-  for (const std::string& sentence : table.news()) std::printf("%s\n", sentence.c_str());
+  for (const std::string& sentence : table.change_log()) std::printf("%s\n", sentence.c_str());
   //! [coin]
-  support::expect(table.news().size() == 2, "a first spin calls for damping and for turning");
+  support::expect(table.change_log().size() == 2, "a first spin calls for damping and for turning");
 }

@@ -323,7 +323,7 @@ struct Motor {
   static constexpr std::string_view name = "motor";
   static constexpr Quantities reads = quantity::time;
   static constexpr Phase phase = when;
-  Vec3d velocity(const Particle<double>&, const Moment<double>& at) const {
+  Vec3d velocity(const Particle<double>&, const StepTime<double>& at) const {
     return {at.time * at.time, 0, 0};
   }
 };
@@ -331,7 +331,7 @@ struct Motor {
 struct Rail {
   static constexpr std::string_view name = "rail";
   static constexpr Quantities reads = quantity::time;
-  Vec3d position(const Particle<double>&, const Moment<double>& at) const {
+  Vec3d position(const Particle<double>&, const StepTime<double>& at) const {
     return {at.time * at.time, 0, 0};
   }
 };
@@ -351,7 +351,7 @@ TEST_CASE(
       CHECK(world.plan().accuracy.limits.size() == (is_limited ? 1 : 0));
       for (int n = 0; n < steps; ++n) world.step();
       const Particle<double>& thing = world.bodies().centres[0];
-      if constexpr (requires { effect.velocity(thing, Moment<double>{}); })
+      if constexpr (requires { effect.velocity(thing, StepTime<double>{}); })
         errors[i] = std::abs(thing.position.x() - 1 / 3.0) + std::abs(thing.velocity.x() - 1);
       else
         errors[i] = std::abs(thing.position.x() - 1);

@@ -24,7 +24,7 @@ template <class Real>
 struct Elsewhere {
   static constexpr std::string_view name = "elsewhere";
   static constexpr Phase phase = Phase::drift;
-  Vec3<Real> position(const Particle<Real>&, const Moment<Real>&) const { return {0, 0, 8}; }
+  Vec3<Real> position(const Particle<Real>&, const StepTime<Real>&) const { return {0, 0, 8}; }
 };
 
 }  // namespace
@@ -33,7 +33,7 @@ TEST_CASE_TEMPLATE("A world that is taken back moves on with the same bits, from
                    Real, EVERY_PRECISION) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     CAPTURE(seed);
-    Dice dice(seed);
+    RandomGenerator dice(seed);
     World<Real> world = random_world<Real>(dice, 8);
     for (int n = 0; n < 5; ++n) world.step();
     const Snapshot<Real> saved = world.save();
@@ -58,7 +58,7 @@ TEST_CASE_TEMPLATE("A world goes back to its marks, in any order, to the bit", R
                    EVERY_PRECISION) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     CAPTURE(seed);
-    Dice dice(seed);
+    RandomGenerator dice(seed);
     World<Real> world = random_world<Real>(dice, 8);
     // Somebody plays with it, and in each frame it is saved in both ways.
     std::vector<Mark<Real>> marks;
@@ -86,7 +86,7 @@ TEST_CASE_TEMPLATE("A world goes back to its marks, in any order, to the bit", R
       twin.restore(snapshots[frame]);
       REQUIRE(world.ticks() == twin.ticks());
       REQUIRE(same_motion(twin.bodies(), world.bodies()));
-      REQUIRE(world.facts() == twin.facts());
+      REQUIRE(world.flags() == twin.flags());
       for (int k = 0; k < 3; ++k) world.step(), twin.step();
       REQUIRE(same_motion(twin.bodies(), world.bodies()));
       play();

@@ -99,7 +99,7 @@ constexpr std::array schemes = {Scheme::semi_implicit_euler, Scheme::verlet, Sch
 TEST_CASE("A spinning top is stable up to its limit, and unstable a little above it") {
   for (std::uint64_t seed = 1; seed <= 120; ++seed) {
     CAPTURE(seed);
-    Dice dice(seed);
+    RandomGenerator dice(seed);
     const double across = std::exp2(dice.real<double>()), along = std::exp2(dice.real<double>());
     const RigidBody<double> body = top_of(1, across, along);
     const double spin = std::exp2(4 * dice.real<double>()), k = std::exp2(4 * dice.real<double>());
@@ -208,7 +208,7 @@ TEST_CASE("Of tops that spin about any axes, joined by springs there, none grows
     for (const Scheme scheme : {Scheme::semi_implicit_euler, Scheme::verlet}) {
       double nutation = 0;
       const auto build = [&](double time_step) {
-        Dice dice(seed);
+        RandomGenerator dice(seed);
         World<double> world = quiet_world(scheme, time_step);
         std::vector<BodyHandle> tops;
         for (std::size_t n = 0, count = 2 + dice.below(4); n < count; ++n) {
@@ -286,7 +286,7 @@ TEST_CASE_TEMPLATE("A spin that asks for a shorter step is named in the warning"
 
 TEST_CASE_TEMPLATE("The weakest spring keeps every nutation just below half a turn in a step", Real,
                    EVERY_PRECISION) {
-  Dice dice(9);
+  RandomGenerator dice(9);
   for (int n = 0; n < 200; ++n) {
     RigidBody<Real> body;
     body.centre = make_particle<Real>(1);
@@ -316,7 +316,7 @@ TEST_CASE("A box that spins about its largest moment between two springs keeps i
     for (const Scheme scheme : schemes) {
       double nutation = 0;
       const auto build = [&](double time_step) {
-        Dice dice(seed);
+        RandomGenerator dice(seed);
         World<double> world = quiet_world(scheme, time_step);
         const Vec3d sides = (Vec3d(1, 1, 1) + dice.vector<double>()) / 2;
         RigidBody<double> box =

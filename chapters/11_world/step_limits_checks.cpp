@@ -8,7 +8,7 @@ using namespace tumble::support;
 namespace {
 
 template <class Real>
-RigidBody<Real> random_body(Dice& dice) {
+RigidBody<Real> random_body(RandomGenerator& dice) {
   const Vec3<Real> sides = (Vec3<Real>(1, 1, 1) + dice.vector<Real>()) / 2;
   return make_rigid_body<Real>(
              "box",
@@ -95,7 +95,7 @@ TEST_CASE_TEMPLATE("The limit of springs holds for springs and dampers in any pr
                    EVERY_PRECISION) {
   // One point between two walls or three, on a line, with springs between neighbours.
   const auto build = [](World<Real>& world, std::uint64_t seed) {
-    Dice dice(seed);
+    RandomGenerator dice(seed);
     std::vector<BodyHandle> points;
     for (std::size_t n = 0; n < (seed % 2 == 0 ? 1 : 3); ++n)
       points.push_back(
@@ -249,7 +249,7 @@ TEST_CASE_TEMPLATE("The arm at either end counts for the body at that end", Real
 
 TEST_CASE_TEMPLATE("No force moves the point that it acts at more easily than the bound says", Real,
                    EVERY_PRECISION) {
-  Dice dice(5);
+  RandomGenerator dice(5);
   for (int n = 0; n < 200; ++n) {
     const RigidBody<double> body = random_body<double>(dice);
     const Vec3d arm = dice.vector<double>();
@@ -266,7 +266,7 @@ TEST_CASE_TEMPLATE("No force moves the point that it acts at more easily than th
 }
 
 TEST_CASE("What resists a small turn is the change of the torque") {
-  Dice dice(6);
+  RandomGenerator dice(6);
   for (int n = 0; n < 50; ++n) {
     const Vec3d arm = dice.vector<double>(), turn = 1e-5 * dice.vector<double>();
     // In equilibrium another force takes away the torque; here one along the arm has none.
@@ -287,7 +287,7 @@ TEST_CASE("What resists a small turn is the change of the torque") {
 }
 
 TEST_CASE("One spring is stable up to its limit in every direction, and unstable above it in one") {
-  Dice dice(8);
+  RandomGenerator dice(8);
   for (int n = 0; n < 40; ++n) {
     const RigidBody<double> body = random_body<double>(dice);
     const Vec3d arm = dice.vector<double>();
@@ -394,7 +394,7 @@ TEST_CASE("A chain of boxes under tension is stable below its limit, whatever it
     // How many times as easily the ends of a box yield as its centre does, at most:
     double yielding = 1;
     const auto build = [seed, &yielding](World<double>& world) {
-      Dice dice(seed);
+      RandomGenerator dice(seed);
       const double tension = std::exp2(8 * dice.real<double>());
       const std::size_t count = 1 + dice.below(3);
       std::vector<BodyHandle> boxes;
@@ -444,7 +444,7 @@ TEST_CASE("A chain of boxes under tension is stable below its limit, whatever it
       build(world);
       world.step_by(scheme);
       CHECK(world.warnings().empty() == (time_step < limit.time_step));
-      Dice dice(seed + 1000);
+      RandomGenerator dice(seed + 1000);
       for (BodyIndex n = 0; n < world.body_count(); ++n) {
         world.set_velocity(world.handle_at(n), 1e-6 * dice.vector<double>());
         world.set_angular_velocity(world.handle_at(n), 1e-6 * dice.vector<double>());
@@ -478,7 +478,7 @@ TEST_CASE("A chain of points under tension explodes from 1.56 times its limit on
   double sharpest = times;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     CAPTURE(seed);
-    Dice dice(seed);
+    RandomGenerator dice(seed);
     const std::size_t count = 1 + dice.below(8);
     const bool are_alike = dice.one_in(3);
     const double tension = std::exp2(4 * dice.real<double>());
@@ -543,7 +543,7 @@ TEST_CASE_TEMPLATE(
     "Below the limit drag only slows, beyond it throws back more slowly, and beyond twice the "
     "limit it explodes",
     Real, EVERY_PRECISION) {
-  Dice dice(9);
+  RandomGenerator dice(9);
   for (int n = 0; n < 100; ++n) {
     const Real mass = std::exp2(3 * dice.real<Real>()), c = std::exp2(3 * dice.real<Real>());
     const Vec3<Real> velocity = 10 * dice.vector<Real>(), wind = 10 * dice.vector<Real>();

@@ -32,7 +32,7 @@ template <class Real, Phase when, int axis>
 struct Swirl {
   static constexpr std::string_view name = "swirl";
   static constexpr Phase phase = when;
-  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>& at) const {
+  Vec3<Real> velocity(const Particle<Real>& centre, const StepTime<Real>& at) const {
     const Vec3<Real> along = Vec3<Real>::Unit(axis) * (1 + at.time);
     return centre.velocity + along.cross(centre.velocity + centre.position) * at.time_step +
            centre.force / 16;
@@ -43,7 +43,7 @@ template <class Real, Phase when, int axis>
 struct SwirlOfSpin {
   static constexpr std::string_view name = "swirl of the spin";
   static constexpr Phase phase = when;
-  Vec3<Real> angular_momentum_body(const Top<Real>& top, const Moment<Real>& at) const {
+  Vec3<Real> angular_momentum_body(const Top<Real>& top, const StepTime<Real>& at) const {
     const Vec3<Real> along = rotate_back(top.orientation, Vec3<Real>::Unit(axis) * (1 + at.time));
     return top.angular_momentum_body + along.cross(top.angular_momentum_body) * at.time_step +
            top.torque / 16;
@@ -54,7 +54,7 @@ template <class Real>
 struct Shift {
   static constexpr std::string_view name = "shift";
   static constexpr Phase phase = Phase::drift;
-  Vec3<Real> position(const Particle<Real>& centre, const Moment<Real>& at) const {
+  Vec3<Real> position(const Particle<Real>& centre, const StepTime<Real>& at) const {
     return centre.position + centre.velocity.cross(Vec3<Real>(1, 2, 3)) * at.time_step;
   }
 };
@@ -66,7 +66,7 @@ template <class Real>
 const Vec3<Real> point = {Real(0.3), 1, 2};
 
 template <class Real>
-void kick_by_hand(RigidBody<Real>& body, const Vec3<Real>& torque, const Moment<Real>& at) {
+void kick_by_hand(RigidBody<Real>& body, const Vec3<Real>& torque, const StepTime<Real>& at) {
   auto& [centre, top] = body;
   centre.force += Wind<Real, 0>{}.force(centre, at.time);
   centre.force += Wind<Real, 1>{}.force(centre, at.time);
@@ -80,7 +80,7 @@ void kick_by_hand(RigidBody<Real>& body, const Vec3<Real>& torque, const Moment<
 }
 
 template <class Real>
-void fade_by_hand(RigidBody<Real>& body, const Moment<Real>& step) {
+void fade_by_hand(RigidBody<Real>& body, const StepTime<Real>& step) {
   auto& [centre, top] = body;
   centre.velocity = Swirl<Real, Phase::impulse, 1>{}.velocity(centre, step);
   top.angular_momentum_body =
@@ -100,15 +100,15 @@ void drift_by_hand(RigidBody<Real>& body, Real time_step) {
 }
 
 template <class Real>
-void end_by_hand(RigidBody<Real>& body, const Moment<Real>& step) {
+void end_by_hand(RigidBody<Real>& body, const StepTime<Real>& step) {
   body.centre.position = Shift<Real>{}.position(body.centre, step);
   body.centre.velocity = Swirl<Real, Phase::drift, 0>{}.velocity(body.centre, step);
 }
 
 template <class Real>
-void step_by_hand(RigidBody<Real>& body, Scheme scheme, const Moment<Real>& step) {
+void step_by_hand(RigidBody<Real>& body, Scheme scheme, const StepTime<Real>& step) {
   const Vec3<Real> torque = torque_about<Real>(body.centre.position, point<Real>, force<Real>);
-  const auto part = [&](double begins, double lasts) -> Moment<Real> {
+  const auto part = [&](double begins, double lasts) -> StepTime<Real> {
     return {step.time + static_cast<Real>(begins) * step.time_step,
             static_cast<Real>(lasts) * step.time_step};
   };
@@ -182,7 +182,7 @@ TEST_CASE_TEMPLATE(
       for (World<Real>* each : {&world, &by_reference, &exhaustively, &booked})
         for (BodyIndex i = 0; i < 2; ++i)
           each->push_at(each->handle_at(i), force<Real>, point<Real>);
-      for (RigidBody<Real>& body : by_hand) step_by_hand(body, scheme, world.moment());
+      for (RigidBody<Real>& body : by_hand) step_by_hand(body, scheme, world.step_time());
       world.step();
       by_reference.step_by_reference();
       exhaustively.step_exhaustively();

@@ -353,7 +353,7 @@ TEST_CASE_TEMPLATE(
     "By its plan, by the reference run and exhaustively bodies with wheels turn alike to the bit",
     Real, EVERY_PRECISION) {
   for (const Scheme scheme : every_scheme) {
-    Dice dice(47);
+    RandomGenerator dice(47);
     World<Real> world = world_with_two_wheels<Real>(scheme, 60, 1);
     for (int n = 0; n < 30; ++n) add_random_body(world, dice, "other " + std::to_string(n));
     world.add(ReactionWheel<Real>{.name = "still"});

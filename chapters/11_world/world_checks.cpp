@@ -90,7 +90,7 @@ TEST_CASE_TEMPLATE(
 }
 
 TEST_CASE_TEMPLATE("Bodies keep their tops while others are removed", Real, EVERY_PRECISION) {
-  Dice dice(5);
+  RandomGenerator dice(5);
   World<Real> world;
   std::vector<BodyHandle> handles;
   std::vector<Real> marks;

@@ -13,7 +13,7 @@ template <class Real, Phase when, int axis>
 struct Swirl {
   static constexpr std::string_view name = "swirl";
   static constexpr Phase phase = when;
-  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>&) const {
+  Vec3<Real> velocity(const Particle<Real>& centre, const StepTime<Real>&) const {
     return centre.velocity + Vec3<Real>::Unit(axis).cross(centre.velocity) / 8;
   }
 };
@@ -22,7 +22,7 @@ template <class Real, Phase when, int axis>
 struct SwirlOfSpin {
   static constexpr std::string_view name = "swirl of the spin";
   static constexpr Phase phase = when;
-  Vec3<Real> angular_momentum_body(const Top<Real>& top, const Moment<Real>&) const {
+  Vec3<Real> angular_momentum_body(const Top<Real>& top, const StepTime<Real>&) const {
     return top.angular_momentum_body + Vec3<Real>::Unit(axis).cross(top.angular_momentum_body) / 8;
   }
 };
@@ -52,7 +52,7 @@ template <class Real>
 struct Rubbing : Neighbours<Real> {
   static constexpr std::string_view name = "rubbing";
   PairBlow<Real> blow(const BodyState<Real>& first, const BodyState<Real>& second,
-                      const Moment<Real>&) const {
+                      const StepTime<Real>&) const {
     return {.impulse_on_first = (second.centre.velocity - first.centre.velocity) / 8,
             .turn_on_first = {0, Real(0.125), 0},
             .turn_on_second = {0, 0, Real(0.125)}};
@@ -72,7 +72,7 @@ struct Clinging : Neighbours<Real> {
 template <class AnyWorld, class AddMore>
 AnyWorld crowd(AnyWorld world, const AddMore& add_more) {
   using Real = decltype(world.time_step());
-  Dice dice(41);
+  RandomGenerator dice(41);
   for (int n = 0; n < 70; ++n) add_random_body(world, dice, "body " + std::to_string(n));
   world.add(Gravity<Real>{});
   add_more(world);
@@ -190,7 +190,7 @@ TEST_CASE_TEMPLATE(
   auto in_parts = world;
   const Work<Real>& work = in_parts.work();
   const auto parts = in_parts.keeping().parts(work);
-  const Moment<Real> moment = in_parts.moment();
+  const StepTime<Real> moment = in_parts.step_time();
   std::map<std::string, std::size_t> bodies;
   for (std::size_t part = 0; part < parts.size(); ++part) {
     bodies[parts[part].name] += parts[part].bodies;
@@ -266,7 +266,7 @@ TEST_CASE_TEMPLATE("A world in packs can be stepped by reference, and a part of 
   for (std::size_t part = 0; part < parts.size(); ++part)
     if (parts[part].name == "drift") {
       CHECK(parts[part].bodies == 37);
-      in_part.keeping().run_part(in_part.work(), part, in_part.moment());
+      in_part.keeping().run_part(in_part.work(), part, in_part.step_time());
     }
   for (BodyIndex i = 0; i < 37; ++i) {
     const RigidBody<Real> drifted = in_part.body(in_part.handle_at(i));

@@ -24,7 +24,7 @@ struct OwnVelocity {
   static constexpr std::string_view name = "own velocity";
   static constexpr Phase phase = when;
   Fuse<Real> fuse;
-  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>& moment) const {
+  Vec3<Real> velocity(const Particle<Real>& centre, const StepTime<Real>& moment) const {
     return fuse(moment.time) * Real(0.99) * centre.velocity +
            moment.time_step * Vec3<Real>(centre.position.y(), 0, 0);
   }
@@ -35,7 +35,7 @@ struct OwnSpin {
   static constexpr std::string_view name = "own spin";
   static constexpr Phase phase = when;
   Fuse<Real> fuse;
-  Vec3<Real> angular_momentum_body(const Top<Real>& top, const Moment<Real>& moment) const {
+  Vec3<Real> angular_momentum_body(const Top<Real>& top, const StepTime<Real>& moment) const {
     return fuse(moment.time) * Real(0.99) * top.angular_momentum_body;
   }
 };
@@ -45,7 +45,7 @@ struct OwnOrientation {
   static constexpr std::string_view name = "own orientation";
   static constexpr Phase phase = Phase::drift;
   Fuse<Real> fuse;
-  Quaternion<Real> orientation(const Seen& seen, const Moment<Real>& moment) const {
+  Quaternion<Real> orientation(const Seen& seen, const StepTime<Real>& moment) const {
     Quaternion<Real> turn = quaternion_about<Real>({1, 0, 0}, (1 + moment.time) / 16);
     turn.real *= fuse(moment.time) / fuse(moment.time);  // 1, or NaN
     if constexpr (std::is_same_v<Seen, Top<Real>>)
@@ -107,7 +107,7 @@ struct OwnBlowBetween {
   static constexpr std::string_view name = "own blow between";
   Fuse<Real> fuse;
   PairBlow<Real> blow(const BodyState<Real>& first, const BodyState<Real>& second,
-                      const Moment<Real>& moment) const {
+                      const StepTime<Real>& moment) const {
     const Vec3<Real> way = second.centre.velocity - first.centre.velocity;
     return {.impulse_on_first = fuse(moment.time) * way / 8,
             .turn_on_first = way / 16,
@@ -121,7 +121,7 @@ template <class Real, class Effect>
 bool is_same_until_burnt_out(Effect effect) {
   effect.fuse.burnt_at = Real(80) / 60;
   const auto made = [&]<class AnyWorld>(AnyWorld world) {
-    Dice dice(29);
+    RandomGenerator dice(29);
     std::vector<BodyHandle> chosen;
     for (int n = 0; n < 70; ++n) {
       const BodyHandle body = add_random_body(world, dice, "body " + std::to_string(n));

@@ -13,7 +13,7 @@ namespace {
 /// in some.
 template <class Real, class AnyWorld>
 AnyWorld with_wheels(AnyWorld world, Scheme scheme, int count) {
-  Dice dice(77);
+  RandomGenerator dice(77);
   std::vector<BodyHandle> third, fifth;
   for (int n = 0; n < count; ++n) {
     const std::string name = "body " + std::to_string(n);

@@ -29,7 +29,7 @@ void turn_for_a_second(Top<Real>& top) {
 /// damping of both kinds.
 template <class AnyWorld>
 AnyWorld falling_boxes(int count) {
-  support::Dice dice(12);
+  support::RandomGenerator dice(12);
   AnyWorld world(steps_per_second(60));
   const auto box = mass_properties(Box<float>{{0.1f, 0.2f, 0.3f}}, 2);
   for (int n = 0; n < count; ++n)

@@ -20,7 +20,7 @@ TEST_CASE("A world of points in packs keeps no tops") {
 TEST_CASE_TEMPLATE("Thousands of bodies shared among threads move as one by one, to the bit", Real,
                    EVERY_PRECISION) {
   const auto crowd = []<class AnyWorld>(AnyWorld world) {
-    Dice dice(2000);
+    RandomGenerator dice(2000);
     std::vector<BodyHandle> bodies;
     for (int n = 0; n < 3001; ++n)
       bodies.push_back(add_random_body(world, dice, "body " + std::to_string(n)));
@@ -44,7 +44,7 @@ TEST_CASE_TEMPLATE("Thousands of bodies shared among threads move as one by one,
 TEST_CASE_TEMPLATE("Thousands of springs shared among threads pull as one by one, to the bit", Real,
                    EVERY_PRECISION) {
   const auto net = []<class AnyWorld>(AnyWorld world) {
-    Dice dice(2001);
+    RandomGenerator dice(2001);
     std::vector<BodyHandle> bodies, joined, tops;
     constexpr std::size_t count = 3001;
     for (std::size_t n = 0; n < count; ++n)

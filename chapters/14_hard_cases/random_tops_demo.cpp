@@ -28,7 +28,7 @@ int wanted_count() {
 template <class Real, class Number, class Turn>
 Unexplained<double> worst_of(const Turn& turn, int count) {
   constexpr int width = std::is_same_v<Number, Real> ? 1 : natural_width<Real>;
-  Dice dice(14);
+  RandomGenerator dice(14);
   Unexplained<double> worst{0, 0};
   std::array<Top<Real>, width> tops;
   std::array<Unexplained<Real>, width> left;
@@ -139,7 +139,7 @@ Trial<Real> bounded(Items& items, const char* precision) {
 /// says. None goes on with what is no number.
 template <class Real>
 std::string stopped(const TurningRung<Real>& rung, int count) {
-  Dice dice(14);
+  RandomGenerator dice(14);
   int stopped = 0;
   std::string sentence;
   for (int n = 0; n < count; ++n) {

@@ -18,12 +18,12 @@ struct NaiveDamping {
   static constexpr std::string_view name = "naive damping";
   static constexpr Phase phase = Phase::damping;
   Real fraction;
-  std::string_view why_skipped(const Facts&) const { return ""; }
-  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>&) const {
+  std::string_view skip_reason(const BodyFlags&) const { return ""; }
+  Vec3<Real> velocity(const Particle<Real>& centre, const StepTime<Real>&) const {
     return fraction * centre.velocity;
   }
   template <class Wide>
-  NaiveDamping<Wide> widened() const {
+  NaiveDamping<Wide> broadcast() const {
     return {fraction};
   }
 };
@@ -32,12 +32,12 @@ struct NaiveSpinDamping {
   static constexpr std::string_view name = "naive damping of spin";
   static constexpr Phase phase = Phase::damping;
   Real fraction;
-  std::string_view why_skipped(const Facts&) const { return ""; }
-  Vec3<Real> angular_momentum_body(const Top<Real>& top, const Moment<Real>&) const {
+  std::string_view skip_reason(const BodyFlags&) const { return ""; }
+  Vec3<Real> angular_momentum_body(const Top<Real>& top, const StepTime<Real>&) const {
     return fraction * top.angular_momentum_body;
   }
   template <class Wide>
-  NaiveSpinDamping<Wide> widened() const {
+  NaiveSpinDamping<Wide> broadcast() const {
     return {fraction};
   }
 };

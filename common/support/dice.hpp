@@ -8,9 +8,9 @@
 namespace tumble::support {
 
 /// Draws numbers, from a seed on.
-class Dice {
+class RandomGenerator {
  public:
-  explicit Dice(std::uint64_t seed) : engine_(seed) {}
+  explicit RandomGenerator(std::uint64_t seed) : engine_(seed) {}
   bool one_in(std::uint64_t n) { return engine_() % n == 0; }
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(engine_() % n); }
   /// Between 0 and 1.

@@ -45,7 +45,7 @@ TEST_CASE(
     for (int step = 0; step < 2; ++step) {
       for (const simulate::PartOfStep& part : simulate::parts_of(world.work())) {
         CHECK(part.times == 1);
-        part.act(bodies, world.moment());
+        part.act(bodies, world.step_time());
       }
       world.step();
     }

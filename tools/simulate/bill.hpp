@@ -77,7 +77,7 @@ class Bill {
     double looking = 0;
     World<Real, Keeping> world = world_, measured = world_;
     for (std::int64_t step = 0; step < steps_in_round_; ++step) {
-      const Moment<Real> moment = moment_of(world_.ticks() + step, world_.time_step());
+      const StepTime<Real> moment = step_time_of(world_.ticks() + step, world_.time_step());
       for (std::size_t i = 0; i < passes_; ++i) {
         const Clock::time_point before = Clock::now();
         measured.keeping().run_part(measured.work(), i, moment);

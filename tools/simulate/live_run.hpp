@@ -69,7 +69,7 @@ class LiveRun {
   /// copies, and `steps` times on each, at most as many as are known to succeed. Part -1 is the
   /// whole step. Whoever calls it holds the clock.
   void run_part(int part, int rounds, int steps) const {
-    const Moment<double> moment = start_.moment();
+    const StepTime<double> moment = start_.step_time();
     const std::int64_t most = std::min<std::int64_t>(steps, steps_);
     const std::vector<PartOfStep> parts = parts_of(start_.work());
     for (int round = 0; round < rounds; ++round) {

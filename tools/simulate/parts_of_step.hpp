@@ -13,18 +13,18 @@ namespace tumble::simulate {
 struct PartOfStep {
   std::string name;      ///< as the plan has it
   std::ptrdiff_t times;  ///< in a step: Suzuki's has five kicks
-  std::function<void(Bodies<double>&, const Moment<double>&)> act;
+  std::function<void(Bodies<double>&, const StepTime<double>&)> act;
 };
 
 /// In the order of the plan's lines. `work` must outlive them.
 inline std::vector<PartOfStep> parts_of(const Work<double>& work) {
   using Every = Bodies<double>;
-  using At = Moment<double>;
+  using At = StepTime<double>;
   std::vector<PartOfStep> parts;
   const auto times_of = [&work](Phase phase) {
-    const Stroke stroke = phase == Phase::drift ? Stroke::drift : Stroke::kick;
-    return std::count_if(work.portions.begin(), work.portions.end(),
-                         [&](const auto& portion) { return portion.stroke == stroke; });
+    const SubstepKind stroke = phase == Phase::drift ? SubstepKind::drift : SubstepKind::kick;
+    return std::count_if(work.substeps.begin(), work.substeps.end(),
+                         [&](const auto& substep) { return substep.kind == stroke; });
   };
   const auto add_scene = [&](Phase phase, std::ptrdiff_t times) {
     for (const std::size_t i : work.in_phase[static_cast<std::size_t>(phase)]) {
@@ -34,7 +34,7 @@ inline std::vector<PartOfStep> parts_of(const Work<double>& work) {
                        }});
     }
   };
-  const auto add_motion = [&](const Motion& motion, const Group& group, const auto& act) {
+  const auto add_motion = [&](const Motion& motion, const IndexSet& group, const auto& act) {
     if (!group.empty())
       parts.push_back(
           {&group == &work.tumbling ? "tumbling: " + work.rule->name() : std::string(motion.name),

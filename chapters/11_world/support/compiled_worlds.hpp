@@ -17,7 +17,7 @@
   how template class World<Real>;                                                          \
   how template void check_body(const std::string&, const Particle<Real>&);                 \
   how template void check_body(const std::string&, const Top<Real>&);                      \
-  how template void News::tell(const Work<Real>&, std::size_t, std::int64_t);              \
+  how template void ChangeLog::tell(const Work<Real>&, std::size_t, std::int64_t);         \
   how template StepLimit<Real> step_limit(const Work<Real>&,                               \
                                           const NamedBodies<Real, OneByOne<Real>>&, Real); \
   how template std::vector<PlanRow> rows_of(const Planner<Real>&,                          \

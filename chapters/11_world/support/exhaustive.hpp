@@ -46,7 +46,7 @@ std::string difference_in_value(const Bodies<Real>& plan, const Bodies<Real>& ot
 /// motion.
 template <class Real>
 void settle(World<Real>& world) {
-  Group one;
+  IndexSet one;
   one.insert(0);
   for (BodyIndex body = 0; body < world.body_count(); ++body) {
     const BodyHandle handle = world.handle_at(body);

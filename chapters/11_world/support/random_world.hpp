@@ -22,14 +22,15 @@ struct SteadyTorque {
   Vec3<Real> steady = Vec3<Real>::Zero();  ///< N m, world axes
   Vec3<Real> torque(const Top<Real>&, Real) const { return steady; }
   template <class Wide>
-  SteadyTorque<Wide> widened() const {
+  SteadyTorque<Wide> broadcast() const {
     return {steady.template cast<Wide>()};
   }
 };
 
 /// A body of any kind: point, box, ball, rod, static; at rest or not.
 template <class Real, class Keeping>
-BodyHandle add_random_body(World<Real, Keeping>& world, Dice& dice, const std::string& name) {
+BodyHandle add_random_body(World<Real, Keeping>& world, RandomGenerator& dice,
+                           const std::string& name) {
   const Vec3<Real> place = 3 * dice.vector<Real>();
   const Vec3<Real> velocity = dice.one_in(2) ? dice.vector<Real>() : Vec3<Real>(0, 0, 0);
   const Vec3<Real> spin =
@@ -61,7 +62,7 @@ BodyHandle add_random_body(World<Real, Keeping>& world, Dice& dice, const std::s
 
 /// Adds one effect of any kind to all or to some; sometimes one that does nothing.
 template <class Real, class Keeping>
-void add_random_effect(World<Real, Keeping>& world, Dice& dice,
+void add_random_effect(World<Real, Keeping>& world, RandomGenerator& dice,
                        const std::vector<BodyHandle>& bodies) {
   const Real amount = dice.one_in(4) ? 0 : Real(0.5) + dice.real<Real>() / 4;
   const Vec3<Real> direction = dice.one_in(3) ? Vec3<Real>(0, 0, 0) : dice.vector<Real>();
@@ -111,12 +112,12 @@ void add_random_effect(World<Real, Keeping>& world, Dice& dice,
   }
 }
 
-inline Scheme random_scheme(Dice& dice) {
+inline Scheme random_scheme(RandomGenerator& dice) {
   return Scheme(dice.below(scheme_names.size()));
 }
 
 template <class Real, class Keeping = OneByOne<Real>>
-World<Real, Keeping> random_world(Dice& dice, std::size_t most_bodies = 5) {
+World<Real, Keeping> random_world(RandomGenerator& dice, std::size_t most_bodies = 5) {
   using Rules = TurningRules<Splitting, SplittingWithoutSine, AxisByAxis, CarryingMomentum, Steady,
                              ImplicitNewton>;
   World<Real, Keeping> world(steps_per_second(60));
@@ -132,7 +133,7 @@ World<Real, Keeping> random_world(Dice& dice, std::size_t most_bodies = 5) {
 
 /// Does something to a world while it runs. Two worlds with equal dice fare alike.
 template <class Real, class Keeping>
-void meddle(World<Real, Keeping>& world, Dice& dice, int number) {
+void meddle(World<Real, Keeping>& world, RandomGenerator& dice, int number) {
   if (world.body_count() == 0) return;
   const BodyHandle body = world.handle_at(static_cast<BodyIndex>(dice.below(world.body_count())));
   const bool has_top = !world.is_point(body);
@@ -191,17 +192,17 @@ bool same_motion(const Bodies<Real>& a, const Bodies<Real>& b) {
 #ifdef TUMBLE_COMPILED_RANDOM_WORLDS
 // Every kind of body and effect: they are compiled once for all checks, see support/random_worlds.
 namespace tumble {
-extern template World<float> support::random_world(support::Dice&, std::size_t);
-extern template World<double> support::random_world(support::Dice&, std::size_t);
-extern template void support::meddle(World<float>&, support::Dice&, int);
-extern template void support::meddle(World<double>&, support::Dice&, int);
-extern template BodyHandle support::add_random_body(World<float>&, support::Dice&,
+extern template World<float> support::random_world(support::RandomGenerator&, std::size_t);
+extern template World<double> support::random_world(support::RandomGenerator&, std::size_t);
+extern template void support::meddle(World<float>&, support::RandomGenerator&, int);
+extern template void support::meddle(World<double>&, support::RandomGenerator&, int);
+extern template BodyHandle support::add_random_body(World<float>&, support::RandomGenerator&,
                                                     const std::string&);
-extern template BodyHandle support::add_random_body(World<double>&, support::Dice&,
+extern template BodyHandle support::add_random_body(World<double>&, support::RandomGenerator&,
                                                     const std::string&);
-extern template void support::add_random_effect(World<float>&, support::Dice&,
+extern template void support::add_random_effect(World<float>&, support::RandomGenerator&,
                                                 const std::vector<BodyHandle>&);
-extern template void support::add_random_effect(World<double>&, support::Dice&,
+extern template void support::add_random_effect(World<double>&, support::RandomGenerator&,
                                                 const std::vector<BodyHandle>&);
 }  // namespace tumble
 #endif

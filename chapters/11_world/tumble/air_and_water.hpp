@@ -21,19 +21,19 @@ struct LinearDamping {
 
   void check() const { checked_damping_rate(rate, "linear damping"); }
   void prepare(Real time_step) { fraction = fraction_kept(rate, time_step); }
-  std::string_view why_skipped(const Facts& facts) const {
+  std::string_view skip_reason(const BodyFlags& flags) const {
     return rate == 0      ? "its rate is zero"
-           : !facts.moves ? "at rest, and nothing can move them"
+           : !flags.moves ? "at rest, and nothing can move them"
                           : "";
   }
-  Vec3<Real> velocity(Particle<Real> centre, const Moment<Real>&) const {
+  Vec3<Real> velocity(Particle<Real> centre, const StepTime<Real>&) const {
     damp(centre, fraction);
     return centre.velocity;
   }
   /// No fraction e^(−k h) is more than 1, however long the step.
   NoResponse response(const BodyState<Real>&) const { return {}; }
   template <class Wide>
-  LinearDamping<Wide> widened() const {
+  LinearDamping<Wide> broadcast() const {
     return {rate, fraction};
   }
 };
@@ -50,19 +50,19 @@ struct AngularDamping {
 
   void check() const { checked_damping_rate(rate, "angular damping"); }
   void prepare(Real time_step) { fraction = fraction_kept(rate, time_step); }
-  std::string_view why_skipped(const Facts& facts) const {
+  std::string_view skip_reason(const BodyFlags& flags) const {
     return rate == 0      ? "its rate is zero"
-           : !facts.turns ? "no spin and nothing that can give torque"
+           : !flags.turns ? "no spin and nothing that can give torque"
                           : "";
   }
-  Vec3<Real> angular_momentum_body(Top<Real> top, const Moment<Real>&) const {
+  Vec3<Real> angular_momentum_body(Top<Real> top, const StepTime<Real>&) const {
     damp(top, fraction);
     return top.angular_momentum_body;
   }
   /// No fraction e^(−k h) is more than 1, however long the step.
   NoResponse response(const BodyState<Real>&) const { return {}; }
   template <class Wide>
-  AngularDamping<Wide> widened() const {
+  AngularDamping<Wide> broadcast() const {
     return {rate, fraction};
   }
 };
@@ -79,9 +79,9 @@ struct QuadraticDrag {
     require_not_negative("drag coefficient", coefficient, "kg/m");
     require_finite("wind", wind, "m/s");
   }
-  std::string_view why_skipped(const Facts& facts) const {
+  std::string_view skip_reason(const BodyFlags& flags) const {
     return coefficient == 0                             ? "its coefficient is zero"
-           : !facts.moves && wind == Vec3<Real>::Zero() ? "at rest in still air"
+           : !flags.moves && wind == Vec3<Real>::Zero() ? "at rest in still air"
                                                         : "";
   }
   Vec3<Real> force(const Particle<Real>& centre, Real) const {
@@ -93,7 +93,7 @@ struct QuadraticDrag {
     return {.damping = 2 * coefficient * (body.centre.velocity - wind).norm()};
   }
   template <class Wide>
-  QuadraticDrag<Wide> widened() const {
+  QuadraticDrag<Wide> broadcast() const {
     return {coefficient, wind.template cast<Wide>()};
   }
 };
@@ -118,9 +118,9 @@ struct Magnus {
     require_finite("strength of the Magnus force", strength, "kg");
     require_finite("wind", wind, "m/s");
   }
-  std::string_view why_skipped(const Facts& facts) const {
+  std::string_view skip_reason(const BodyFlags& flags) const {
     return strength == 0  ? "its strength is zero"
-           : !facts.turns ? "no spin and nothing that can give torque"
+           : !flags.turns ? "no spin and nothing that can give torque"
                           : "";
   }
   Vec3<Real> force(const BodyState<Real>& body, Real) const {
@@ -128,7 +128,7 @@ struct Magnus {
     return strength * angular_velocity_world(body.top).cross(through_air);
   }
   template <class Wide>
-  Magnus<Wide> widened() const {
+  Magnus<Wide> broadcast() const {
     return {strength, wind.template cast<Wide>()};
   }
 };
@@ -153,7 +153,7 @@ struct Buoyancy {
     require_finite("height of the surface", surface, "m");
     require_not_negative("gravity", gravity, "m/s^2");
   }
-  std::string_view why_skipped(const Facts&) const {
+  std::string_view skip_reason(const BodyFlags&) const {
     return density == 0 || radius == 0 || gravity == 0 ? "it lifts nothing" : "";
   }
   Vec3<Real> force(const Particle<Real>& centre, Real) const {
@@ -169,7 +169,7 @@ struct Buoyancy {
     return {.stiffness = density * gravity * std::numbers::pi_v<Real> * radius * radius};
   }
   template <class Wide>
-  Buoyancy<Wide> widened() const {
+  Buoyancy<Wide> broadcast() const {
     return {density, radius, surface, gravity};
   }
 };

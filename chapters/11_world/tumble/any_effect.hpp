@@ -4,7 +4,7 @@
 
 #include <memory>
 #include <tumble/effect_traits.hpp>
-#include <tumble/group.hpp>
+#include <tumble/index_set.hpp>
 #include <utility>
 
 namespace tumble {
@@ -20,10 +20,10 @@ class AnyEffect {
   Phase phase() const { return traits_.phase; }
   /// Runs the effect's function on a group or on pairs.
   virtual void run(Bodies<Real>& bodies, const Visits& visits,
-                   const Moment<Real>& moment) const = 0;
+                   const StepTime<Real>& moment) const = 0;
   /// Empty if the body needs the effect, else why it does not. Of an effect on two: if any pair
   /// does.
-  virtual std::string_view why_skipped(const Facts& facts) const = 0;
+  virtual std::string_view skip_reason(const BodyFlags& flags) const = 0;
   /// The energy (J) that the effect stores for a body, or for two, where it knows one.
   virtual Real potential_energy(const BodyState<Real>& first,
                                 const BodyState<Real>& second) const = 0;
@@ -60,7 +60,8 @@ class EffectOf : public AnyEffect<Real> {
       : AnyEffect<Real>(traits_of<Real>(effect)), effect_(effect) {}
   const Effect& effect() const { return effect_; }
 
-  void run(Bodies<Real>& bodies, const Visits& visits, const Moment<Real>& moment) const override {
+  void run(Bodies<Real>& bodies, const Visits& visits,
+           const StepTime<Real>& moment) const override {
     if constexpr (form.sees == Sees::centre) {
       for_each_of(visits.group, bodies.centres,
                   [&](Particle<Real>& centre) { visit(effect_, centre, moment); });
@@ -81,11 +82,11 @@ class EffectOf : public AnyEffect<Real> {
     }
   }
 
-  std::string_view why_skipped(const Facts& facts) const override {
+  std::string_view skip_reason(const BodyFlags& flags) const override {
     if constexpr (form.sees != Sees::pair)
-      return tumble::why_skipped<Real>(effect_, facts, this->traits().writes);
-    else if constexpr (requires { effect_.why_skipped(); })
-      return effect_.why_skipped();
+      return tumble::skip_reason<Real>(effect_, flags, this->traits().writes);
+    else if constexpr (requires { effect_.skip_reason(); })
+      return effect_.skip_reason();
     else
       return {};
   }
@@ -118,7 +119,7 @@ class EffectOf : public AnyEffect<Real> {
   }
 
  private:
-  void run_on(Bodies<Real>& bodies, const BodyPair& pair, const Moment<Real>& moment) const {
+  void run_on(Bodies<Real>& bodies, const BodyPair& pair, const StepTime<Real>& moment) const {
     Top<Real> none, second_none;
     visit<Effect, Real>(effect_, in_place(bodies, pair.first, none),
                         in_place(bodies, pair.second, second_none), moment);

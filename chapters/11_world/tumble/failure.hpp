@@ -55,32 +55,32 @@ std::string not_finite_in(const Particle<Real>& centre, const Top<Real>& top) {
 
 }  // namespace detail
 
-/// The step in which a body was lost, once more.
+/// The step in which a body diverged, once more.
 template <class Real>
 class Replay {
  public:
   /// `bodies` are as they were before the step.
-  Replay(Bodies<Real> bodies, const Work<Real>& work, BodyIndex lost)
-      : bodies_(std::move(bodies)), work_(work), lost_(lost) {}
+  Replay(Bodies<Real> bodies, const Work<Real>& work, BodyIndex diverged)
+      : bodies_(std::move(bodies)), work_(work), diverged_(diverged) {}
 
   /// What went wrong, as a sentence; `culprit` becomes the effect to blame, if it is one.
-  std::string find(const Moment<Real>& step, const AnyEffect<Real>*& culprit) {
+  std::string find(const StepTime<Real>& step, const AnyEffect<Real>*& culprit) {
     Bodies<Real> before_drift = bodies_;
-    for (const Portion<Real>& portion : work_.portions) {
-      const Moment<Real> part = moment_of(portion, step);
-      if (portion.stroke == Stroke::kick) {
+    for (const Substep<Real>& substep : work_.substeps) {
+      const StepTime<Real> part = step_time_of(substep, step);
+      if (substep.kind == SubstepKind::kick) {
         if (const std::string why = fault_of_kick(part, culprit); !why.empty()) return why;
-      } else if (portion.stroke == Stroke::fade) {
+      } else if (substep.kind == SubstepKind::whole) {
         for (const Phase phase : {Phase::impulse, Phase::damping})
           if (ask_each(phase, step, culprit, false)) return sentence_;
       } else {
         before_drift = bodies_;
         const Real h = part.time_step;
         for_each_of(work_.movers, bodies_.centres, [&](auto& one) { drift(one, h); });
-        if (is_lost()) return reason(before_drift, h);
+        if (has_diverged()) return reason(before_drift, h);
         const auto rotor = [&](std::size_t i, RotorAct act) {
           run_rotor(work_, i, act, bodies_.tops, part);
-          if (!sentence_.empty() || !is_lost()) return;
+          if (!sentence_.empty() || !has_diverged()) return;
           culprit = work_.effects[i].effect.get();
           sentence_ = fault_of_rotor(*culprit, act, part);
         };
@@ -88,7 +88,7 @@ class Replay {
           before_drift.tops = bodies_.tops;
           for_each_of(work_.steady, bodies_.tops, [&](auto& one) { turn_steadily(one, h); });
           work_.rule->turn(bodies_.tops, work_.tumbling, h);
-          if (sentence_.empty() && is_lost()) sentence_ = reason(before_drift, h);
+          if (sentence_.empty() && has_diverged()) sentence_ = reason(before_drift, h);
         });
         if (!sentence_.empty()) return sentence_;
       }
@@ -98,14 +98,14 @@ class Replay {
   }
 
  private:
-  bool is_lost() const {
-    const BodyState<Real> body = state_of(bodies_, lost_);
+  bool has_diverged() const {
+    const BodyState<Real> body = state_of(bodies_, diverged_);
     return !detail::not_finite_in(body.centre, body.top).empty();
   }
 
   std::string fault_of_rotor(const AnyEffect<Real>& rotor, RotorAct act,
-                             const Moment<Real>& drift) const {
-    Top<Real> turned = state_of(bodies_, lost_).top;
+                             const StepTime<Real>& drift) const {
+    Top<Real> turned = state_of(bodies_, diverged_).top;
     const Vec3<Real> H = turned.angular_momentum_body =
         rotor.rotor_momentum_body(time_of(act, drift));
     return is_finite(H) ? rotor.name() + " would turn it by " +
@@ -115,30 +115,30 @@ class Replay {
   }
 
   /// What went wrong in a kick, or nothing.
-  std::string fault_of_kick(const Moment<Real>& moment, const AnyEffect<Real>*& culprit) {
+  std::string fault_of_kick(const StepTime<Real>& moment, const AnyEffect<Real>*& culprit) {
     const Real h = moment.time_step;
     const Bodies<Real> before = bodies_;
     if (ask_each(Phase::force, moment, culprit, true)) return sentence_;
     bodies_ = before;  // what writes a velocity itself has acted by now
     run(work_, Phase::force, bodies_, moment);
     add(work_.inputs, bodies_);
-    if (is_lost())  // a sum that overflows is nobody's alone
+    if (has_diverged())  // a sum that overflows is nobody's alone
       run(work_, Phase::kick, bodies_, moment);
     else if (ask_each(Phase::kick, moment, culprit, false))
       return sentence_;
     for_each_of(work_.pushed, bodies_.centres, [&](auto& one) { kick(one, h), clear_force(one); });
     for_each_of(work_.torqued, bodies_.tops, [&](auto& one) { kick(one, h), clear_torque(one); });
-    return is_lost() ? reason(bodies_, h) : std::string();
+    return has_diverged() ? reason(bodies_, h) : std::string();
   }
 
-  /// Runs the effects of a phase until one gives the lost body a number that is not finite.
-  /// `alone`: each by itself, for those that add to a sum.
-  bool ask_each(Phase phase, const Moment<Real>& moment, const AnyEffect<Real>*& culprit,
+  /// Runs the effects of a phase until one gives the body that diverged a number that is not
+  /// finite. `alone`: each by itself, for those that add to a sum.
+  bool ask_each(Phase phase, const StepTime<Real>& moment, const AnyEffect<Real>*& culprit,
                 bool alone) {
     for (const std::size_t i : work_.in_phase[static_cast<std::size_t>(phase)]) {
       const Entry<Real>& entry = work_.effects[i];
       entry.effect->run(bodies_, entry.visits, moment);
-      const BodyState<Real> body = state_of(bodies_, lost_);
+      const BodyState<Real> body = state_of(bodies_, diverged_);
       const std::string what = detail::not_finite_in(body.centre, body.top);
       if (alone) {
         for (Particle<Real>& centre : bodies_.centres) clear_force(centre);
@@ -152,9 +152,9 @@ class Replay {
     return false;
   }
 
-  /// Why a body is lost that no effect alone has spoilt, judged by its state before the drift.
+  /// Why a body diverged that no effect alone has spoilt, judged by its state before the drift.
   std::string reason(const Bodies<Real>& kicked, Real h) const {
-    const BodyState<Real> body = state_of(kicked, lost_);
+    const BodyState<Real> body = state_of(kicked, diverged_);
     if (!is_finite(Vec3<Real>(body.centre.position + h * body.centre.velocity)))
       return "with a velocity of " + text_of(body.centre.velocity) +
              " m/s the step would lead to no finite position";
@@ -163,17 +163,17 @@ class Replay {
 
   Bodies<Real> bodies_;
   const Work<Real>& work_;
-  BodyIndex lost_;
+  BodyIndex diverged_;
   std::string sentence_;
 };
 
-/// The error for a body that was led nowhere. `bodies` are as they were before the step.
+/// The error for a body that diverged. `bodies` are as they were before the step.
 template <class Real>
-SimulationError failure(const std::string& name, BodyIndex lost, const Bodies<Real>& bodies,
+SimulationError failure(const std::string& name, BodyIndex diverged, const Bodies<Real>& bodies,
                         const Work<Real>& work, std::int64_t tick, Real time_step) {
-  const Moment<Real> moment = moment_of(tick, time_step);
+  const StepTime<Real> moment = step_time_of(tick, time_step);
   const AnyEffect<Real>* culprit = nullptr;
-  const std::string why = Replay<Real>(bodies, work, lost).find(moment, culprit);
+  const std::string why = Replay<Real>(bodies, work, diverged).find(moment, culprit);
   return {"'" + name + "' at " + text_of(moment.time) + " s (step " + std::to_string(tick) +
               "): " + why + "; the world is as it was before this step",
           name, culprit ? culprit->name() : std::string(), static_cast<double>(moment.time)};

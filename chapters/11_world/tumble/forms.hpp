@@ -33,23 +33,23 @@ concept GivesAcceleration = requires(const Effect& effect, const Seen& seen, con
 };
 /// Another velocity, m/s, world axes.
 template <class Effect, class Seen, class Real>
-concept GivesVelocity = requires(const Effect& effect, const Seen& seen, const Moment<Real>& at) {
+concept GivesVelocity = requires(const Effect& effect, const Seen& seen, const StepTime<Real>& at) {
   { effect.velocity(seen, at) } -> std::convertible_to<Vec3<Real>>;
 };
 /// Another angular momentum, kg m²/s, body axes.
 template <class Effect, class Seen, class Real>
-concept GivesSpin = requires(const Effect& effect, const Seen& seen, const Moment<Real>& at) {
+concept GivesSpin = requires(const Effect& effect, const Seen& seen, const StepTime<Real>& at) {
   { effect.angular_momentum_body(seen, at) } -> std::convertible_to<Vec3<Real>>;
 };
 /// Another position of the centre of mass, m, world axes.
 template <class Effect, class Seen, class Real>
-concept GivesPosition = requires(const Effect& effect, const Seen& seen, const Moment<Real>& at) {
+concept GivesPosition = requires(const Effect& effect, const Seen& seen, const StepTime<Real>& at) {
   { effect.position(seen, at) } -> std::convertible_to<Vec3<Real>>;
 };
 /// Another orientation, a unit quaternion.
 template <class Effect, class Seen, class Real>
 concept GivesOrientation = requires(const Effect& effect, const Seen& seen,
-                                    const Moment<Real>& at) {
+                                    const StepTime<Real>& at) {
   { effect.orientation(seen, at) } -> std::same_as<Quaternion<Real>>;
 };
 //! [forms]
@@ -64,7 +64,7 @@ concept PushBetween = requires(const Effect& effect, const BodyState<Real>& body
 /// it have left.
 template <class Effect, class Real>
 concept BlowBetween = requires(const Effect& effect, const BodyState<Real>& body,
-                               const Moment<Real>& moment) {
+                               const StepTime<Real>& moment) {
   { effect.blow(body, body, moment) } -> std::same_as<PairBlow<Real>>;
 };
 

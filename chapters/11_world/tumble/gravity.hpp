@@ -15,12 +15,12 @@ struct Gravity {
   Vec3<Real> gravity = {0, 0, Real(-9.81)};  ///< g, m/s², world axes
 
   void check() const { require_finite("gravity", gravity, "m/s^2"); }
-  std::string_view why_skipped(const Facts&) const {
+  std::string_view skip_reason(const BodyFlags&) const {
     return gravity == Vec3<Real>::Zero() ? "gravity is zero" : "";
   }
   Vec3<Real> force(const Particle<Real>& centre, Real) const { return mass_of(centre) * gravity; }
   template <class Wide>
-  Gravity<Wide> widened() const {
+  Gravity<Wide> broadcast() const {
     return {gravity.template cast<Wide>()};
   }
   Real potential_energy(const BodyState<Real>& body) const {
@@ -38,12 +38,12 @@ struct GravityAsAcceleration {
   Vec3<Real> gravity = {0, 0, Real(-9.81)};  ///< g, m/s², world axes
 
   void check() const { require_finite("gravity", gravity, "m/s^2"); }
-  std::string_view why_skipped(const Facts&) const {
+  std::string_view skip_reason(const BodyFlags&) const {
     return gravity == Vec3<Real>::Zero() ? "gravity is zero" : "";
   }
   Vec3<Real> acceleration(const Particle<Real>&, Real) const { return gravity; }
   template <class Wide>
-  GravityAsAcceleration<Wide> widened() const {
+  GravityAsAcceleration<Wide> broadcast() const {
     return {gravity.template cast<Wide>()};
   }
   Real potential_energy(const BodyState<Real>& body) const {
@@ -67,7 +67,7 @@ struct PointGravity {
     require_not_negative("strength of point gravity", strength, "m^3/s^2");
     require_finite("centre of point gravity", centre, "m");
   }
-  std::string_view why_skipped(const Facts&) const {
+  std::string_view skip_reason(const BodyFlags&) const {
     return strength == 0 ? "its strength is zero" : "";
   }
   // Divided by |r| one factor at a time: |r|³ would leave float's range from 7e12 m on.
@@ -85,7 +85,7 @@ struct PointGravity {
     return {.stiffness = mass_of(body.centre) * (strength / distance / distance / distance)};
   }
   template <class Wide>
-  PointGravity<Wide> widened() const {
+  PointGravity<Wide> broadcast() const {
     return {strength, centre.template cast<Wide>()};
   }
   Real potential_energy(const BodyState<Real>& body) const {

@@ -17,7 +17,7 @@ class Before {
     work.movers.for_each([&](BodyIndex i) {
       centres_.push_back({bodies.centres[i].position, bodies.centres[i].velocity});
     });
-    for (const Group* group : {&work.steady, &work.tumbling})
+    for (const IndexSet* group : {&work.steady, &work.tumbling})
       group->for_each([&](BodyIndex i) {
         tops_.push_back({bodies.tops[i].orientation, bodies.tops[i].angular_momentum_body});
       });
@@ -32,7 +32,7 @@ class Before {
       clear_force(moved);
     });
     auto top = tops_.begin();
-    for (const Group* group : {&work.steady, &work.tumbling})
+    for (const IndexSet* group : {&work.steady, &work.tumbling})
       for_each_of(*group, bodies.tops, [&](Top<Real>& turned) {
         turned.orientation = top->orientation;
         turned.angular_momentum_body = top++->angular_momentum_body;
@@ -54,35 +54,35 @@ class Before {
 
 /// True if the body is somewhere, or turned somehow: every number is finite. Zero times a finite
 /// number is zero; times an infinite one or NaN it is NaN, which equals nothing.
-//! [is_whole]
+//! [is_finite]
 template <class Real>
-auto is_whole(const Particle<Real>& centre) {
+auto is_finite(const Particle<Real>& centre) {
   const Vec3<Real>&x = centre.position, &v = centre.velocity;
   return 0 * x[0] + 0 * x[1] + 0 * x[2] + 0 * v[0] + 0 * v[1] + 0 * v[2] == 0;
 }
 
 template <class Real>
-auto is_whole(const Top<Real>& top) {
+auto is_finite(const Top<Real>& top) {
   const Quaternion<Real>& q = top.orientation;
   const Vec3<Real>&v = q.imaginary, &L = top.angular_momentum_body;
   return 0 * q.real + 0 * v[0] + 0 * v[1] + 0 * v[2] + 0 * L[0] + 0 * L[1] + 0 * L[2] == 0;
 }
-//! [is_whole]
+//! [is_finite]
 
 /// The first body whose place or velocity is no longer whole, else the first whose top is not.
 /// `bodies` is a Bodies, or like one. @return nothing if all are whole
 template <class Real, class AnyBodies>
-std::optional<BodyIndex> first_lost(const AnyBodies& bodies, const Work<Real>& work) {
-  BodyIndex lost = no_index;
+std::optional<BodyIndex> first_diverged(const AnyBodies& bodies, const Work<Real>& work) {
+  BodyIndex diverged = no_index;
   work.movers.for_each([&](BodyIndex i) {
-    if (!is_whole(bodies.centres[i])) lost = std::min(lost, i);
+    if (!is_finite(bodies.centres[i])) diverged = std::min(diverged, i);
   });
-  if (lost != no_index) return lost;
-  for (const Group* group : {&work.steady, &work.tumbling})
+  if (diverged != no_index) return diverged;
+  for (const IndexSet* group : {&work.steady, &work.tumbling})
     group->for_each([&](BodyIndex i) {
-      if (!is_whole(bodies.tops[i])) lost = std::min(lost, bodies.body_of[i]);
+      if (!is_finite(bodies.tops[i])) diverged = std::min(diverged, bodies.body_of[i]);
     });
-  return lost == no_index ? std::nullopt : std::optional(lost);
+  return diverged == no_index ? std::nullopt : std::optional(diverged);
 }
 
 }  // namespace tumble

@@ -27,7 +27,7 @@ void add_push(Particle<Real>& centre, Top<Real>& top, const Push<Real>& push) {
 /// What the effect gives to a centre. `seen` is what its function sees.
 template <class Effect, class Seen, class Real>
 void give_to(Particle<Real>& centre, const Effect& effect, const Seen& seen,
-             const Moment<Real>& moment) {
+             const StepTime<Real>& moment) {
   if constexpr (GivesForce<Effect, Seen, Real>)
     centre.force += effect.force(seen, moment.time);
   else if constexpr (GivesAcceleration<Effect, Seen, Real>)
@@ -40,7 +40,7 @@ void give_to(Particle<Real>& centre, const Effect& effect, const Seen& seen,
 
 /// What it gives to a top.
 template <class Effect, class Seen, class Real>
-void give_to(Top<Real>& top, const Effect& effect, const Seen& seen, const Moment<Real>& moment) {
+void give_to(Top<Real>& top, const Effect& effect, const Seen& seen, const StepTime<Real>& moment) {
   if constexpr (GivesTorque<Effect, Seen, Real>)
     top.torque += effect.torque(seen, moment.time);
   else if constexpr (GivesSpin<Effect, Seen, Real>)
@@ -51,18 +51,18 @@ void give_to(Top<Real>& top, const Effect& effect, const Seen& seen, const Momen
 
 /// An effect that sees the centre alone, or the top alone.
 template <class Effect, class Real>
-void visit(const Effect& effect, Particle<Real>& centre, const Moment<Real>& moment) {
+void visit(const Effect& effect, Particle<Real>& centre, const StepTime<Real>& moment) {
   give_to(centre, effect, centre, moment);
 }
 template <class Effect, class Real>
-void visit(const Effect& effect, Top<Real>& top, const Moment<Real>& moment) {
+void visit(const Effect& effect, Top<Real>& top, const StepTime<Real>& moment) {
   give_to(top, effect, top, moment);
 }
 
 /// An effect that sees both.
 template <class Effect, class Real>
 void visit(const Effect& effect, Particle<Real>& centre, Top<Real>& top,
-           const Moment<Real>& moment) {
+           const StepTime<Real>& moment) {
   const BodyState<Real> seen{centre, top};
   if constexpr (GivesPush<Effect, BodyState<Real>, Real>) {
     add_push(centre, top, effect.push(seen, moment.time));
@@ -82,7 +82,7 @@ struct BodyInPlace {
 /// An effect that joins two.
 template <class Effect, class Real>
 void visit(const Effect& effect, const BodyInPlace<Real>& first, const BodyInPlace<Real>& second,
-           const Moment<Real>& moment) {
+           const StepTime<Real>& moment) {
   const BodyState<Real> a{first.centre, first.top}, b{second.centre, second.top};
   if constexpr (PushBetween<Effect, Real>) {
     const PairPush<Real> push = effect.push(a, b, moment.time);

@@ -20,7 +20,7 @@ class Ledger {
   template <class Keeping>
   void step(World<Real, Keeping>& world) {
     Lines lines = lines_;
-    book_step(world.bodies(), world.work(), world.moment(), lines);
+    book_step(world.bodies(), world.work(), world.step_time(), lines);
     world.step();
     lines_ = std::move(lines);
   }
@@ -80,7 +80,7 @@ class Ledger {
   /// The step on a copy. What changes momenta or places at once is booked as the difference that it
   /// makes; forces and torques, which act together, each by its share of the kick, see work_of().
   //! [book_step]
-  static void book_step(Bodies<Real> bodies, const Work<Real>& work, const Moment<Real>& moment,
+  static void book_step(Bodies<Real> bodies, const Work<Real>& work, const StepTime<Real>& moment,
                         Lines& lines) {
     const auto book = [&](const std::string& name, const auto& change) {
       const LedgerLine had = holdings_of(bodies);
@@ -88,7 +88,7 @@ class Ledger {
       LedgerLine gained = holdings_of(bodies);
       line_of(lines, name) += gained -= had;
     };
-    const auto book_phase = [&](Phase phase, const Moment<Real>& at) {
+    const auto book_phase = [&](Phase phase, const StepTime<Real>& at) {
       for (const std::size_t i : work.in_phase[static_cast<std::size_t>(phase)]) {
         const Entry<Real>& entry = work.effects[i];
         book(entry.effect->name(), [&] { entry.effect->run(bodies, entry.visits, at); });
@@ -96,10 +96,10 @@ class Ledger {
     };
     for (const std::size_t i : work.in_phase[static_cast<std::size_t>(Phase::force)])
       line_of(lines, work.effects[i].effect->name());  // lines stand in the order of the scene
-    for (const Portion<Real>& portion : work.portions) {
-      const Moment<Real> part = moment_of(portion, moment);
+    for (const Substep<Real>& substep : work.substeps) {
+      const StepTime<Real> part = step_time_of(substep, moment);
       const Real h = part.time_step;
-      if (portion.stroke == Stroke::kick) {
+      if (substep.kind == SubstepKind::kick) {
         Bodies<Real> alone = bodies;  // for one force at a time
         for (const std::size_t i : work.in_phase[static_cast<std::size_t>(Phase::force)]) {
           const Entry<Real>& entry = work.effects[i];
@@ -122,7 +122,7 @@ class Ledger {
         if (!work.inputs.empty()) book_kick(alone, summed, bodies, h, line_of(lines, "input"));
         for_each_of(work.pushed, bodies.centres, [](auto& centre) { clear_force(centre); });
         for_each_of(work.torqued, bodies.tops, [](auto& top) { clear_torque(top); });
-      } else if (portion.stroke == Stroke::fade) {
+      } else if (substep.kind == SubstepKind::whole) {
         book_phase(Phase::impulse, moment);
         book_phase(Phase::damping, moment);
       } else {

@@ -107,7 +107,7 @@ class Marks {
     std::vector<BodyIndex> bodies;
     bodies.reserve(work.movers.size());
     work.movers.for_each([&](BodyIndex body) { bodies.push_back(body); });
-    for (const Group* group : {&work.steady, &work.tumbling})
+    for (const IndexSet* group : {&work.steady, &work.tumbling})
       group->for_each([&](BodyIndex top) {
         const BodyIndex body = roster.body_of(top);
         if (!work.movers.contains(body)) bodies.push_back(body);
@@ -125,7 +125,7 @@ class Marks {
   static BodyMotion<Real> motion_of(BodyIndex index, const Roster& roster,
                                     const AnyPlanner& planner) {
     const RigidBody<Real> body = roster.body(index);
-    const Facts& alone = planner.alone()[index];
+    const BodyFlags& alone = planner.alone()[index];
     return {body.centre.position,           body.centre.velocity, body.top.orientation,
             body.top.angular_momentum_body, alone.moves,          alone.turns};
   }
@@ -139,7 +139,7 @@ class Marks {
     body.top.orientation = motion.orientation;
     body.top.angular_momentum_body = motion.angular_momentum_body;
     roster.set(index, body);
-    planner.know_again(index, motion.has_moved, motion.has_turned, roster);
+    planner.restore_flags(index, motion.has_moved, motion.has_turned, roster);
   }
 
   std::shared_ptr<const std::vector<BodyMotion<Real>>> all_;  // none where marks can't share one

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <string>
-#include <tumble/facts.hpp>
+#include <tumble/body_flags.hpp>
 #include <tumble/handles.hpp>
 #include <tumble/make_rigid_body.hpp>
 #include <tumble/snapshot.hpp>
@@ -54,9 +54,9 @@ class NamedBodies {
   BodyIndex last_top() const { return static_cast<BodyIndex>(kept_.top_count() - 1); }
   bool is_point(BodyIndex body) const { return top_of(body) == no_index; }
   RigidBody<Real> body(BodyIndex body) const { return kept_.body(body); }
-  Facts facts_of(BodyIndex index, const Facts& before) const {
+  BodyFlags flags_of(BodyIndex index, const BodyFlags& before) const {
     const RigidBody<Real> state = kept_.body(index);
-    return facts_alone<Real>({state.centre, state.top}, is_point(index), before);
+    return flags_alone<Real>({state.centre, state.top}, is_point(index), before);
   }
 
   /// Appends a body whose sums are empty and whose orientation has norm 1; `top` is null for a
@@ -87,7 +87,7 @@ class NamedBodies {
   }
 
   /// How all bodies move now, and what the plan knows of whether they do.
-  Snapshot<Real> snapshot(std::int64_t ticks, const std::vector<Facts>& alone) const {
+  Snapshot<Real> snapshot(std::int64_t ticks, const std::vector<BodyFlags>& alone) const {
     Snapshot<Real> now;
     now.ticks = ticks;
     for (BodyIndex index = 0; index < size(); ++index) {

@@ -24,38 +24,38 @@ class OneByOne {
     return {.centre = state.centre, .top = state.top};
   }
 
-  /// One step. @return the body that it led nowhere, if it did: all are then as they were before,
+  /// One step. @return the body that diverged, if one did: all are then as they were before,
   /// and so they are where an effect throws
   //! [step]
-  std::optional<BodyIndex> step(const Work<Real>& work, const Moment<Real>& moment) {
+  std::optional<BodyIndex> step(const Work<Real>& work, const StepTime<Real>& moment) {
     before_.remember(bodies_, work);
     try {
-      for (const Portion<Real>& portion : work.portions)  // of Euler's step: kick, fade, drift
-        switch (portion.stroke) {
-          case Stroke::kick:
-            kick_all(work, moment_of(portion, moment));
+      for (const Substep<Real>& substep : work.substeps)  // of Euler's step: kick, whole, drift
+        switch (substep.kind) {
+          case SubstepKind::kick:
+            kick_all(work, step_time_of(substep, moment));
             break;
-          case Stroke::fade:
+          case SubstepKind::whole:
             run(work, Phase::impulse, bodies_, moment);
             run(work, Phase::damping, bodies_, moment);
             break;
-          case Stroke::drift:
-            drift_all(work, moment_of(portion, moment));
+          case SubstepKind::drift:
+            drift_all(work, step_time_of(substep, moment));
         }
       run(work, Phase::drift, bodies_, moment);
     } catch (...) {  // an effect has thrown
       before_.restore(bodies_, work);
       throw;
     }
-    const std::optional<BodyIndex> lost = first_lost(bodies_, work);
-    if (lost) before_.restore(bodies_, work);
-    return lost;
+    const std::optional<BodyIndex> diverged = first_diverged(bodies_, work);
+    if (diverged) before_.restore(bodies_, work);
+    return diverged;
   }
   //! [step]
 
  private:
   //! [strokes]
-  void kick_all(const Work<Real>& work, const Moment<Real>& moment) {
+  void kick_all(const Work<Real>& work, const StepTime<Real>& moment) {
     const Real h = moment.time_step;
     run(work, Phase::force, bodies_, moment);
     add(work.inputs, bodies_);
@@ -64,7 +64,7 @@ class OneByOne {
                 [&](auto& centre) { kick(centre, h), clear_force(centre); });
     for_each_of(work.torqued, bodies_.tops, [&](auto& top) { kick(top, h), clear_torque(top); });
   }
-  void drift_all(const Work<Real>& work, const Moment<Real>& moment) {
+  void drift_all(const Work<Real>& work, const StepTime<Real>& moment) {
     const Real h = moment.time_step;
     for_each_of(work.movers, bodies_.centres, [&](auto& centre) { drift(centre, h); });
     const auto rotor = [&](std::size_t i, RotorAct act) {

@@ -2,7 +2,7 @@
 /// The step without groups, in two ways, to judge the step by plan.
 #pragma once
 
-#include <tumble/facts.hpp>
+#include <tumble/body_flags.hpp>
 #include <tumble/rotors.hpp>
 #include <tumble/tumbling.hpp>
 #include <tumble/work.hpp>
@@ -13,7 +13,7 @@ namespace tumble {
 /// body that it is meant for; `moves`, with a Motion and a body, whether a motion does.
 /// `index_of` gives the place of a handle.
 template <class Real, class DoesVisit, class Moves, class IndexOf>
-void step_without_groups(Bodies<Real>& bodies, const Work<Real>& work, const Moment<Real>& moment,
+void step_without_groups(Bodies<Real>& bodies, const Work<Real>& work, const StepTime<Real>& moment,
                          const DoesVisit& visits, const Moves& moves, const IndexOf& index_of) {
   const auto for_each_visit = [&](const Entry<Real>& entry, const auto& run) {
     const EffectTraits<Real>& traits = entry.effect->traits();
@@ -34,7 +34,7 @@ void step_without_groups(Bodies<Real>& bodies, const Work<Real>& work, const Mom
       for (const BodyHandle body : entry.targets) visit_one(index_of(body));
     }
   };
-  const auto run_phase = [&](Phase phase, const Moment<Real>& at) {
+  const auto run_phase = [&](Phase phase, const StepTime<Real>& at) {
     for (const Entry<Real>& entry : work.effects)
       if (entry.effect->phase() == phase)
         for_each_visit(entry, [&](const Visits& one) { entry.effect->run(bodies, one, at); });
@@ -50,16 +50,16 @@ void step_without_groups(Bodies<Real>& bodies, const Work<Real>& work, const Mom
     for (BodyIndex top = 0; top < bodies.tops.size(); ++top)
       if (moves(motion, bodies.body_of[top])) change(bodies.tops[top]);
   };
-  for (const Portion<Real>& portion : work.portions) {
-    const Moment<Real> part = moment_of(portion, moment);
+  for (const Substep<Real>& substep : work.substeps) {
+    const StepTime<Real> part = step_time_of(substep, moment);
     const Real h = part.time_step;
-    if (portion.stroke == Stroke::kick) {
+    if (substep.kind == SubstepKind::kick) {
       run_phase(Phase::force, part);
       add(work.inputs, bodies);
       run_phase(Phase::kick, part);
       for_centres(kick_motion, [&](auto& centre) { kick(centre, h), clear_force(centre); });
       for_tops(kick_of_spin, [&](auto& top) { kick(top, h), clear_torque(top); });
-    } else if (portion.stroke == Stroke::fade) {
+    } else if (substep.kind == SubstepKind::whole) {
       run_phase(Phase::impulse, moment);
       run_phase(Phase::damping, moment);
     } else {
@@ -73,7 +73,7 @@ void step_without_groups(Bodies<Real>& bodies, const Work<Real>& work, const Mom
       with_rotors(rotors, rotor, [&] {
         for_tops(steady_turning, [&](auto& top) { turn_steadily(top, h); });
         for_tops(tumbling_motion, [&](auto& top) {
-          Group one;
+          IndexSet one;
           one.insert(0);
           std::vector<Top<Real>> alone = {top};
           work.rule->turn(alone, one, h);
@@ -90,7 +90,7 @@ void step_without_groups(Bodies<Real>& bodies, const Work<Real>& work, const Mom
 //! [step_by_reference]
 template <class Real, class IndexOf>
 void step_by_reference(Bodies<Real>& bodies, const Work<Real>& work,
-                       const std::vector<Facts>& alone, const Moment<Real>& moment,
+                       const std::vector<BodyFlags>& alone, const StepTime<Real>& moment,
                        const IndexOf& index_of) {
   std::vector<std::vector<const AnyEffect<Real>*>> meant(alone.size());
   for (const Entry<Real>& entry : work.effects) {
@@ -99,17 +99,17 @@ void step_by_reference(Bodies<Real>& bodies, const Work<Real>& work,
     for (const BodyHandle target : entry.targets)
       meant[index_of(target)].push_back(entry.effect.get());
   }
-  std::vector<Facts> facts;
+  std::vector<BodyFlags> flags;
   for (std::size_t body = 0; body < alone.size(); ++body)
-    facts.push_back(facts_under<Real>(alone[body], [&](const auto& ask) {
+    flags.push_back(flags_under<Real>(alone[body], [&](const auto& ask) {
       for (const AnyEffect<Real>* effect : meant[body]) ask(*effect);
     }));
   step_without_groups(
       bodies, work, moment,
       [&](const Entry<Real>& entry, BodyIndex body) {
-        return entry.effect->why_skipped(facts[body]).empty();
+        return entry.effect->skip_reason(flags[body]).empty();
       },
-      [&](const Motion& motion, BodyIndex body) { return motion.why_skipped(facts[body]).empty(); },
+      [&](const Motion& motion, BodyIndex body) { return motion.skip_reason(flags[body]).empty(); },
       index_of);
 }
 //! [step_by_reference]
@@ -119,7 +119,7 @@ void step_by_reference(Bodies<Real>& bodies, const Work<Real>& work,
 /// moments differ, else steadily, for that is chapter 8's choice and no plan's.
 //! [step_exhaustively]
 template <class Real, class IndexOf>
-void step_exhaustively(Bodies<Real>& bodies, const Work<Real>& work, const Moment<Real>& moment,
+void step_exhaustively(Bodies<Real>& bodies, const Work<Real>& work, const StepTime<Real>& moment,
                        const IndexOf& index_of) {
   step_without_groups(
       bodies, work, moment,

@@ -74,7 +74,7 @@ class Reasons {
 template <class Real, class Roster>
 PlanRow row_of(const Entry<Real>& entry, const Planner<Real>& planner, const Roster& roster) {
   const AnyEffect<Real>& effect = *entry.effect;
-  const std::vector<Facts>& facts = planner.facts();
+  const std::vector<BodyFlags>& flags = planner.flags();
   detail::Reasons reasons;
   const auto ask = [&](std::string_view why) {
     if (!why.empty()) reasons.add(why);
@@ -82,21 +82,21 @@ PlanRow row_of(const Entry<Real>& entry, const Planner<Real>& planner, const Ros
   const bool in_pairs = effect.traits().joins_two() && !effect.traits().finds_pairs;
   if (in_pairs)
     for (std::size_t i = 0; i < entry.targets.size(); i += 2) {
-      std::string_view why = effect.why_skipped(Facts{});
+      std::string_view why = effect.skip_reason(BodyFlags{});
       const bool fixed =
           [&](BodyHandle body) {
-            return !why_unwritable(effect.traits().writes, facts[roster.index_of(body)]).empty();
+            return !unwritable_reason(effect.traits().writes, flags[roster.index_of(body)]).empty();
           }(entry.targets[i]) &&
-          !why_unwritable(effect.traits().writes, facts[roster.index_of(entry.targets[i + 1])])
+          !unwritable_reason(effect.traits().writes, flags[roster.index_of(entry.targets[i + 1])])
                .empty();
       ask(fixed ? "nothing can move either of the two" : why);
     }
   else if (entry.everyone)
-    for (const Facts& body : facts) ask(effect.why_skipped(body));
+    for (const BodyFlags& body : flags) ask(effect.skip_reason(body));
   else
     for (const BodyHandle body : entry.targets)
-      ask(effect.why_skipped(facts[roster.index_of(body)]));
-  const std::size_t of = entry.everyone ? facts.size() : entry.targets.size() / (in_pairs ? 2 : 1);
+      ask(effect.skip_reason(flags[roster.index_of(body)]));
+  const std::size_t of = entry.everyone ? flags.size() : entry.targets.size() / (in_pairs ? 2 : 1);
   return {effect.name(),
           effect.phase(),
           entry.visits.size(),
@@ -107,18 +107,18 @@ PlanRow row_of(const Entry<Real>& entry, const Planner<Real>& planner, const Ros
 }
 
 /// The line of a motion that every world has.
-inline PlanRow row_of(const Motion& motion, const Group& group, const std::vector<Facts>& facts,
-                      const std::string& name = {}) {
+inline PlanRow row_of(const Motion& motion, const IndexSet& group,
+                      const std::vector<BodyFlags>& flags, const std::string& name = {}) {
   detail::Reasons reasons;
-  for (const Facts& body : facts)
-    if (const std::string_view why = motion.why_skipped(body); !why.empty()) reasons.add(why);
+  for (const BodyFlags& body : flags)
+    if (const std::string_view why = motion.skip_reason(body); !why.empty()) reasons.add(why);
   return {name.empty() ? std::string(motion.name) : name,
           motion.phase,
           group.size(),
-          facts.size(),
+          flags.size(),
           text_of(motion.reads),
           text_of(motion.writes),
-          reasons.sentence("body", facts.size())};
+          reasons.sentence("body", flags.size())};
 }
 
 /// The lines of all, in the order of a step.
@@ -131,9 +131,9 @@ std::vector<PlanRow> rows_of(const Planner<Real>& planner, const Roster& roster)
     for (const Entry<Real>& entry : work.effects)
       if (entry.effect->phase() == phase) rows.push_back(row_of(entry, planner, roster));
   };
-  const auto add_motion = [&](const Motion& motion, const Group& group,
+  const auto add_motion = [&](const Motion& motion, const IndexSet& group,
                               const std::string& name = {}) {
-    rows.push_back(row_of(motion, group, planner.facts(), name));
+    rows.push_back(row_of(motion, group, planner.flags(), name));
   };
   add_scene(Phase::force);
   add_scene(Phase::kick);

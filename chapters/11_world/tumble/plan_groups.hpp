@@ -3,19 +3,19 @@
 #pragma once
 
 #include <algorithm>
-#include <tumble/facts.hpp>
+#include <tumble/body_flags.hpp>
 #include <tumble/work.hpp>
 
 namespace tumble {
 
-/// Facts and groups, and how those of one body are found. Planner says when.
+/// Flags and groups, and how those of one body are found. Planner says when.
 template <class Real>
 class PlanGroups {
  public:
   const Work<Real>& work() const { return work_; }
-  const std::vector<Facts>& facts() const { return facts_; }
-  /// What of the facts is the bodies' own, without the effects.
-  const std::vector<Facts>& alone() const { return alone_; }
+  const std::vector<BodyFlags>& flags() const { return flags_; }
+  /// What of the flags is the bodies' own, without the effects.
+  const std::vector<BodyFlags>& alone() const { return alone_; }
 
  protected:
   /// Finds what is known of a body, and puts it into the groups that it belongs to.
@@ -24,8 +24,8 @@ class PlanGroups {
   void refresh(BodyIndex body, const Roster& roster) {
     touched_.insert(body);
     const BodyIndex top = roster.top_of(body);
-    alone_[body] = roster.facts_of(body, alone_[body]);
-    const Facts facts = facts_[body] = facts_under<Real>(alone_[body], [&](const auto& ask) {
+    alone_[body] = roster.flags_of(body, alone_[body]);
+    const BodyFlags flags = flags_[body] = flags_under<Real>(alone_[body], [&](const auto& ask) {
       for_each_entry_of(body, [&](Entry<Real>& entry) { ask(*entry.effect); });
     });
     for_each_entry_of(body, [&](Entry<Real>& entry) {
@@ -33,15 +33,15 @@ class PlanGroups {
       if (traits.joins_two() && !traits.finds_pairs) return;
       const BodyIndex member = traits.visits_tops() ? top : body;
       if (member == no_index) return;
-      entry.visits.group.set(member, entry.effect->why_skipped(facts).empty());
+      entry.visits.group.set(member, entry.effect->skip_reason(flags).empty());
       list_phase(entry);
     });
-    work_.pushed.set(body, kick_motion.why_skipped(facts).empty());
-    work_.movers.set(body, drift_motion.why_skipped(facts).empty());
+    work_.pushed.set(body, kick_motion.skip_reason(flags).empty());
+    work_.movers.set(body, drift_motion.skip_reason(flags).empty());
     if (top != no_index) {
-      work_.torqued.set(top, kick_of_spin.why_skipped(facts).empty());
-      work_.steady.set(top, steady_turning.why_skipped(facts).empty());
-      work_.tumbling.set(top, tumbling_motion.why_skipped(facts).empty());
+      work_.torqued.set(top, kick_of_spin.skip_reason(flags).empty());
+      work_.steady.set(top, steady_turning.skip_reason(flags).empty());
+      work_.tumbling.set(top, tumbling_motion.skip_reason(flags).empty());
     }
     ++work_.version;
   }
@@ -53,12 +53,12 @@ class PlanGroups {
     const EffectTraits<Real>& traits = entry.effect->traits();
     if (!traits.joins_two() || traits.finds_pairs) return;
     entry.visits.pairs.clear();
-    if (entry.effect->why_skipped(Facts{}).empty())
+    if (entry.effect->skip_reason(BodyFlags{}).empty())
       for (std::size_t i = 0; i < entry.targets.size(); i += 2) {
         const BodyPair pair{roster.index_of(entry.targets[i]),
                             roster.index_of(entry.targets[i + 1])};
-        if (why_unwritable(traits.writes, roster.facts_of(pair.first, {})).empty() ||
-            why_unwritable(traits.writes, roster.facts_of(pair.second, {})).empty())
+        if (unwritable_reason(traits.writes, roster.flags_of(pair.first, {})).empty() ||
+            unwritable_reason(traits.writes, roster.flags_of(pair.second, {})).empty())
           entry.visits.pairs.push_back(pair);
       }
     list_phase(entry);
@@ -105,13 +105,13 @@ class PlanGroups {
   void refresh_targets(bool everyone, const std::vector<BodyHandle>& targets,
                        const Roster& roster) {
     if (everyone)
-      for (BodyIndex body = 0; body < facts_.size(); ++body) refresh(body, roster);
+      for (BodyIndex body = 0; body < flags_.size(); ++body) refresh(body, roster);
     for (const BodyHandle target : targets) refresh(roster.index_of(target), roster);
   }
 
   Work<Real> work_;
-  Group touched_;  // whose motion or facts somebody has changed since touched_by_nobody()
-  std::vector<Facts> alone_, facts_;
+  IndexSet touched_;  // whose motion or flags somebody has changed since touched_by_nobody()
+  std::vector<BodyFlags> alone_, flags_;
   std::vector<std::vector<std::uint64_t>> own_;  // effects meant for a body, once for each pair
   std::vector<std::uint64_t> everyone_;          // effects meant for all
 };

@@ -7,14 +7,14 @@
 
 namespace tumble {
 
-/// Keeps facts and groups. Each change touches the groups of the bodies that it concerns, and no
+/// Keeps flags and groups. Each change touches the groups of the bodies that it concerns, and no
 /// others. `roster` says which body has which place, and what it is, see NamedBodies.
 template <class Real>
 class Planner : public PlanGroups<Real> {
   using Base = PlanGroups<Real>;
   using Base::entry_of, Base::for_each_entry_of, Base::join, Base::list_phase;
   using Base::find, Base::disown, Base::meet, Base::refresh, Base::refresh_targets;
-  using Base::work_, Base::touched_, Base::alone_, Base::facts_, Base::own_, Base::everyone_;
+  using Base::work_, Base::touched_, Base::alone_, Base::flags_, Base::own_, Base::everyone_;
 
  public:
   void turn_by(std::shared_ptr<const AnyRule<Real>> rule) {
@@ -23,7 +23,7 @@ class Planner : public PlanGroups<Real> {
   }
   void step_by(Scheme scheme) {
     work_.scheme = scheme;
-    work_.portions = portions_of<Real>(scheme);
+    work_.substeps = substeps_of<Real>(scheme);
     ++work_.version;
   }
 
@@ -31,9 +31,9 @@ class Planner : public PlanGroups<Real> {
   template <class Roster>
   void add_body(const Roster& roster) {
     alone_.emplace_back();
-    facts_.emplace_back();
+    flags_.emplace_back();
     own_.emplace_back();
-    refresh(static_cast<BodyIndex>(facts_.size() - 1), roster);
+    refresh(static_cast<BodyIndex>(flags_.size() - 1), roster);
   }
 
   /// A body has changed.
@@ -49,13 +49,13 @@ class Planner : public PlanGroups<Real> {
   void forget_body(BodyHandle handle, const Roster& roster) {
     release(handle, roster);
     const BodyIndex body = roster.index_of(handle), top = roster.top_of(body);
-    const auto last = static_cast<BodyIndex>(facts_.size() - 1);
+    const auto last = static_cast<BodyIndex>(flags_.size() - 1);
     for_each_entry_of(last, [&](Entry<Real>& entry) {
       if (entry.effect->traits().visits_tops()) return;
       entry.visits.group.replace_by_last(body, last);
       list_phase(entry);
     });
-    for (Group* group : {&work_.pushed, &work_.movers}) group->replace_by_last(body, last);
+    for (IndexSet* group : {&work_.pushed, &work_.movers}) group->replace_by_last(body, last);
     if (top != no_index) {
       const BodyIndex last_top = roster.last_top();
       for_each_entry_of(roster.body_of(last_top), [&](Entry<Real>& entry) {
@@ -63,14 +63,14 @@ class Planner : public PlanGroups<Real> {
         entry.visits.group.replace_by_last(top, last_top);
         list_phase(entry);
       });
-      for (Group* group : {&work_.torqued, &work_.steady, &work_.tumbling})
+      for (IndexSet* group : {&work_.torqued, &work_.steady, &work_.tumbling})
         group->replace_by_last(top, last_top);
     }
     std::erase_if(work_.inputs, [&](const Input<Real>& input) { return input.body == body; });
     for (Input<Real>& input : work_.inputs)
       if (input.body == last) input.body = body;
     replace_by_last(alone_, body);
-    replace_by_last(facts_, body);
+    replace_by_last(flags_, body);
     replace_by_last(own_, body);
   }
 
@@ -120,15 +120,15 @@ class Planner : public PlanGroups<Real> {
 
   /// What was known of the bodies at another time is known again.
   template <class Roster>
-  void know_again(const std::vector<bool>& moved, const std::vector<bool>& turned,
-                  const Roster& roster) {
-    for (BodyIndex body = 0; body < facts_.size(); ++body)
-      know_again(body, moved[body], turned[body], roster);
+  void restore_flags(const std::vector<bool>& moved, const std::vector<bool>& turned,
+                     const Roster& roster) {
+    for (BodyIndex body = 0; body < flags_.size(); ++body)
+      restore_flags(body, moved[body], turned[body], roster);
   }
 
   /// The same for one body.
   template <class Roster>
-  void know_again(BodyIndex body, bool moved, bool turned, const Roster& roster) {
+  void restore_flags(BodyIndex body, bool moved, bool turned, const Roster& roster) {
     if (alone_[body].moves == moved && alone_[body].turns == turned) return;
     alone_[body].moves = moved;
     alone_[body].turns = turned;
@@ -138,8 +138,8 @@ class Planner : public PlanGroups<Real> {
   /// The motion of a body is changed from outside.
   void touch(BodyIndex body) { touched_.insert(body); }
   void touched_by_nobody() { touched_ = {}; }
-  /// Whose motion or facts somebody has changed since then.
-  const Group& touched() const { return touched_; }
+  /// Whose motion or flags somebody has changed since then.
+  const IndexSet& touched() const { return touched_; }
 
   /// True if an effect that is meant for this body can limit the step.
   bool is_limiting(BodyIndex body) {

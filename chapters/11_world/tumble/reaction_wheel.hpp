@@ -27,7 +27,7 @@ struct ReactionWheel {
   Vec3<Real> rotor_momentum_body(Real time) const {
     return (momentum + torque * (std::clamp(time, from, until) - from)) * axis;
   }
-  std::string_view why_skipped(const Facts&) const {
+  std::string_view skip_reason(const BodyFlags&) const {
     return momentum == 0 && torque == 0 ? "the wheel stands still" : "";
   }
   //! [reaction_wheel]

@@ -57,14 +57,14 @@ void act_on(Top<Real>& top, RotorAct act, const Vec3<Same<Real>>& momentum, Same
 
 /// When it is done in a drift that begins at its `time` and may lead back, s.
 template <class Real>
-Real time_of(RotorAct act, const Moment<Real>& drift) {
+Real time_of(RotorAct act, const StepTime<Real>& drift) {
   return act < RotorAct::turn_after ? drift.time : drift.time + drift.time_step;
 }
 
 /// Does it to the tops of a group.
 template <class Real>
-void run_rotor(const AnyEffect<Real>& rotor, const Group& group, RotorAct act,
-               std::vector<Top<Real>>& tops, const Moment<Real>& drift) {
+void run_rotor(const AnyEffect<Real>& rotor, const IndexSet& group, RotorAct act,
+               std::vector<Top<Real>>& tops, const StepTime<Real>& drift) {
   const Vec3<Real> H = rotor.rotor_momentum_body(time_of(act, drift));
   for_each_of(group, tops, [&](auto& top) { act_on<Real>(top, act, H, drift.time_step); });
 }
@@ -72,7 +72,7 @@ void run_rotor(const AnyEffect<Real>& rotor, const Group& group, RotorAct act,
 /// Does it to all that the effect number `i` visits.
 template <class Real>
 void run_rotor(const Work<Real>& work, std::size_t i, RotorAct act, std::vector<Top<Real>>& tops,
-               const Moment<Real>& drift) {
+               const StepTime<Real>& drift) {
   run_rotor(*work.effects[i].effect, work.effects[i].visits.group, act, tops, drift);
 }
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <tumble/group.hpp>
+#include <tumble/index_set.hpp>
 #include <tumble/turning_methods.hpp>
 
 namespace tumble {
@@ -20,7 +20,7 @@ class AnyRule {
   std::optional<int> order() const { return order_; }
   /// True if it says that a step back undoes a step forth.
   bool is_symmetric() const { return is_symmetric_; }
-  virtual void turn(std::vector<Top<Real>>& tops, const Group& group, Real time_step) const = 0;
+  virtual void turn(std::vector<Top<Real>>& tops, const IndexSet& group, Real time_step) const = 0;
 
  protected:
   template <class Rule>
@@ -40,7 +40,7 @@ template <class Real, class Rule>
 class RuleOf : public AnyRule<Real> {
  public:
   explicit RuleOf(const Rule& rule) : AnyRule<Real>(rule), rule_(rule) {}
-  void turn(std::vector<Top<Real>>& tops, const Group& group, Real time_step) const override {
+  void turn(std::vector<Top<Real>>& tops, const IndexSet& group, Real time_step) const override {
     for_each_of(group, tops, [&](Top<Real>& top) { rule_(top, time_step); });
   }
   const Rule& rule() const { return rule_; }

@@ -2,9 +2,9 @@
 /// The bodies of a world, and how to change them while it runs.
 #pragma once
 
+#include <tumble/change_log.hpp>
 #include <tumble/marks.hpp>
 #include <tumble/named_bodies.hpp>
-#include <tumble/news.hpp>
 #include <tumble/planner.hpp>
 
 namespace tumble {
@@ -31,7 +31,7 @@ class SceneBodies {
   /// Removes a body, and the effects that are fixed to it.
   void remove(BodyHandle body) {
     const BodyIndex index = bodies_.index_of(body);
-    news_.note("'" + name_of(body) + "' was removed");
+    change_log_.note("'" + name_of(body) + "' was removed");
     limit_changed_ |= planner_.is_limiting(index);
     marks_.forget_all();
     planner_.forget_body(body, bodies_);
@@ -74,7 +74,7 @@ class SceneBodies {
     check_body(name_of(body), by.centre);
     check_body(name_of(body), by.top);
     require_top(body);
-    news_.note("'" + name_of(body) + "' was replaced");
+    change_log_.note("'" + name_of(body) + "' was replaced");
     limit_changed_ |= planner_.is_limiting(bodies_.index_of(body));
     RigidBody<Real> kept = by;
     kept.top.orientation = renormalized(by.top.orientation);
@@ -129,7 +129,7 @@ class SceneBodies {
 
   /// What the steps go through, and what is known of each body.
   const Work<Real>& work() const { return planner_.work(); }
-  const std::vector<Facts>& facts() const { return planner_.facts(); }
+  const std::vector<BodyFlags>& flags() const { return planner_.flags(); }
 
  protected:
   explicit SceneBodies(Real time_step) : time_step_(time_step) {}
@@ -137,13 +137,13 @@ class SceneBodies {
   Real time_step_;
   NamedBodies<Real, Keeping> bodies_;
   Planner<Real> planner_;
-  News news_;
+  ChangeLog change_log_;
   bool limit_changed_ = false;
   Marks<Real> marks_;
 
  private:
   BodyHandle came(const std::string& name, BodyHandle body) {
-    news_.note("'" + name + "' came");
+    change_log_.note("'" + name + "' came");
     marks_.forget_all();
     planner_.add_body(bodies_);
     limit_changed_ |= planner_.is_limiting(bodies_.index_of(body));
@@ -169,9 +169,10 @@ class SceneBodies {
   /// A first velocity or spin changes what the scene calls for.
   BodyHandle note_motion(BodyHandle body) {
     const BodyIndex index = bodies_.index_of(body);
-    const Facts before = planner_.alone()[index], now = bodies_.facts_of(index, before);
-    if (now.moves != before.moves) news_.note("'" + name_of(body) + "' got its first velocity");
-    if (now.turns != before.turns) news_.note("'" + name_of(body) + "' got its first spin");
+    const BodyFlags before = planner_.alone()[index], now = bodies_.flags_of(index, before);
+    if (now.moves != before.moves)
+      change_log_.note("'" + name_of(body) + "' got its first velocity");
+    if (now.turns != before.turns) change_log_.note("'" + name_of(body) + "' got its first spin");
     if (now != before) planner_.change_body(index, bodies_);
     return body;
   }

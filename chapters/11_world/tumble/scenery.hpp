@@ -39,7 +39,7 @@ class Scenery : public SceneBodies<Real, Keeping> {
 
   void remove(EffectHandle effect) {
     const Entry<Real>& entry = entry_of(effect);
-    news_.note("'" + entry.effect->name() + "' was removed");
+    change_log_.note("'" + entry.effect->name() + "' was removed");
     limit_changed_ |= entry.effect->traits().changes_limit();
     planner_.remove_effect(effect.number, bodies_);
   }
@@ -59,7 +59,7 @@ class Scenery : public SceneBodies<Real, Keeping> {
   void change(EffectHandle handle, Effect by) {
     (void)effect<Effect>(handle);
     auto erased = prepared(by);
-    news_.note("'" + erased->name() + "' was changed");
+    change_log_.note("'" + erased->name() + "' was changed");
     for (std::size_t i = 0; const BodyHandle body : entry_of(handle).targets)
       require_top_for(*erased, body, i++);
     limit_changed_ |= erased->traits().changes_limit();
@@ -70,13 +70,13 @@ class Scenery : public SceneBodies<Real, Keeping> {
   /// of the user's own.
   template <TurningRule<Real> Rule>
   void turn_by(const Rule& rule) {
-    news_.note("another method of turning was chosen");
+    change_log_.note("another method of turning was chosen");
     planner_.turn_by(Keeping::erased_rule(rule));
   }
 
   /// From now on all bodies are stepped by `scheme`.
   void step_by(Scheme scheme) {
-    news_.note("the scheme " + std::string(tumble::name_of(scheme)) + " was chosen");
+    change_log_.note("the scheme " + std::string(tumble::name_of(scheme)) + " was chosen");
     limit_changed_ = true;
     planner_.step_by(scheme);
   }
@@ -89,7 +89,7 @@ class Scenery : public SceneBodies<Real, Keeping> {
 
  protected:
   using Base::Base;
-  using Base::planner_, Base::bodies_, Base::news_, Base::limit_changed_, Base::time_step_;
+  using Base::planner_, Base::bodies_, Base::change_log_, Base::limit_changed_, Base::time_step_;
 
  private:
   const Entry<Real>& entry_of(EffectHandle handle) const {
@@ -130,7 +130,7 @@ class Scenery : public SceneBodies<Real, Keeping> {
       if (stride == 1 && !meant_for.insert(bodies_.index_of(bodies[i])).second)
         throw std::invalid_argument("'" + name + "' was given '" + name_of(bodies[i]) + "' twice");
     }
-    news_.note("'" + name + "' came");
+    change_log_.note("'" + name + "' came");
     limit_changed_ |= erased->traits().changes_limit();
     const EffectHandle handle{++last_effect_, bodies_.family()};
     planner_.add_effect({handle, std::move(erased), everyone, bodies, {}}, bodies_);

@@ -1,5 +1,5 @@
 /// @file
-/// In which portions a step kicks and drifts.
+/// The substeps of a step: when it kicks, and when it drifts.
 #pragma once
 
 #include <array>
@@ -30,56 +30,56 @@ inline int order_of(Scheme scheme) {
   return scheme == Scheme::semi_implicit_euler ? 1 : scheme == Scheme::verlet ? 2 : 4;
 }
 
-/// What a portion of a step does.
-enum class Stroke { kick, fade, drift };
+/// What a substep does.
+enum class SubstepKind { kick, whole, drift };
 
-/// A portion of a step; its times are parts of the whole step.
+/// A part of a step; its times are parts of the whole step.
 template <class Real>
-struct Portion {
-  Stroke stroke;
+struct Substep {
+  SubstepKind kind;
   Real begins;  ///< the drifts before it have led so far
   Real lasts;   ///< negative: backwards
 };
 
 /// What belongs to the step as a whole: blows and damping, and what acts on places at its end.
 template <class Real>
-inline constexpr Portion<Real> whole_step = {Stroke::fade, 0, 1};
+inline constexpr Substep<Real> whole_step = {SubstepKind::whole, 0, 1};
 
-/// When a portion of a step happens.
+/// When a substep happens.
 template <class Real>
-Moment<Real> moment_of(const Portion<Real>& portion, const Moment<Real>& step) {
-  return {step.time + portion.begins * step.time_step, portion.lasts * step.time_step};
+StepTime<Real> step_time_of(const Substep<Real>& substep, const StepTime<Real>& step) {
+  return {step.time + substep.begins * step.time_step, substep.lasts * step.time_step};
 }
 
-/// The portions of a scheme's step, in their order. Blows and damping, which are given for whole
+/// The substeps of a scheme's step, in their order. Blows and damping, which are given for whole
 /// steps, come once, before the last drift.
-//! [portions_of]
+//! [substeps_of]
 template <class Real>
-std::vector<Portion<Real>> portions_of(Scheme scheme) {
-  std::vector<Portion<Real>> portions;
+std::vector<Substep<Real>> substeps_of(Scheme scheme) {
+  std::vector<Substep<Real>> substeps;
   double elapsed = 0;
-  const auto add = [&](Stroke stroke, double lasts) {
-    portions.push_back({stroke, static_cast<Real>(elapsed), static_cast<Real>(lasts)});
-    if (stroke == Stroke::drift) elapsed += lasts;
+  const auto add = [&](SubstepKind kind, double lasts) {
+    substeps.push_back({kind, static_cast<Real>(elapsed), static_cast<Real>(lasts)});
+    if (kind == SubstepKind::drift) elapsed += lasts;
   };
   if (scheme == Scheme::semi_implicit_euler) {
-    add(Stroke::kick, 1);
-    add(Stroke::drift, 1);
+    add(SubstepKind::kick, 1);
+    add(SubstepKind::drift, 1);
   } else {
     // p³ + p³ + (1 − 4p)³ + p³ + p³ = 0, so that the errors of third order cancel: p = 1/(4 − ∛4).
     constexpr double p = 0.41449077179437573714;
     const std::vector<double> lengths =
         scheme == Scheme::verlet ? std::vector{1.0} : std::vector{p, p, 1 - 4 * p, p, p};
     for (const double length : lengths) {
-      add(Stroke::drift, length / 2);
-      add(Stroke::kick, length);
-      add(Stroke::drift, length / 2);
+      add(SubstepKind::drift, length / 2);
+      add(SubstepKind::kick, length);
+      add(SubstepKind::drift, length / 2);
     }
   }
-  portions.insert(portions.end() - 1, whole_step<Real>);
-  return portions;
+  substeps.insert(substeps.end() - 1, whole_step<Real>);
+  return substeps;
 }
-//! [portions_of]
+//! [substeps_of]
 
 /// How far (rad) a swing without damping may come in a step, w h, while a scheme keeps it from
 /// growing without bound.
@@ -91,15 +91,15 @@ std::vector<Portion<Real>> portions_of(Scheme scheme) {
 /// its trace lies between −2 and 2.
 inline double largest_stable_angle(Scheme scheme) {
   if (scheme != Scheme::suzuki) return 2;
-  const auto portions = portions_of<double>(scheme);
+  const auto substeps = substeps_of<double>(scheme);
   const auto trace = [&](double angle) {
     std::array<std::array<double, 2>, 2> columns = {{{1, 0}, {0, 1}}};  // x and h v, from 1 and 0
-    for (const Portion<double>& portion : portions)
+    for (const Substep<double>& substep : substeps)
       for (auto& [x, hv] : columns)
-        if (portion.stroke == Stroke::kick)
-          hv -= portion.lasts * angle * angle * x;
-        else if (portion.stroke == Stroke::drift)
-          x += portion.lasts * hv;
+        if (substep.kind == SubstepKind::kick)
+          hv -= substep.lasts * angle * angle * x;
+        else if (substep.kind == SubstepKind::drift)
+          x += substep.lasts * hv;
     return columns[0][0] + columns[1][1];
   };
   int n = 0;

@@ -90,7 +90,7 @@ struct SpringToPoint {
             .force = push(body, 0).force};
   }
   bool gives_torque() const { return needs_top(); }
-  std::string_view why_skipped(const Facts&) const {
+  std::string_view skip_reason(const BodyFlags&) const {
     return spring.stiffness == 0 && spring.damping == 0 ? "it neither pulls nor damps" : "";
   }
   Push<Real> push(const BodyState<Real>& body, Real) const {
@@ -100,7 +100,7 @@ struct SpringToPoint {
     return {.force = force, .torque = arm.cross(force)};
   }
   template <class Wide>
-  SpringToPoint<Wide> widened() const {
+  SpringToPoint<Wide> broadcast() const {
     return {{spring.stiffness, spring.damping, spring.rest_length, spring.only_pulls},
             anchor.template cast<Wide>(),
             attachment.template cast<Wide>(),
@@ -138,7 +138,7 @@ struct SpringBetween {
             .force = push(first, second, 0).force_on_first};
   }
   bool gives_torque() const { return needs_top() || needs_second_top(); }
-  std::string_view why_skipped() const {
+  std::string_view skip_reason() const {
     return spring.stiffness == 0 && spring.damping == 0 ? "it neither pulls nor damps" : "";
   }
   PairPush<Real> push(const BodyState<Real>& first, const BodyState<Real>& second, Real) const {

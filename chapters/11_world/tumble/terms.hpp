@@ -1,5 +1,5 @@
 /// @file
-/// The terms in which effects and steps are described: phases, facts, pushes and moments.
+/// The terms in which effects and steps are described: phases, flags, pushes and moments.
 #pragma once
 
 #include <tumble/bodies.hpp>
@@ -18,8 +18,8 @@ enum class Phase {
 
 /// What is known of a body between two changes of the scene. A predicate asks this and nothing
 /// else, so its answer holds until somebody changes the scene.
-//! [facts]
-struct Facts {
+//! [flags]
+struct BodyFlags {
   bool is_static = false;      ///< no force can move it
   bool is_point = false;       ///< it has no top
   bool can_turn = false;       ///< it has a top that is not locked about all axes
@@ -28,9 +28,9 @@ struct Facts {
   bool is_torqued = false;     ///< an effect gives it a torque
   bool moves = false;          ///< it has had a velocity, or something can give it one
   bool turns = false;          ///< it has had a spin, or something can give it one
-  friend bool operator==(const Facts&, const Facts&) = default;
+  friend bool operator==(const BodyFlags&, const BodyFlags&) = default;
 };
-//! [facts]
+//! [flags]
 
 /// What one effect does to one body in the force phase, both in world axes.
 template <class Real>
@@ -85,7 +85,7 @@ struct BodyPair {
 /// When a step happens and how long it lasts. To an effect of the phases force and kick: when its
 /// kick happens, and how long that is; by Suzuki's scheme one of them lasts a negative time.
 template <class Real>
-struct Moment {
+struct StepTime {
   Real time = 0;       ///< s, at the start of the step
   Real time_step = 0;  ///< s
 };
@@ -93,7 +93,7 @@ struct Moment {
 /// When step number `tick` happens: at n h, with one rounding of the product, and one of n where it
 /// has more digits than Real, however many steps there were.
 template <class Real>
-Moment<Real> moment_of(std::int64_t tick, Real time_step) {
+StepTime<Real> step_time_of(std::int64_t tick, Real time_step) {
   return {static_cast<Real>(tick) * time_step, time_step};
 }
 

@@ -27,7 +27,7 @@ struct Thruster {
   }
   bool needs_top() const { return true; }
   bool gives_torque() const { return point.cross(force_body) != Vec3<Real>::Zero(); }
-  std::string_view why_skipped(const Facts&) const {
+  std::string_view skip_reason(const BodyFlags&) const {
     return force_body == Vec3<Real>::Zero() ? "its force is zero" : "";
   }
   Push<Real> push(const BodyState<Real>& body, Real time) const {
@@ -40,7 +40,7 @@ struct Thruster {
   /// does comes back to it.
   NoResponse response(const BodyState<Real>&) const { return {}; }
   template <class Wide>
-  Thruster<Wide> widened() const {
+  Thruster<Wide> broadcast() const {
     return {force_body.template cast<Wide>(), point.template cast<Wide>(), from, until, name};
   }
 };

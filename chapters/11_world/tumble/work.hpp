@@ -35,17 +35,17 @@ struct Work {
   /// Those that visit any body, by phase: indices into `effects`.
   std::array<std::vector<std::size_t>, 6> in_phase;
   std::vector<Input<Real>> inputs;            ///< pushes of this step alone
-  Group pushed, movers;                       ///< centres
-  Group torqued, steady, tumbling;            ///< tops
+  IndexSet pushed, movers;                    ///< centres
+  IndexSet torqued, steady, tumbling;         ///< tops
   std::shared_ptr<const AnyRule<Real>> rule;  ///< turns those that tumble
   Scheme scheme = Scheme::semi_implicit_euler;
-  std::vector<Portion<Real>> portions = portions_of<Real>(scheme);  ///< of a step by the scheme
+  std::vector<Substep<Real>> substeps = substeps_of<Real>(scheme);  ///< of the scheme
   std::uint64_t version = 0;  ///< a new number after each change
 };
 
 /// Runs the effects of a phase.
 template <class Real>
-void run(const Work<Real>& work, Phase phase, Bodies<Real>& bodies, const Moment<Real>& moment) {
+void run(const Work<Real>& work, Phase phase, Bodies<Real>& bodies, const StepTime<Real>& moment) {
   for (const std::size_t i : work.in_phase[static_cast<std::size_t>(phase)])
     work.effects[i].effect->run(bodies, work.effects[i].visits, moment);
 }
@@ -65,42 +65,43 @@ struct Motion {
   std::string_view name;
   Phase phase;
   Quantities reads, writes;
-  std::string_view (*why_skipped)(const Facts&);
+  std::string_view (*skip_reason)(const BodyFlags&);
 };
 
 inline constexpr Motion kick_motion = {
-    "kick", Phase::kick, quantity::force, quantity::velocity, [](const Facts& facts) {
-      return facts.is_static    ? std::string_view("nothing can move them")
-             : !facts.is_pushed ? "no force acts on them"
+    "kick", Phase::kick, quantity::force, quantity::velocity, [](const BodyFlags& flags) {
+      return flags.is_static    ? std::string_view("nothing can move them")
+             : !flags.is_pushed ? "no force acts on them"
                                 : "";
     }};
 inline constexpr Motion kick_of_spin = {
     "kick of the spin", Phase::kick, quantity::torque | quantity::orientation, quantity::spin,
-    [](const Facts& facts) {
-      return facts.is_point      ? std::string_view("points do not turn")
-             : !facts.can_turn   ? "locked about every axis"
-             : !facts.is_torqued ? "no torque acts on them"
+    [](const BodyFlags& flags) {
+      return flags.is_point      ? std::string_view("points do not turn")
+             : !flags.can_turn   ? "locked about every axis"
+             : !flags.is_torqued ? "no torque acts on them"
                                  : "";
     }};
 inline constexpr Motion drift_motion = {
-    "drift", Phase::drift, quantity::velocity, quantity::position, [](const Facts& facts) {
-      return facts.moves       ? std::string_view("")
-             : facts.is_static ? "nothing can move them"
+    "drift", Phase::drift, quantity::velocity, quantity::position, [](const BodyFlags& flags) {
+      return flags.moves       ? std::string_view("")
+             : flags.is_static ? "nothing can move them"
                                : "at rest, and nothing can move them";
     }};
 inline constexpr Motion steady_turning = {
-    "steady turning", Phase::drift, quantity::spin, quantity::orientation, [](const Facts& facts) {
-      return facts.is_point        ? std::string_view("points do not turn")
-             : !facts.turns        ? "no spin and nothing that can give torque"
-             : facts.is_gyroscopic ? "their moments differ: they tumble"
+    "steady turning", Phase::drift, quantity::spin, quantity::orientation,
+    [](const BodyFlags& flags) {
+      return flags.is_point        ? std::string_view("points do not turn")
+             : !flags.turns        ? "no spin and nothing that can give torque"
+             : flags.is_gyroscopic ? "their moments differ: they tumble"
                                    : "";
     }};
 inline constexpr Motion tumbling_motion = {
     "tumbling", Phase::drift, quantity::spin, quantity::orientation | quantity::spin,
-    [](const Facts& facts) {
-      return facts.is_point         ? std::string_view("points do not turn")
-             : !facts.turns         ? "no spin and nothing that can give torque"
-             : !facts.is_gyroscopic ? "equal moments or a locked axis: they turn steadily"
+    [](const BodyFlags& flags) {
+      return flags.is_point         ? std::string_view("points do not turn")
+             : !flags.turns         ? "no spin and nothing that can give torque"
+             : !flags.is_gyroscopic ? "equal moments or a locked axis: they turn steadily"
                                     : "";
     }};
 

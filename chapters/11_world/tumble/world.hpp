@@ -20,7 +20,7 @@ namespace tumble {
 template <class Real, class Keeping = OneByOne<Real>>
 class World : public Scenery<Real, Keeping> {
   using Base = Scenery<Real, Keeping>;
-  using Base::planner_, Base::bodies_, Base::news_, Base::time_step_, Base::marks_;
+  using Base::planner_, Base::bodies_, Base::change_log_, Base::time_step_, Base::marks_;
 
  public:
   using Base::work;
@@ -41,9 +41,9 @@ class World : public Scenery<Real, Keeping> {
   Real time_step() const { return time_step_; }
   std::int64_t ticks() const { return ticks_; }
   /// n h, s: with two roundings at most, beside that of h, however many steps there were.
-  Real time() const { return moment().time; }
+  Real time() const { return step_time().time; }
   /// When the next step happens.
-  Moment<Real> moment() const { return moment_of(ticks_, time_step_); }
+  StepTime<Real> step_time() const { return step_time_of(ticks_, time_step_); }
 
   /// How all bodies move now: with restore() a step, or a thousand, can be taken back.
   Snapshot<Real> save() const { return bodies_.snapshot(ticks_, planner_.alone()); }
@@ -56,7 +56,7 @@ class World : public Scenery<Real, Keeping> {
     planner_.end_inputs(bodies_);
     marks_.forget_all();
     bodies_.restore(then);
-    planner_.know_again(then.has_moved, then.has_turned, bodies_);
+    planner_.restore_flags(then.has_moved, then.has_turned, bodies_);
     ticks_ = then.ticks;
   }
 
@@ -105,8 +105,8 @@ class World : public Scenery<Real, Keeping> {
   StepLimit<Real> step_limit() const { return tumble::step_limit(work(), bodies_, time()); }
 
   /// What has changed the plan since the world began, a sentence each; the last hundred of them.
-  std::vector<std::string> news() const {
-    News now = news_;
+  std::vector<std::string> change_log() const {
+    ChangeLog now = change_log_;
     if (now.is_pending()) now.tell(work(), bodies_.size(), ticks_);
     return now.sentences();
   }
@@ -119,9 +119,9 @@ class World : public Scenery<Real, Keeping> {
   /// One step. @throws SimulationError if a number would become infinite or NaN, and whatever an
   /// effect throws; the world is then as it was before the step.
   void step() {
-    if (news_.is_pending()) tell_changes();
-    const std::optional<BodyIndex> lost = bodies_.kept().step(work(), moment());
-    if (lost) stop(*lost);
+    if (change_log_.is_pending()) tell_changes();
+    const std::optional<BodyIndex> diverged = bodies_.kept().step(work(), step_time());
+    if (diverged) stop(*diverged);
     ++ticks_;
     planner_.end_inputs(bodies_);
   }
@@ -129,21 +129,21 @@ class World : public Scenery<Real, Keeping> {
   /// The same step without groups: see step_by_reference() in other_runs.hpp.
   void step_by_reference() {
     step_on_copy([&](Bodies<Real>& bodies, const auto& index_of) {
-      tumble::step_by_reference(bodies, work(), planner_.alone(), moment(), index_of);
+      tumble::step_by_reference(bodies, work(), planner_.alone(), step_time(), index_of);
     });
   }
 
   /// The same step with nothing known of any body: see step_exhaustively() in other_runs.hpp.
   void step_exhaustively() {
     step_on_copy([&](Bodies<Real>& bodies, const auto& index_of) {
-      tumble::step_exhaustively(bodies, work(), moment(), index_of);
+      tumble::step_exhaustively(bodies, work(), step_time(), index_of);
     });
   }
 
  private:
   /// Tells of what has changed since the last step.
   void tell_changes() {
-    news_.tell(work(), bodies_.size(), ticks_);
+    change_log_.tell(work(), bodies_.size(), ticks_);
     if (!std::exchange(this->limit_changed_, false)) return;
     for (const std::string& warning : warnings())
       if (tell_)
@@ -156,15 +156,16 @@ class World : public Scenery<Real, Keeping> {
   void step_on_copy(const Step& step) {
     Bodies<Real> bodies = bodies_.kept().bodies();
     step(bodies, [this](BodyHandle body) { return bodies_.index_of(body); });
-    if (const std::optional<BodyIndex> lost = first_lost(bodies, work())) stop(*lost);
+    if (const std::optional<BodyIndex> diverged = first_diverged(bodies, work())) stop(*diverged);
     bodies_.kept().set_bodies(std::move(bodies));
     marks_.forget_all();
     ++ticks_;
     planner_.end_inputs(bodies_);
   }
 
-  [[noreturn]] void stop(BodyIndex lost) {
-    throw failure<Real>(bodies_.name_of(lost), lost, this->bodies(), work(), ticks_, time_step_);
+  [[noreturn]] void stop(BodyIndex diverged) {
+    throw failure<Real>(bodies_.name_of(diverged), diverged, this->bodies(), work(), ticks_,
+                        time_step_);
   }
 
   StepLength step_;

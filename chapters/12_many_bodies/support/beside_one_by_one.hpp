@@ -19,7 +19,7 @@ void compare_with_one_by_one(std::uint64_t first_seed, int count, int threads) {
     CAPTURE(seed);
     CAPTURE(width);
     CAPTURE(threads);
-    Dice dice(seed), same_dice(seed);
+    RandomGenerator dice(seed), same_dice(seed);
     World<Real> plain = random_world<Real>(dice, 40);
     auto packed = random_world<Real, InPacks<Real, width>>(same_dice, 40);
     packed.keeping().use_threads(threads);
@@ -42,17 +42,17 @@ void compare_with_one_by_one(std::uint64_t first_seed, int count, int threads) {
 
 #ifdef TUMBLE_COMPILED_RANDOM_WORLDS
 namespace tumble {
-extern template ManyBodies<float> support::random_world(support::Dice&, std::size_t);
-extern template ManyBodies<double> support::random_world(support::Dice&, std::size_t);
-extern template void support::meddle(ManyBodies<float>&, support::Dice&, int);
-extern template void support::meddle(ManyBodies<double>&, support::Dice&, int);
-extern template BodyHandle support::add_random_body(ManyBodies<float>&, support::Dice&,
+extern template ManyBodies<float> support::random_world(support::RandomGenerator&, std::size_t);
+extern template ManyBodies<double> support::random_world(support::RandomGenerator&, std::size_t);
+extern template void support::meddle(ManyBodies<float>&, support::RandomGenerator&, int);
+extern template void support::meddle(ManyBodies<double>&, support::RandomGenerator&, int);
+extern template BodyHandle support::add_random_body(ManyBodies<float>&, support::RandomGenerator&,
                                                     const std::string&);
-extern template BodyHandle support::add_random_body(ManyBodies<double>&, support::Dice&,
+extern template BodyHandle support::add_random_body(ManyBodies<double>&, support::RandomGenerator&,
                                                     const std::string&);
-extern template void support::add_random_effect(ManyBodies<float>&, support::Dice&,
+extern template void support::add_random_effect(ManyBodies<float>&, support::RandomGenerator&,
                                                 const std::vector<BodyHandle>&);
-extern template void support::add_random_effect(ManyBodies<double>&, support::Dice&,
+extern template void support::add_random_effect(ManyBodies<double>&, support::RandomGenerator&,
                                                 const std::vector<BodyHandle>&);
 }  // namespace tumble
 #endif

@@ -27,34 +27,34 @@ class InPacks {
   /// So many threads take part in each step from now on; without a call, one.
   /// @throws std::invalid_argument if it is not from 1 to 1024; as many as before then do.
   void use_threads(int count) {
-    team_ = ThreadTeam(count);
+    pool_ = ThreadPool(count);
     schedule_ = {};  // for several threads it knows more than for one
   }
 
   /// See OneByOne::step(). The stages one after another; each thread takes the blocks of its own
   /// share one by one through a whole stage.
   //! [step]
-  std::optional<BodyIndex> step(const Work<Real>& work, const Moment<Real>& moment) {
+  std::optional<BodyIndex> step(const Work<Real>& work, const StepTime<Real>& moment) {
     prepare(work);
-    std::atomic<bool> lost = false;
+    std::atomic<bool> diverged = false;
     try {
       for (const Stage<Real, width>& stage : schedule_.stages) {
-        for (const Pass& pass : stage.on_both) on_both_.run(acts_, work, pass, moment, team_);
-        team_.share_out(!is_small(stage), [&](int member, int members) {
+        for (const Pass& pass : stage.on_both) on_both_.run(acts_, work, pass, moment, pool_);
+        pool_.parallel_for(!is_small(stage), [&](int member, int members) {
           std::exception_ptr thrown;
           const bool centres = run_row(work, stage.on_centres, acts_.bodies.centres, moment, member,
                                        members, thrown);
           const bool tops =
               run_row(work, stage.on_tops, acts_.bodies.tops, moment, member, members, thrown);
           if (thrown) std::rethrow_exception(thrown);
-          if (centres || tops) lost = true;
+          if (centres || tops) diverged = true;
         });
       }
     } catch (...) {  // an effect has thrown
-      (void)acts_.taken_back(work);
+      (void)acts_.rolled_back(work);
       throw;
     }
-    return lost ? acts_.taken_back(work) : std::nullopt;
+    return diverged ? acts_.rolled_back(work) : std::nullopt;
   }
   //! [step]
 
@@ -66,7 +66,7 @@ class InPacks {
     });
     return parts;
   }
-  void run_part(const Work<Real>& work, std::size_t part, const Moment<Real>& moment) {
+  void run_part(const Work<Real>& work, std::size_t part, const StepTime<Real>& moment) {
     std::size_t n = 0;
     for_each_pass(work, [&](const Pass& pass, bool of_tops, const Stage<Real, width>& stage) {
       if (n++ != part) return;
@@ -109,7 +109,7 @@ class InPacks {
   void prepare(const Work<Real>& work) {
     if (schedule_.version == work.version) return;
     schedule_ = Schedule<Real, width>(work);
-    if (team_.size() > 1) schedule_.keep_threads_apart(acts_.bodies);
+    if (pool_.size() > 1) schedule_.keep_threads_apart(acts_.bodies);
     acts_.past.resize(acts_.bodies.centres.packs().size(), acts_.bodies.tops.packs().size());
   }
 
@@ -119,7 +119,7 @@ class InPacks {
     };
     return std::max(bodies_in(stage.on_centres, acts_.bodies.centres),
                     bodies_in(stage.on_tops, acts_.bodies.tops)) <
-           smallest_share * static_cast<std::size_t>(team_.size());
+           smallest_share * static_cast<std::size_t>(pool_.size());
   }
 
   /// One thread's share of the blocks of a row. Once an effect has `thrown`, the blocks to come are
@@ -128,20 +128,20 @@ class InPacks {
   //! [run_row]
   template <class Array>
   bool run_row(const Work<Real>& work, const Row<Real, width>& row, Array& array,
-               const Moment<Real>& moment, int member, int members, std::exception_ptr& thrown) {
+               const StepTime<Real>& moment, int member, int members, std::exception_ptr& thrown) {
     const std::size_t end = share_of(row.blocks.size(), member + 1, members);
-    bool lost = false;
+    bool diverged = false;
     for (std::size_t n = share_of(row.blocks.size(), member, members); n < end; ++n)
       for (const Pass& pass : row.passes) {
         if (thrown && pass.act != Act::remember) continue;
         const std::uint32_t begin = row.blocks[n];
         try {
-          lost |= acts_.act(work, pass, array, begin, begin + packs_in_block, moment);
+          diverged |= acts_.act(work, pass, array, begin, begin + packs_in_block, moment);
         } catch (...) {
           thrown = std::current_exception();
         }
       }
-    return lost;
+    return diverged;
   }
   //! [run_row]
 
@@ -158,7 +158,7 @@ class InPacks {
   PackedActs<Real, width> acts_;
   OnBoth<Real, width> on_both_;
   Schedule<Real, width> schedule_;
-  ThreadTeam team_;
+  ThreadPool pool_;
 };
 
 /// A world for many bodies: it does what World does, to the bit.

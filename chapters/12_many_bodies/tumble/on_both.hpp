@@ -3,7 +3,7 @@
 #pragma once
 
 #include <tumble/packed_acts.hpp>
-#include <tumble/thread_team.hpp>
+#include <tumble/thread_pool.hpp>
 
 namespace tumble {
 
@@ -53,33 +53,33 @@ class OnBoth {
   /// thread. A blow meets the speeds that the blows before it have left: one thread deals them all.
   //! [on_both]
   void run(PackedActs<Real, width>& acts, const Work<Real>& work,
-           const PackedPass<Real, width>& pass, const Moment<Real>& step, ThreadTeam& team) {
-    if (team.size() == 1 || pass.act == Act::inputs) return acts.act_on_both(work, pass, step);
+           const PackedPass<Real, width>& pass, const StepTime<Real>& step, ThreadPool& pool) {
+    if (pool.size() == 1 || pass.act == Act::inputs) return acts.act_on_both(work, pass, step);
     const Entry<Real>& entry = work.effects[pass.entry];
-    const Moment<Real> moment = moment_of(pass.portion, step);
-    const auto members = static_cast<std::size_t>(team.size());
+    const StepTime<Real> moment = step_time_of(pass.substep, step);
+    const auto members = static_cast<std::size_t>(pool.size());
     if (!entry.effect->traits().joins_two()) {
       for (const std::vector<std::uint32_t>& packs : pass.apart)
-        team.share_out(packs.size() * width >= smallest_share_of_pairs * members,
-                       [&](int member, int of) {
-                         const std::size_t end = share_of(packs.size(), member + 1, of);
-                         for (std::size_t n = share_of(packs.size(), member, of); n < end; ++n)
-                           pass.effect->run_on_packs(acts.bodies, entry.visits, pass.group,
-                                                     packs[n], packs[n] + 1, moment);
-                       });
+        pool.parallel_for(packs.size() * width >= smallest_share_of_pairs * members,
+                          [&](int member, int of) {
+                            const std::size_t end = share_of(packs.size(), member + 1, of);
+                            for (std::size_t n = share_of(packs.size(), member, of); n < end; ++n)
+                              pass.effect->run_on_packs(acts.bodies, entry.visits, pass.group,
+                                                        packs[n], packs[n] + 1, moment);
+                          });
     } else if (entry.effect->phase() != Phase::force) {
       acts.act_on_both(work, pass, step);
     } else {
       const std::span<const BodyPair> pairs = pass.effect->pairs(acts.bodies, entry.visits, found_);
       const bool worth_it = pairs.size() >= smallest_share_of_pairs * members;
       pushes_.resize(pairs.size());
-      team.share_out(worth_it, [&](int member, int of) {
+      pool.parallel_for(worth_it, [&](int member, int of) {
         const std::size_t begin = share_of(pairs.size(), member, of);
         const std::size_t count = share_of(pairs.size(), member + 1, of) - begin;
         pass.effect->find_pushes(acts.bodies, pairs.subspan(begin, count),
                                  std::span(pushes_).subspan(begin, count), moment.time);
       });
-      team.share_out(worth_it, [&](int member, int of) {
+      pool.parallel_for(worth_it, [&](int member, int of) {
         add_pushes<Real, width>(acts.bodies, pairs, pushes_, member, of);
       });
     }

@@ -19,8 +19,8 @@ struct PackedActs {
   /// What a pass does to the packs of an array from `begin` to before `end`.
   template <class Array>
   bool act(const Work<Real>& work, const Pass& pass, Array& array, std::uint32_t begin,
-           std::uint32_t end, const Moment<Real>& step) {
-    const Moment<Real> moment = moment_of(pass.portion, step);
+           std::uint32_t end, const StepTime<Real>& step) {
+    const StepTime<Real> moment = step_time_of(pass.substep, step);
     const Pack<Real, width> h = moment.time_step;
     switch (pass.act) {
       case Act::remember:
@@ -34,7 +34,7 @@ struct PackedActs {
         visit_packs(array, pass.group, begin, end, [h](auto& one) { kick_and_clear(one, h); });
         return false;
       case Act::guard:
-        return any_lost(array.packs(), pass.group, begin, end);
+        return any_diverged(array.packs(), pass.group, begin, end);
       case Act::effect:
         pass.effect->run_on_packs(bodies, work.effects[pass.entry].visits, pass.group, begin, end,
                                   moment);
@@ -45,7 +45,7 @@ struct PackedActs {
     }
   }
 
-  void act_on_both(const Work<Real>& work, const Pass& pass, const Moment<Real>& step) {
+  void act_on_both(const Work<Real>& work, const Pass& pass, const StepTime<Real>& step) {
     if (pass.act == Act::inputs)
       for (const Input<Real>& input : work.inputs) {
         RigidBody<Real> body = body_at(bodies, input.body);
@@ -54,16 +54,16 @@ struct PackedActs {
       }
     else
       pass.effect->run_on_packs(bodies, work.effects[pass.entry].visits, pass.group, 0, no_index,
-                                moment_of(pass.portion, step));
+                                step_time_of(pass.substep, step));
   }
 
-  /// The body that was lost. All are put back to where they were.
-  std::optional<BodyIndex> taken_back(const Work<Real>& work) {
-    const std::optional<BodyIndex> lost = first_lost<Real>(bodies, work);
+  /// The body that diverged. All are put back to where they were.
+  std::optional<BodyIndex> rolled_back(const Work<Real>& work) {
+    const std::optional<BodyIndex> diverged = first_diverged<Real>(bodies, work);
     work.movers.for_each([&](BodyIndex i) { past.restore(bodies.centres, i); });
-    for (const Group* group : {&work.steady, &work.tumbling})
+    for (const IndexSet* group : {&work.steady, &work.tumbling})
       group->for_each([&](BodyIndex i) { past.restore(bodies.tops, i); });
-    return lost;
+    return diverged;
   }
 
  private:
@@ -77,12 +77,12 @@ struct PackedActs {
   }
 
   void move(const Work<Real>&, const Pass& pass, PackedArray<Particle, Real, width>& centres,
-            std::uint32_t begin, std::uint32_t end, const Moment<Real>& moment) {
+            std::uint32_t begin, std::uint32_t end, const StepTime<Real>& moment) {
     visit_packs(centres, pass.group, begin, end,
                 [h = Pack<Real, width>(moment.time_step)](auto& centre) { drift(centre, h); });
   }
   void move(const Work<Real>& work, const Pass& pass, PackedArray<Top, Real, width>& tops,
-            std::uint32_t begin, std::uint32_t end, const Moment<Real>& moment) {
+            std::uint32_t begin, std::uint32_t end, const StepTime<Real>& moment) {
     using Packed = Pack<Real, width>;
     const Packed h = moment.time_step;
     if (pass.act == Act::rotor)

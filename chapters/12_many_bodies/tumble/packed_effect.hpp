@@ -18,8 +18,8 @@ class PackedEffect {
   /// Runs the effect's function on those bodies of the group that lie in the packs from `begin` to
   /// before `end`; on all pairs if it joins two.
   virtual void run_on_packs(PackedBodies<Real, width>& bodies, const Visits& visits,
-                            const PackGroup<Real, width>& packs, std::uint32_t begin,
-                            std::uint32_t end, const Moment<Real>& moment) const = 0;
+                            const PackedIndexSet<Real, width>& packs, std::uint32_t begin,
+                            std::uint32_t end, const StepTime<Real>& moment) const = 0;
   /// The pairs that it joins, of an effect on two: those that it visits or, put into `found`, those
   /// that it finds.
   virtual std::span<const BodyPair> pairs(const PackedBodies<Real, width>& bodies,
@@ -31,33 +31,33 @@ class PackedEffect {
 };
 
 /// The effect with each of its numbers `width` times over. An effect of the user's that has no
-/// widened() stays as it is, and visits the lanes one by one.
-//! [widened]
+/// broadcast() stays as it is, and visits the lanes one by one.
+//! [broadcast]
 template <class Real, int width, class Effect>
-auto widened(const Effect& effect) {
-  if constexpr (requires { effect.template widened<Pack<Real, width>>(); })
-    return effect.template widened<Pack<Real, width>>();
+auto broadcast(const Effect& effect) {
+  if constexpr (requires { effect.template broadcast<Pack<Real, width>>(); })
+    return effect.template broadcast<Pack<Real, width>>();
   else
     return effect;
 }
-//! [widened]
+//! [broadcast]
 
 /// @cond the base classes say what it does
 /// PackedEffect for one type of effect.
 template <class Real, int width, class Effect>
 class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<Real, width> {
   using Packed = Pack<Real, width>;
-  using Kernel = decltype(widened<Real, width>(std::declval<const Effect&>()));
+  using Kernel = decltype(broadcast<Real, width>(std::declval<const Effect&>()));
   static constexpr bool is_widened = !std::is_same_v<Kernel, Effect>;
   static constexpr Sees sees = form_of<Effect, Real>().sees;
 
  public:
   explicit PackedEffectOf(const Effect& effect)
-      : EffectOf<Real, Effect>(effect), kernel_(widened<Real, width>(effect)) {}
+      : EffectOf<Real, Effect>(effect), kernel_(broadcast<Real, width>(effect)) {}
 
   void run_on_packs(PackedBodies<Real, width>& bodies, const Visits& visits,
-                    const PackGroup<Real, width>& packs, std::uint32_t begin, std::uint32_t end,
-                    const Moment<Real>& moment) const override {
+                    const PackedIndexSet<Real, width>& packs, std::uint32_t begin,
+                    std::uint32_t end, const StepTime<Real>& moment) const override {
     if constexpr (sees == Sees::pair) {
       std::vector<BodyPair> found;
       for (const BodyPair& pair : pairs(bodies, visits, found)) run_on_pair(bodies, pair, moment);
@@ -68,7 +68,7 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
           bodies, packs, begin, end, changes_tops,
           [&](Particle<Packed>& centre, Top<Packed>& top, [[maybe_unused]] const auto& members) {
             if constexpr (is_widened)
-              visit(kernel_, centre, top, Moment<Packed>{moment.time, moment.time_step});
+              visit(kernel_, centre, top, StepTime<Packed>{moment.time, moment.time_step});
             else
               visit_lanes(centre, top, members, moment);
           });
@@ -82,7 +82,7 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
       ();
       if constexpr (is_widened)
         visit_packs(array, packs, begin, end,
-                    [kernel = kernel_, wide = Moment<Packed>{moment.time, moment.time_step}](
+                    [kernel = kernel_, wide = StepTime<Packed>{moment.time, moment.time_step}](
                         auto& element) { visit(kernel, element, wide); });
       else
         visit_lanes_of(array, packs, begin, end,
@@ -116,7 +116,7 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
 
  private:
   void visit_lanes(Particle<Packed>& centre, Top<Packed>& top, const PackMask<Real, width>& members,
-                   const Moment<Real>& moment) const {
+                   const StepTime<Real>& moment) const {
     for (int lane = 0; lane < width; ++lane) {
       if (!members[lane]) continue;
       Particle<Real> one = lane_of(centre, lane);
@@ -128,7 +128,7 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
   }
 
   void run_on_pair(PackedBodies<Real, width>& bodies, const BodyPair& pair,
-                   const Moment<Real>& moment) const {
+                   const StepTime<Real>& moment) const {
     RigidBody<Real> first = body_at(bodies, pair.first), second = body_at(bodies, pair.second);
     visit<Effect, Real>(this->effect(), {first.centre, first.top}, {second.centre, second.top},
                         moment);
@@ -144,15 +144,16 @@ template <class Real, int width>
 class PackedRule {
  public:
   virtual ~PackedRule() = default;
-  virtual void turn_packs(PackedArray<Top, Real, width>& tops, const PackGroup<Real, width>& packs,
-                          std::uint32_t begin, std::uint32_t end, Real time_step) const = 0;
+  virtual void turn_packs(PackedArray<Top, Real, width>& tops,
+                          const PackedIndexSet<Real, width>& packs, std::uint32_t begin,
+                          std::uint32_t end, Real time_step) const = 0;
 };
 
 template <class Real, int width, class Rule>
 class PackedRuleOf final : public RuleOf<Real, Rule>, public PackedRule<Real, width> {
  public:
   using RuleOf<Real, Rule>::RuleOf;
-  void turn_packs(PackedArray<Top, Real, width>& tops, const PackGroup<Real, width>& packs,
+  void turn_packs(PackedArray<Top, Real, width>& tops, const PackedIndexSet<Real, width>& packs,
                   std::uint32_t begin, std::uint32_t end, Real time_step) const override {
     if constexpr (TurningRule<Rule, Pack<Real, width>>)
       visit_packs(

@@ -2,8 +2,8 @@
 /// Loops over the packs of a group.
 #pragma once
 
-#include <tumble/pack_group.hpp>
 #include <tumble/packed_bodies.hpp>
+#include <tumble/packed_index_set.hpp>
 
 namespace tumble {
 
@@ -45,7 +45,7 @@ template <class Packs, class Kernel>
 /// Calls `kernel` with each pack of `array`, between `begin` and `end`, that has members.
 //! [visit_packs]
 template <class Array, class Real, int width, class Kernel>
-void visit_packs(Array& array, const PackGroup<Real, width>& group, std::uint32_t begin,
+void visit_packs(Array& array, const PackedIndexSet<Real, width>& group, std::uint32_t begin,
                  std::uint32_t end, const Kernel& kernel) {
   for_each_whole(group, begin, end, [&](std::uint32_t first, std::uint32_t last) {
     visit_row(kernel, array.packs().data() + first, array.packs().data() + last);
@@ -60,7 +60,7 @@ void visit_packs(Array& array, const PackGroup<Real, width>& group, std::uint32_
 
 /// Calls `kernel` with one member after another.
 template <class Array, class Real, int width, class Kernel>
-void visit_lanes_of(Array& array, const PackGroup<Real, width>& group, std::uint32_t begin,
+void visit_lanes_of(Array& array, const PackedIndexSet<Real, width>& group, std::uint32_t begin,
                     std::uint32_t end, const Kernel& kernel) {
   const auto visit_lane = [&](std::uint32_t pack, int lane) {
     auto element = lane_of(array.packs()[pack], lane);
@@ -96,7 +96,7 @@ Top<Pack<Real, width>> tops_of(const PackedBodies<Real, width>& bodies, std::uin
 
 /// Calls `kernel` with the centres and the tops of each pack of bodies that has members.
 template <class Real, int width, class Kernel>
-void visit_bodies(PackedBodies<Real, width>& bodies, const PackGroup<Real, width>& group,
+void visit_bodies(PackedBodies<Real, width>& bodies, const PackedIndexSet<Real, width>& group,
                   std::uint32_t begin, std::uint32_t end, bool changes_tops, const Kernel& kernel) {
   const auto visit_pack = [&](std::uint32_t pack, const PackMask<Real, width>& members) {
     auto changed = bodies.centres.packs()[pack];

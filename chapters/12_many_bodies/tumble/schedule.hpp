@@ -3,8 +3,8 @@
 #pragma once
 
 #include <tumble/guard.hpp>
+#include <tumble/pack_colouring.hpp>
 #include <tumble/packed_effect.hpp>
-#include <tumble/packs_apart.hpp>
 #include <tumble/rotors.hpp>
 
 namespace tumble {
@@ -16,13 +16,13 @@ enum class Act { remember, effect, inputs, kick, drift, rotor, turn_steadily, tu
 template <class Real, int width>
 struct PackedPass {
   Act act;
-  Portion<Real> portion = whole_step<Real>;  ///< of the step, in which it is done
-  PackGroup<Real, width> group = {};
+  Substep<Real> substep = whole_step<Real>;  ///< of the step, in which it is done
+  PackedIndexSet<Real, width> group = {};
   std::size_t entry = 0;  ///< the number of the scene's effect, if it is one
   const PackedEffect<Real, width>* effect = nullptr;  ///< that one
   const PackedRule<Real, width>* rule = nullptr;      ///< for those that tumble
   RotorAct rotor_act = {};                            ///< what a rotor does
-  PacksApart apart = {};  ///< for more threads than one, of an effect that sees centre and top
+  PackColouring apart = {};  ///< for more threads than one, of an effect that sees centre and top
 };
 
 /// Passes that each block of one array can go through from first to last, and the blocks in which
@@ -62,15 +62,15 @@ class Schedule {
     on_centres(Act::remember, work.movers);
     on_tops(Act::remember, work.steady);
     on_tops(Act::remember, work.tumbling);
-    for (const Portion<Real>& portion : work.portions) {
-      now_ = portion;
-      if (portion.stroke == Stroke::kick) {
+    for (const Substep<Real>& substep : work.substeps) {
+      now_ = substep;
+      if (substep.kind == SubstepKind::kick) {
         add_effects(work, Phase::force);
         if (!work.inputs.empty()) on_both({Act::inputs});
         add_effects(work, Phase::kick);
         on_centres(Act::kick, work.pushed);
         on_tops(Act::kick, work.torqued);
-      } else if (portion.stroke == Stroke::fade) {
+      } else if (substep.kind == SubstepKind::whole) {
         add_effects(work, Phase::impulse);
         add_effects(work, Phase::damping);
       } else {
@@ -103,24 +103,24 @@ class Schedule {
   void keep_threads_apart(const PackedBodies<Real, width>& bodies) {
     for (Stage<Real, width>& stage : stages)
       for (PackedPass<Real, width>& pass : stage.on_both)
-        if (pass.act == Act::effect) pass.apart = packs_apart(pass.group, bodies);
+        if (pass.act == Act::effect) pass.apart = pack_colouring(pass.group, bodies);
   }
 
  private:
-  void on_centres(Act act, const Group& group) { add(stages.back().on_centres, act, group); }
-  void on_tops(Act act, const Group& group) { add(stages.back().on_tops, act, group); }
+  void on_centres(Act act, const IndexSet& group) { add(stages.back().on_centres, act, group); }
+  void on_tops(Act act, const IndexSet& group) { add(stages.back().on_tops, act, group); }
   void on_both(PackedPass<Real, width> pass) {
     stages.emplace_back().on_both.push_back(std::move(pass));
   }
-  void add(Row<Real, width>& row, Act act, const Group& group) {
-    if (!group.empty()) row.passes.push_back({act, now_, pack_group<Real, width>(group)});
+  void add(Row<Real, width>& row, Act act, const IndexSet& group) {
+    if (!group.empty()) row.passes.push_back({act, now_, packed_index_set<Real, width>(group)});
   }
 
   void add_effects(const Work<Real>& work, Phase phase) {
     for (const std::size_t i : work.in_phase[static_cast<std::size_t>(phase)]) {
       const Entry<Real>& entry = work.effects[i];
       PackedPass<Real, width> pass{
-          Act::effect, now_, pack_group<Real, width>(entry.visits.group), i,
+          Act::effect, now_, packed_index_set<Real, width>(entry.visits.group), i,
           dynamic_cast<const PackedEffect<Real, width>*>(entry.effect.get())};
       const Sees sees = entry.effect->traits().sees;
       if (sees == Sees::centre)
@@ -132,7 +132,7 @@ class Schedule {
     }
   }
 
-  Portion<Real> now_ = whole_step<Real>;  // that of the passes which are being added
+  Substep<Real> now_ = whole_step<Real>;  // that of the passes which are being added
 
   static void find_blocks(Row<Real, width>& row) {
     std::vector<std::uint32_t>& blocks = row.blocks;
@@ -155,17 +155,18 @@ class Schedule {
 
 /// True if one of the group's members in the packs from `begin` to before `end` is no longer whole.
 template <class Real, int width, class Packed>
-bool any_lost(const std::vector<Packed>& array, const PackGroup<Real, width>& group,
-              std::uint32_t begin, std::uint32_t end) {
-  typename PackMask<Real, width>::Lanes lost{};
+bool any_diverged(const std::vector<Packed>& array, const PackedIndexSet<Real, width>& group,
+                  std::uint32_t begin, std::uint32_t end) {
+  typename PackMask<Real, width>::Lanes diverged{};
   for_each_whole(group, begin, end, [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t pack = first; pack < last; ++pack) lost |= (!is_whole(array[pack])).lanes;
+    for (std::uint32_t pack = first; pack < last; ++pack)
+      diverged |= (!is_finite(array[pack])).lanes;
   });
   for_each_part(group, begin, end, [&](std::uint32_t pack, const auto& members) {
-    lost |= (members && !is_whole(array[pack])).lanes;
+    diverged |= (members && !is_finite(array[pack])).lanes;
   });
   for (int lane = 0; lane < width; ++lane)
-    if (lost[lane]) return true;
+    if (diverged[lane]) return true;
   return false;
 }
 

@@ -14,7 +14,7 @@ constexpr std::size_t first_rung = FirstTurningRules::names.size();
 template <class AnyWorld>
 void add_boxes(AnyWorld& world, int count) {
   using Real = std::decay_t<decltype(world.time_step())>;
-  Dice dice(13);
+  RandomGenerator dice(13);
   for (int n = 0; n < count; ++n) {
     Vec3<Real> edges = Vec3<Real>(2, 2, 2) + dice.vector<Real>();
     if (n % 5 == 0) edges.y() = edges.x();

@@ -9,7 +9,7 @@
 namespace tumble::support {
 
 /// One number, evenly spread over the powers of ten between two.
-inline double spread_over_decades(Dice& dice, double from, double to) {
+inline double spread_over_decades(RandomGenerator& dice, double from, double to) {
   return std::pow(10, from + (to - from) * (dice.real<double>() + 1) / 2);
 }
 
@@ -17,7 +17,7 @@ inline double spread_over_decades(Dice& dice, double from, double to) {
 /// is a random part of a size that, divided by the smallest moment, lies anywhere in the 12 decades
 /// below `fastest` (rad/s). In `seconds` the torque gives another random part of that size.
 template <class Real>
-Top<Real> random_top(Dice& dice, double fastest, double seconds) {
+Top<Real> random_top(RandomGenerator& dice, double fastest, double seconds) {
   // Any three spreads of matter along the axes make moments that can be.
   Vec3d spread;
   for (double& one : spread) one = spread_over_decades(dice, -6, 0);

@@ -23,7 +23,7 @@ template <class Real>
 void turn_or_stop(const TurningRung<Real>& rung, Top<Real>& top, Same<Real> time_step) {
   Top<Real> turned = top;
   rung.turn(turned, time_step);
-  if (!is_whole(turned))
+  if (!is_finite(turned))
     throw TurnError(rung.name, "would turn by " + turn_too_far(top, time_step));
   top = turned;
 }

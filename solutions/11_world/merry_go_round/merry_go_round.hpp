@@ -14,7 +14,7 @@ struct MerryGoRound {
   tumble::Vec3<Real> spin = tumble::Vec3<Real>::Zero();  ///< Ω of the merry-go-round, rad/s
 
   /// Why no body needs it, or nothing if some do.
-  std::string_view why_skipped(const tumble::Facts& facts) const {
+  std::string_view skip_reason(const tumble::BodyFlags& flags) const {
     //! [solution] the predicate: when is there nothing to do?
     return spin == tumble::Vec3<Real>::Zero() ? "it stands still" : "";
     //! [end]
@@ -53,5 +53,5 @@ Real potential_energy_of(const tumble::Particle<Real>& body, const tumble::Vec3<
 
 template <class Real>
 int is_skipped(const tumble::Vec3<Real>& spin) {
-  return tumble::why_skipped<Real>(MerryGoRound<Real>{spin}, tumble::Facts{}).empty() ? 0 : 1;
+  return tumble::skip_reason<Real>(MerryGoRound<Real>{spin}, tumble::BodyFlags{}).empty() ? 0 : 1;
 }

@@ -2,10 +2,11 @@
 
 namespace tumble {
 
-template World<double> support::random_world(support::Dice&, std::size_t);
-template void support::meddle(World<double>&, support::Dice&, int);
-template BodyHandle support::add_random_body(World<double>&, support::Dice&, const std::string&);
-template void support::add_random_effect(World<double>&, support::Dice&,
+template World<double> support::random_world(support::RandomGenerator&, std::size_t);
+template void support::meddle(World<double>&, support::RandomGenerator&, int);
+template BodyHandle support::add_random_body(World<double>&, support::RandomGenerator&,
+                                             const std::string&);
+template void support::add_random_effect(World<double>&, support::RandomGenerator&,
                                          const std::vector<BodyHandle>&);
 
 }  // namespace tumble

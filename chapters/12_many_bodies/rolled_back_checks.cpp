@@ -23,7 +23,7 @@ struct Wind {
 TEST_CASE_TEMPLATE("A step in packs that fails is taken back to the bit, with the same error", Real,
                    EVERY_PRECISION) {
   // 1.5 s are 96 steps: one and a half times as many as can be repeated without another copy.
-  Dice dice(5), same_dice(5);
+  RandomGenerator dice(5), same_dice(5);
   World<Real> plain(steps_per_second(64));
   World<Real, InPacks<Real>> packed(steps_per_second(64));
   for (int n = 0; n < 21; ++n) {
@@ -53,7 +53,7 @@ TEST_CASE_TEMPLATE("A step in packs that fails is taken back to the bit, with th
 
 TEST_CASE_TEMPLATE("In packs too a world goes back to its marks, to the bit", Real,
                    EVERY_PRECISION) {
-  Dice dice(6);
+  RandomGenerator dice(6);
   World<Real, InPacks<Real>> world(steps_per_second(64));
   for (int n = 0; n < 40; ++n) add_random_body(world, dice, "body " + std::to_string(n));
   world.add(Gravity<Real>{}, {world.handle_at(3), world.handle_at(17)});
@@ -96,7 +96,7 @@ template <class Real>
 struct Jerk {
   static constexpr std::string_view name = "jerk";
   static constexpr Phase phase = Phase::kick;
-  Vec3<Real> angular_momentum_body(const Top<Real>&, const Moment<Real>&) const {
+  Vec3<Real> angular_momentum_body(const Top<Real>&, const StepTime<Real>&) const {
     return {0, std::numeric_limits<Real>::quiet_NaN(), 0};
   }
 };
@@ -130,7 +130,7 @@ TEST_CASE_TEMPLATE("A single top that is lost stops the step, in a pack of its o
 
 TEST_CASE_TEMPLATE("The books of a world in packs are those of one body after another", Real,
                    EVERY_PRECISION) {
-  Dice dice(77), same_dice(77);
+  RandomGenerator dice(77), same_dice(77);
   World<Real> plain = random_world<Real>(dice, 40);
   auto packed = random_world<Real, InPacks<Real>>(same_dice, 40);
   Ledger<Real> books(plain), packed_books(packed);
@@ -149,7 +149,7 @@ template <class Real, Phase when>
 struct RefusalOfCentre {
   static constexpr std::string_view name = "refusal";
   static constexpr Phase phase = when;
-  Vec3<Real> velocity(const Particle<Real>&, const Moment<Real>&) const {
+  Vec3<Real> velocity(const Particle<Real>&, const StepTime<Real>&) const {
     throw std::domain_error("off the map");
   }
 };
@@ -157,7 +157,7 @@ template <class Real, Phase when>
 struct RefusalOfTop {
   static constexpr std::string_view name = "refusal";
   static constexpr Phase phase = when;
-  Vec3<Real> angular_momentum_body(const Top<Real>&, const Moment<Real>&) const {
+  Vec3<Real> angular_momentum_body(const Top<Real>&, const StepTime<Real>&) const {
     throw std::domain_error("off the map");
   }
 };
@@ -165,7 +165,7 @@ template <class Real, Phase when>
 struct RefusalOfBody {
   static constexpr std::string_view name = "refusal";
   static constexpr Phase phase = when;
-  Vec3<Real> velocity(const BodyState<Real>&, const Moment<Real>&) const {
+  Vec3<Real> velocity(const BodyState<Real>&, const StepTime<Real>&) const {
     throw std::domain_error("off the map");
   }
 };
@@ -221,7 +221,7 @@ template <class Real>
 struct RefusalByPlace {
   static constexpr std::string_view name = "refusal";
   static constexpr Phase phase = Phase::kick;
-  Vec3<Real> velocity(const Particle<Real>& centre, const Moment<Real>&) const {
+  Vec3<Real> velocity(const Particle<Real>& centre, const StepTime<Real>&) const {
     throw std::domain_error("refused at " + std::to_string(centre.position.x()) + " m");
   }
 };

@@ -25,7 +25,7 @@ constexpr Spring<Real> stiff = {.stiffness = 500};
 /// Whether the sentence is among the news.
 template <class AnyWorld>
 bool told(const AnyWorld& world, const std::string& sentence) {
-  const std::vector<std::string> news = world.news();
+  const std::vector<std::string> news = world.change_log();
   return std::find(news.begin(), news.end(), sentence) != news.end();
 }
 
@@ -52,7 +52,7 @@ std::string said_to_standard_error(const Action& action) {
 }  // namespace
 
 TEST_CASE_TEMPLATE(
-    "News names the pass, how many it visits of those it is meant for, and the cause", Real,
+    "ChangeLog names the pass, how many it visits of those it is meant for, and the cause", Real,
     EVERY_PRECISION) {
   World<Real> world;
   std::vector<BodyHandle> bodies;
@@ -61,24 +61,25 @@ TEST_CASE_TEMPLATE(
   world.step();
   const EffectHandle gravity = world.add(Gravity<Real>{}, {bodies[0]});
   world.step();
-  CHECK(world.news() ==
+  CHECK(world.change_log() ==
         std::vector<std::string>{"step 1: kick visits 1 of 4, before 0 ('gravity' came)",
                                  "step 1: drift visits 1 of 4, before 0 ('gravity' came)",
                                  "step 1: gravity visits 1 of 1, before 0 ('gravity' came)"});
   world.add(SpringBetween<Real>{.spring = {.stiffness = 1}},
             {bodies[0], bodies[1], bodies[2], bodies[3]});
-  CHECK(world.news().back() ==
+  CHECK(world.change_log().back() ==
         "step 2: spring between bodies visits 2 of 2, before 0 ('spring between bodies' came)");
   world.step();
   world.change(gravity, Gravity<Real>{{0, 0, 0}});
-  CHECK(world.news().back() == "step 3: gravity visits 0 of 1, before 1 ('gravity' was changed)");
+  CHECK(world.change_log().back() ==
+        "step 3: gravity visits 0 of 1, before 1 ('gravity' was changed)");
   world.step();
   world.change(gravity, Gravity<Real>{});
   world.step();
   world.turn_by(Steady{});
   const BodyHandle box = world.add("e", box_body<Real>({0, 0, 0}));
   world.set_angular_velocity(box, {1, 2, 3});
-  CHECK(world.news().back() ==
+  CHECK(world.change_log().back() ==
         "step 5: tumbling: steady visits 1 of 5, before 0 (another method of turning was chosen, "
         "'e' came, 'e' got its first spin)");
   world.step();
@@ -89,13 +90,14 @@ TEST_CASE_TEMPLATE(
   world.add("f", make_rigid_body<Real>("f", ball, {}, {0, 0, 0}, {0, 0, 1}).body);
   CHECK(told(world, "step 7: steady turning visits 1 of 6, before 0 ('f' came)"));
   world.step();
-  const std::size_t so_far = world.news().size();
+  const std::size_t so_far = world.change_log().size();
   world.step();
   world.remove(gravity);
   world.set_velocity(bodies[3], {0, 0, 0});
   world.remove(bodies[3]);
-  CHECK(world.news().size() > so_far);
-  CHECK(world.news().back().find("('gravity' was removed, 'd' was removed)") != std::string::npos);
+  CHECK(world.change_log().size() > so_far);
+  CHECK(world.change_log().back().find("('gravity' was removed, 'd' was removed)") !=
+        std::string::npos);
 }
 
 TEST_CASE_TEMPLATE(
@@ -231,7 +233,7 @@ TEST_CASE_TEMPLATE("The news names three causes and counts the others", Real, EV
     for (int n = 0; n < changes; ++n) world.replace(box, box_body<Real>({Real(n), 0, 0}));
     world.set_velocity(box, {1, 0, 0});
     std::string all;
-    for (const std::string& sentence : world.news()) all += sentence;
+    for (const std::string& sentence : world.change_log()) all += sentence;
     return all;
   };
   const std::string replaced = "'box' was replaced", moved = "'box' got its first velocity";
@@ -248,8 +250,8 @@ TEST_CASE_TEMPLATE("The last hundred sentences of news are kept", Real, EVERY_PR
     world.add(std::to_string(n), make_particle<Real>(1, {0, 0, 0}, {1, 0, 0}));
     world.step();
   }
-  CHECK(world.news().size() == 100);
-  CHECK(world.news().back() == "step 150: drift visits 150 of 150, before 149 ('149' came)");
+  CHECK(world.change_log().size() == 100);
+  CHECK(world.change_log().back() == "step 150: drift visits 150 of 150, before 149 ('149' came)");
 }
 
 TEST_CASE_TEMPLATE("A warning reaches the function that one gives, once for each change", Real,

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <tumble/group.hpp>
+#include <tumble/index_set.hpp>
 #include <tumble/pack.hpp>
 
 namespace tumble {
@@ -22,9 +22,9 @@ struct PartOfPack {
   PackMask<Real, width> members;
 };
 
-/// A Group sorted into packs, both lists in ascending order.
+/// An IndexSet sorted into packs, both lists in ascending order.
 template <class Real, int width>
-struct PackGroup {
+struct PackedIndexSet {
   std::vector<WholePacks> whole;
   std::vector<PartOfPack<Real, width>> parts;
 };
@@ -32,7 +32,7 @@ struct PackGroup {
 namespace detail {
 
 /// The members of a group in ascending order. A bit for each body is faster than to sort a list.
-inline std::vector<BodyIndex> sorted_members(const Group& members) {
+inline std::vector<BodyIndex> sorted_members(const IndexSet& members) {
   std::vector<std::uint64_t> bits;
   members.for_each([&](BodyIndex i) {
     if (i / 64 >= bits.size()) bits.resize(i / 64 + 1);
@@ -52,8 +52,8 @@ inline std::vector<BodyIndex> sorted_members(const Group& members) {
 /// Sorts the members of a group into packs. The lanes that are left over in the last pack belong to
 /// nobody and are not visited.
 template <class Real, int width>
-PackGroup<Real, width> pack_group(const Group& members) {
-  PackGroup<Real, width> group;
+PackedIndexSet<Real, width> packed_index_set(const IndexSet& members) {
+  PackedIndexSet<Real, width> group;
   const auto add = [&](std::uint32_t pack, const PackMask<Real, width>& part, int visited) {
     if (visited < width)
       group.parts.push_back({pack, part});
@@ -84,7 +84,7 @@ PackGroup<Real, width> pack_group(const Group& members) {
 
 /// How many members there are.
 template <class Real, int width>
-std::size_t count_of(const PackGroup<Real, width>& group) {
+std::size_t count_of(const PackedIndexSet<Real, width>& group) {
   std::size_t count = 0;
   for (const WholePacks& packs : group.whole) count += std::size_t{packs.end - packs.begin} * width;
   for (const auto& part : group.parts)
@@ -95,8 +95,8 @@ std::size_t count_of(const PackGroup<Real, width>& group) {
 /// Calls `visit` with the beginning and the end of each row of packs, between `begin` and `end`,
 /// all of whose bodies are members.
 template <class Real, int width, class Visit>
-void for_each_whole(const PackGroup<Real, width>& group, std::uint32_t begin, std::uint32_t end,
-                    const Visit& visit) {
+void for_each_whole(const PackedIndexSet<Real, width>& group, std::uint32_t begin,
+                    std::uint32_t end, const Visit& visit) {
   auto run = std::partition_point(group.whole.begin(), group.whole.end(),
                                   [&](const WholePacks& packs) { return packs.end <= begin; });
   for (; run != group.whole.end() && run->begin < end; ++run)
@@ -105,7 +105,7 @@ void for_each_whole(const PackGroup<Real, width>& group, std::uint32_t begin, st
 
 /// Calls `visit` with each other pack that has members, and with their mask.
 template <class Real, int width, class Visit>
-void for_each_part(const PackGroup<Real, width>& group, std::uint32_t begin, std::uint32_t end,
+void for_each_part(const PackedIndexSet<Real, width>& group, std::uint32_t begin, std::uint32_t end,
                    const Visit& visit) {
   auto part = std::partition_point(group.parts.begin(), group.parts.end(),
                                    [&](const auto& candidate) { return candidate.pack < begin; });

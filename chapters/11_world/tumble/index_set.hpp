@@ -10,7 +10,7 @@ namespace tumble {
 /// A set of array elements. As long as it holds the first so many of them, which is what an effect
 /// for everyone visits, it is a number alone; else a list in no order.
 //! [group]
-class Group {
+class IndexSet {
  public:
   std::size_t size() const { return is_listed_ ? members_.size() : first_; }
   bool empty() const { return size() == 0; }
@@ -101,13 +101,13 @@ class Group {
 
 /// Calls `change` with each element of `array` that the group names.
 template <class Element, class Change>
-void for_each_of(const Group& group, std::vector<Element>& array, const Change& change) {
+void for_each_of(const IndexSet& group, std::vector<Element>& array, const Change& change) {
   group.for_each([&](BodyIndex i) { change(array[i]); });
 }
 
 /// Whom an effect visits: centres, or tops for an effect that sees tops, or pairs.
 struct Visits {
-  Group group = {};
+  IndexSet group = {};
   std::vector<BodyPair> pairs = {};
   std::size_t size() const { return group.size() + pairs.size(); }
 };

@@ -2,22 +2,22 @@
 /// Which packs of bodies several threads may visit at the same time, centres and tops together.
 #pragma once
 
-#include <tumble/pack_group.hpp>
 #include <tumble/packed_bodies.hpp>
+#include <tumble/packed_index_set.hpp>
 
 namespace tumble {
 
 /// The packs of a group, in parts: the bodies of two packs of the same part have no pack of tops in
 /// common, so threads may share out a part as they like.
-//! [packs_apart]
-using PacksApart = std::vector<std::vector<std::uint32_t>>;
+//! [pack_colouring]
+using PackColouring = std::vector<std::vector<std::uint32_t>>;
 
 /// Each pack joins the first part in which nobody has its tops. If all bodies have tops, one part
 /// is enough.
 template <class Real, int width>
-PacksApart packs_apart(const PackGroup<Real, width>& group,
-                       const PackedBodies<Real, width>& bodies) {
-  PacksApart parts;
+PackColouring pack_colouring(const PackedIndexSet<Real, width>& group,
+                             const PackedBodies<Real, width>& bodies) {
+  PackColouring parts;
   std::vector<std::vector<bool>> has_tops;  // of each part, for each pack of tops
   const auto add = [&](std::uint32_t pack) {
     std::vector<std::size_t> tops;
@@ -40,6 +40,6 @@ PacksApart packs_apart(const PackGroup<Real, width>& group,
   for_each_part(group, 0, no_index, [&](std::uint32_t pack, const auto&) { add(pack); });
   return parts;
 }
-//! [packs_apart]
+//! [pack_colouring]
 
 }  // namespace tumble

@@ -9,7 +9,7 @@ namespace tumble {
 
 /// Notes why a plan may have changed, and says what in it has. It keeps the last hundred
 /// sentences.
-class News {
+class ChangeLog {
  public:
   static constexpr std::size_t most = 100;
 

@@ -1,14 +1,14 @@
 #include <set>
 #include <support/checks.hpp>
 #include <support/random_world.hpp>
-#include <tumble/group.hpp>
+#include <tumble/index_set.hpp>
 
 using namespace tumble;
 using namespace tumble::support;
 
 namespace {
 
-std::set<BodyIndex> members_of(const Group& group) {
+std::set<BodyIndex> members_of(const IndexSet& group) {
   std::set<BodyIndex> members;
   group.for_each([&](BodyIndex i) { CHECK(members.insert(i).second); });
   return members;
@@ -19,10 +19,10 @@ std::set<BodyIndex> members_of(const Group& group) {
 TEST_CASE("A group is a set, whatever comes, goes and takes the place of another") {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     CAPTURE(seed);
-    Dice dice(seed);
+    RandomGenerator dice(seed);
     const std::size_t most = seed % 2 == 0 ? 12 : 200;  // short lists and long ones
     std::size_t count = 0;
-    Group group;
+    IndexSet group;
     std::set<BodyIndex> expected;
     for (int n = 0; n < 600; ++n) {
       const auto some = static_cast<BodyIndex>(dice.below(std::max<std::size_t>(count, 1)));
@@ -63,7 +63,7 @@ TEST_CASE("A group is a set, whatever comes, goes and takes the place of another
 
 TEST_CASE(
     "A group of the first so many bodies is a number: coming and going at its end lists nobody") {
-  Group group;
+  IndexSet group;
   for (BodyIndex i = 0; i < 100; ++i) group.insert(i);
   group.replace_by_last(7, 99);
   group.erase(98);
@@ -75,7 +75,7 @@ TEST_CASE(
 }
 
 TEST_CASE("A long group that becomes a list knows who comes later") {
-  Group group;
+  IndexSet group;
   for (BodyIndex i = 0; i < 40; ++i) group.insert(i);
   group.erase(5);
   group.insert(50);

@@ -14,7 +14,7 @@
 
 namespace tumble {
 
-/// Where the share of a member of a team begins, among `count` of anything; it ends where the next
+/// Where the share of a member of a pool begins, among `count` of anything; it ends where the next
 /// member's begins.
 inline std::size_t share_of(std::size_t count, int member, int members) {
   return count * static_cast<std::size_t>(member) / static_cast<std::size_t>(members);
@@ -22,23 +22,23 @@ inline std::size_t share_of(std::size_t count, int member, int members) {
 
 /// Some threads, the caller's among them, that do the same piece of work on different bodies. To
 /// start a thread costs more than a small world's step, so they are started once. A copy is another
-/// team of the same size.
-//! [team]
-class ThreadTeam {
+/// pool of the same size.
+//! [pool]
+class ThreadPool {
  public:
   using Work = std::function<void(int)>;
 
   /// @throws std::invalid_argument if the size is not from 1 to 1024, std::system_error if the
   /// system gives no more threads.
-  explicit ThreadTeam(int size = 1) : size_(size) {
+  explicit ThreadPool(int size = 1) : size_(size) {
     if (size < 1 || size > 1024)
       throw std::invalid_argument(std::to_string(size) +
                                   " threads were asked for; a world can use from 1 to 1024");
     if (size > 1) others_ = std::make_unique<Others>(size - 1);
   }
-  ThreadTeam(const ThreadTeam& other) : ThreadTeam(other.size_) {}
-  ThreadTeam(ThreadTeam&&) = default;
-  ThreadTeam& operator=(ThreadTeam other) {
+  ThreadPool(const ThreadPool& other) : ThreadPool(other.size_) {}
+  ThreadPool(ThreadPool&&) = default;
+  ThreadPool& operator=(ThreadPool other) {
     size_ = other.size_;
     others_ = std::move(other.others_);
     return *this;
@@ -54,12 +54,12 @@ class ThreadTeam {
     others_->do_share(0);
     others_->wait_until_done();
   }
-  //! [team]
+  //! [pool]
 
   /// Calls `work` with the number of each member and how many there are; with 0 and 1 alone if it
   /// is not `worth_it` to wake the others.
   template <class WorkOfMember>
-  void share_out(bool worth_it, const WorkOfMember& work) {
+  void parallel_for(bool worth_it, const WorkOfMember& work) {
     if (worth_it)
       run([&](int member) { work(member, size_); });
     else

@@ -10,7 +10,7 @@ namespace {
 
 /// The first so many come in order, and the group keeps their number; others come as the dice want,
 /// and it keeps a list.
-Group group_of(const std::vector<bool>& is_member, Dice& dice) {
+IndexSet group_of(const std::vector<bool>& is_member, RandomGenerator& dice) {
   std::vector<BodyIndex> members;
   for (BodyIndex body = 0; body < is_member.size(); ++body)
     if (is_member[body])
@@ -18,16 +18,16 @@ Group group_of(const std::vector<bool>& is_member, Dice& dice) {
                      body);
   if (std::is_sorted(is_member.begin(), is_member.end(), std::greater<>()))
     std::sort(members.begin(), members.end());
-  Group group;
+  IndexSet group;
   for (const BodyIndex member : members) group.insert(member);
   return group;
 }
 
 /// Compares what is known of a group in packs with what is counted body by body.
 template <int width>
-void check_group(const std::vector<bool>& is_member, Dice& dice) {
-  const Group group = group_of(is_member, dice);
-  const auto packs = pack_group<double, width>(group);
+void check_group(const std::vector<bool>& is_member, RandomGenerator& dice) {
+  const IndexSet group = group_of(is_member, dice);
+  const auto packs = packed_index_set<double, width>(group);
   const auto count = static_cast<std::uint32_t>(is_member.size() / width);
   std::vector<int> members(count, 0);
   for (std::size_t body = 0; body < is_member.size(); ++body)
@@ -70,7 +70,7 @@ void check_group(const std::vector<bool>& is_member, Dice& dice) {
 
 template <int width>
 void check_groups() {
-  Dice dice(53);
+  RandomGenerator dice(53);
   for (std::size_t first = 0; first <= std::size_t{4} * width; ++first) {  // the first so many
     std::vector<bool> is_member(std::size_t{5} * width, false);
     std::fill_n(is_member.begin(), first, true);
