@@ -315,11 +315,14 @@ struct Refusal {
 template <class Real>
 bool same_motion(const World<Real>& one, const World<Real>& other) {
   const Snapshot<Real> a = one.save(), b = other.save();
-  bool same = a.ticks == b.ticks && a.positions == b.positions && a.velocities == b.velocities &&
-              a.angular_momenta == b.angular_momenta;
-  for (std::size_t top = 0; top < a.orientations.size(); ++top)
-    same = same && a.orientations[top].real == b.orientations[top].real &&
-           a.orientations[top].imaginary == b.orientations[top].imaginary;
+  bool same = a.ticks == b.ticks;
+  for (std::size_t body = 0; body < a.centres.size(); ++body)
+    same = same && a.centres[body].position == b.centres[body].position &&
+           a.centres[body].velocity == b.centres[body].velocity;
+  for (std::size_t top = 0; top < a.tops.size(); ++top)
+    same = same && a.tops[top].orientation.real == b.tops[top].orientation.real &&
+           a.tops[top].orientation.imaginary == b.tops[top].orientation.imaginary &&
+           a.tops[top].angular_momentum_body == b.tops[top].angular_momentum_body;
   return same;
 }
 

@@ -204,15 +204,15 @@ TEST_CASE_TEMPLATE(
     const int steps = 100;
     for (int n = 0; n < steps; ++n) world.step();
     Snapshot<Real> turned = world.save();
-    for (auto& velocity : turned.velocities) velocity = -velocity;
-    for (auto& momentum : turned.angular_momenta) momentum = -momentum;
+    for (CentreMotion<Real>& centre : turned.centres) centre.velocity = -centre.velocity;
+    for (TopMotion<Real>& top : turned.tops) top.angular_momentum_body = -top.angular_momentum_body;
     world.restore(turned);
     for (int n = 0; n < steps; ++n) world.step();
     Real missed = 0;
     const Bodies<Real> back = world.bodies();
     for (std::size_t i = 0; i < 2; ++i)
-      missed = std::max(missed, (back.centres[i].position - start.positions[i]).norm());
-    missed = std::max(missed, angle_between(back.tops[0].orientation, start.orientations[0]));
+      missed = std::max(missed, (back.centres[i].position - start.centres[i].position).norm());
+    missed = std::max(missed, angle_between(back.tops[0].orientation, start.tops[0].orientation));
     // Each of the 200 steps rounds numbers up to 10 some hundred times, and what it misses grows
     // with the time that is left: by not more than 200 in these four seconds.
     const Real roundings = 200 * 100 * 10 * unit_roundoff<Real> * 200;

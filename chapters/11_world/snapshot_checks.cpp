@@ -54,14 +54,14 @@ TEST_CASE_TEMPLATE("A world that is taken back moves on with the same bits, from
   }
 }
 
-TEST_CASE_TEMPLATE("A world goes back to its marks, in any order, to the bit", Real,
+TEST_CASE_TEMPLATE("A world goes back to its checkpoints, in any order, to the bit", Real,
                    EVERY_PRECISION) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     CAPTURE(seed);
     RandomGenerator dice(seed);
     World<Real> world = random_world<Real>(dice, 8);
     // Somebody plays with it, and in each frame it is saved in both ways.
-    std::vector<Mark<Real>> marks;
+    std::vector<Checkpoint<Real>> checkpoints;
     std::vector<Snapshot<Real>> snapshots;
     const auto play = [&] {
       const BodyHandle body =
@@ -74,15 +74,15 @@ TEST_CASE_TEMPLATE("A world goes back to its marks, in any order, to the bit", R
     };
     for (int n = 0; n < 30; ++n) {
       play();
-      marks.push_back(world.mark());
+      checkpoints.push_back(world.checkpoint());
       snapshots.push_back(world.save());
     }
     World<Real> twin = world;
     for (int n = 0; n < 30; ++n) {
-      const std::size_t frame = dice.below(marks.size());
+      const std::size_t frame = dice.below(checkpoints.size());
       CAPTURE(frame);
       if (dice.one_in(5)) world.restore(snapshots[dice.below(snapshots.size())]);
-      world.restore(marks[frame]);
+      world.restore(checkpoints[frame]);
       twin.restore(snapshots[frame]);
       REQUIRE(world.ticks() == twin.ticks());
       REQUIRE(same_motion(twin.bodies(), world.bodies()));
@@ -94,65 +94,66 @@ TEST_CASE_TEMPLATE("A world goes back to its marks, in any order, to the bit", R
   }
 }
 
-TEST_CASE_TEMPLATE("A mark holds the bodies that may have moved since the first one, and no others",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "A checkpoint holds the bodies that may have moved since the first one, and no others", Real,
+    EVERY_PRECISION) {
   World<Real> world;
   for (int n = 0; n < 9; ++n)
     world.add("body " + std::to_string(n), make_particle<Real>(1, {Real(n), 0, 0}));
   const BodyHandle mover = world.find("body 3");
   world.set_velocity(mover, {1, 0, 0});
   const EffectHandle weight = world.add(Gravity<Real>{}, {world.find("body 5")});
-  CHECK(world.mark().moved.empty());
-  CHECK(world.mark().moved.size() == 2);
+  CHECK(world.checkpoint().moved.empty());
+  CHECK(world.checkpoint().moved.size() == 2);
   world.step();
   world.set_position(world.find("body 7"), {0, 9, 0});
-  CHECK(world.mark().moved.size() == 3);
+  CHECK(world.checkpoint().moved.size() == 3);
   // Who falls no more has fallen; and so for a body that was put somewhere and back to rest.
   world.remove(weight);
   world.set_velocity(world.find("body 5"), {0, 0, 0});
-  const Mark<Real> mark = world.mark();
-  CHECK(mark.moved.size() == 3);
+  const Checkpoint<Real> checkpoint = world.checkpoint();
+  CHECK(checkpoint.moved.size() == 3);
   world.set_position(world.find("body 1"), {5, 5, 5});
-  world.restore(mark);
+  world.restore(checkpoint);
   CHECK(same_bits(world.body(world.find("body 1")).centre.position, Vec3<Real>(1, 0, 0)));
   CHECK(same_bits(world.body(world.find("body 7")).centre.position, Vec3<Real>(0, 9, 0)));
   world.add("tenth", make_particle<Real>(1));
-  CHECK(world.mark().moved.empty());  // of a new list of all
+  CHECK(world.checkpoint().moved.empty());  // of a new list of all
   try {
-    world.restore(mark);
+    world.restore(checkpoint);
     FAIL("it was taken");
   } catch (const std::invalid_argument& error) {
     CHECK(std::string(error.what()) ==
-          "the mark has 9 bodies, 0 of them with a top; the world has 10 and 0");
+          "the checkpoint has 9 bodies, 0 of them with a top; the world has 10 and 0");
   }
 }
 
-TEST_CASE_TEMPLATE("A mark of a point is refused where a body with a top has taken its place", Real,
-                   EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("A checkpoint of a point is refused where a body with a top has taken its place",
+                   Real, EVERY_PRECISION) {
   World<Real> world;
   const BodyHandle point = world.add("point", make_particle<Real>(1));
-  const Mark<Real> mark = world.mark();
+  const Checkpoint<Real> checkpoint = world.checkpoint();
   world.set_position(point, {1, 0, 0});
   world.remove(point);
-  world.restore(Mark<Real>{});  // of nobody, as nobody is there, though a body was touched
+  world.restore(Checkpoint<Real>{});  // of nobody, as nobody is there, though a body was touched
   CHECK(world.body_count() == 0);
   const auto shape = mass_properties(Sphere<Real>{1}, 2);
   world.add("ball", make_rigid_body<Real>("ball", shape).body);
-  CHECK_THROWS_AS(world.restore(mark), std::invalid_argument);
+  CHECK_THROWS_AS(world.restore(checkpoint), std::invalid_argument);
 }
 
-TEST_CASE_TEMPLATE("A mark holds the place where an effect, since removed, has put a body", Real,
-                   EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("A checkpoint holds the place where an effect, since removed, has put a body",
+                   Real, EVERY_PRECISION) {
   World<Real> world;
   const BodyHandle body = world.add("body", make_particle<Real>(1));
-  world.mark();
+  world.checkpoint();
   const EffectHandle effect = world.add(Elsewhere<Real>{}, {body});
   world.step();
   world.remove(effect);  // the body has no velocity: nothing can move it now
   CHECK(world.work().movers.empty());
-  const Mark<Real> mark = world.mark();
+  const Checkpoint<Real> checkpoint = world.checkpoint();
   world.set_position(body, {1, 2, 3});
-  world.restore(mark);
+  world.restore(checkpoint);
   CHECK(same_bits(world.body(body).centre.position, Vec3<Real>(0, 0, 8)));
 }
 

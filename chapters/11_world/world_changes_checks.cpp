@@ -376,7 +376,7 @@ TEST_CASE("A world that goes back to rest forgets what could have moved its bodi
   const BodyHandle stone = world.add("stone", make_particle<double>(1));
   const EffectHandle gravity = world.add(Gravity<double>{});
   const Snapshot<double> snapshot = world.save();
-  const Mark<double> mark = world.mark();
+  const Checkpoint<double> mark = world.checkpoint();
   world.step();
   world.remove(gravity);
   for (const bool by_mark : {false, true}) {

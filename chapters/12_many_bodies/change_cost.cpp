@@ -43,7 +43,7 @@ void step_of_net(benchmark::State& state, int threads) {
   for (BodyIndex n = 0; n < count; ++n)
     ends.insert(ends.end(), {world.handle_at(n), world.handle_at((n + 1000) % count)});
   world.add(SpringBetween<float>{{.stiffness = 1}}, ends);
-  world.keeping().use_threads(threads);
+  world.backend().use_threads(threads);
   for (auto _ : state) world.step();
   state.SetItemsProcessed(state.iterations());  // the time by the clock, not that of one thread
 }
@@ -65,7 +65,7 @@ void steps_of_some(benchmark::State& state) {
 }
 void steps_of_two_threads(benchmark::State& state) {
   auto world = boxes(0);
-  world.keeping().use_threads(2);
+  world.backend().use_threads(2);
   for (auto _ : state) world.step();
   state.SetItemsProcessed(state.iterations());
 }
@@ -106,17 +106,17 @@ void snapshots(benchmark::State& state) {
   for (auto _ : state) benchmark::DoNotOptimize(world.save());
 }
 
-void marks(benchmark::State& state) {
+void checkpoints(benchmark::State& state) {
   auto world = boxes(0);
-  world.mark();
-  for (auto _ : state) benchmark::DoNotOptimize(world.mark());
+  world.checkpoint();
+  for (auto _ : state) benchmark::DoNotOptimize(world.checkpoint());
 }
 
 void ways_back(benchmark::State& state) {
   auto world = boxes(0);
-  world.mark();
-  const Mark<float> mark = world.mark();
-  for (auto _ : state) world.restore(mark);
+  world.checkpoint();
+  const Checkpoint<float> checkpoint = world.checkpoint();
+  for (auto _ : state) world.restore(checkpoint);
 }
 
 }  // namespace
@@ -133,5 +133,5 @@ BENCHMARK(schedules)->Name("the schedule made anew");
 BENCHMARK(schedules_of_some)->Name("the schedule made anew, a third fixed");
 BENCHMARK(limits)->Name("the limit of the step, with drag as a sixth effect");
 BENCHMARK(snapshots)->Name("a snapshot");
-BENCHMARK(marks)->Name("a mark");
-BENCHMARK(ways_back)->Name("back to a mark");
+BENCHMARK(checkpoints)->Name("a checkpoint");
+BENCHMARK(ways_back)->Name("back to a checkpoint");

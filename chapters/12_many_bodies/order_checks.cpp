@@ -87,7 +87,7 @@ void compare(const AddMore& add_more, const Meddle& meddle,
   auto packed = crowd(ManyBodies<Real>(steps_per_second(60)), add_more);
   plain.step_by(scheme);
   packed.step_by(scheme);
-  packed.keeping().use_threads(threads);
+  packed.backend().use_threads(threads);
   for (int step = 0; step < 12; ++step) {
     meddle(plain, step);
     meddle(packed, step);
@@ -189,12 +189,12 @@ TEST_CASE_TEMPLATE(
   world.push_at(world.handle_at(0), {1, 2, 3}, {0, 1, 0});
   auto in_parts = world;
   const Work<Real>& work = in_parts.work();
-  const auto parts = in_parts.keeping().parts(work);
+  const auto parts = in_parts.backend().parts(work);
   const StepTime<Real> moment = in_parts.step_time();
   std::map<std::string, std::size_t> bodies;
   for (std::size_t part = 0; part < parts.size(); ++part) {
     bodies[parts[part].name] += parts[part].bodies;
-    in_parts.keeping().run_part(work, part, moment);
+    in_parts.backend().run_part(work, part, moment);
   }
   CHECK(parts.front().name == "memory of centres");
   CHECK(parts.back().name == "guard of tops");
@@ -262,11 +262,11 @@ TEST_CASE_TEMPLATE("A world in packs can be stepped by reference, and a part of 
   plain.step();
   by_reference.step_by_reference();
   CHECK(same_motion(plain.bodies(), by_reference.bodies()));
-  const auto parts = in_part.keeping().parts(in_part.work());
+  const auto parts = in_part.backend().parts(in_part.work());
   for (std::size_t part = 0; part < parts.size(); ++part)
     if (parts[part].name == "drift") {
       CHECK(parts[part].bodies == 37);
-      in_part.keeping().run_part(in_part.work(), part, in_part.step_time());
+      in_part.backend().run_part(in_part.work(), part, in_part.step_time());
     }
   for (BodyIndex i = 0; i < 37; ++i) {
     const RigidBody<Real> drifted = in_part.body(in_part.handle_at(i));

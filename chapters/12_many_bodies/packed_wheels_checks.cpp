@@ -52,7 +52,7 @@ TEST_CASE_TEMPLATE(
       const int count = threads == 1 ? 70 : 1501;
       World<Real> plain = with_wheels<Real>(World<Real>(steps_per_second(60)), scheme, count);
       auto packed = with_wheels<Real>(ManyBodies<Real>(steps_per_second(60)), scheme, count);
-      packed.keeping().use_threads(threads);
+      packed.backend().use_threads(threads);
       const Bodies<Real> start = plain.bodies();
       for (int n = 0; n < 12; ++n) {
         plain.step(), packed.step();
@@ -72,6 +72,6 @@ TEST_CASE(
     "In packs a wheel is four parts of each drift: it joins, turns the body twice, and leaves") {
   auto world = with_wheels<float>(ManyBodies<float>(steps_per_second(60)), Scheme::verlet, 70);
   int parts = 0;
-  for (const PackedPart& part : world.keeping().parts(world.work())) parts += part.name == "second";
+  for (const PackedPart& part : world.backend().parts(world.work())) parts += part.name == "second";
   CHECK(parts == 2 * 4);
 }

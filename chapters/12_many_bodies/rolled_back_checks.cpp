@@ -51,25 +51,25 @@ TEST_CASE_TEMPLATE("A step in packs that fails is taken back to the bit, with th
   }
 }
 
-TEST_CASE_TEMPLATE("In packs too a world goes back to its marks, to the bit", Real,
+TEST_CASE_TEMPLATE("In packs too a world goes back to its checkpoints, to the bit", Real,
                    EVERY_PRECISION) {
   RandomGenerator dice(6);
   World<Real, InPacks<Real>> world(steps_per_second(64));
   for (int n = 0; n < 40; ++n) add_random_body(world, dice, "body " + std::to_string(n));
   world.add(Gravity<Real>{}, {world.handle_at(3), world.handle_at(17)});
-  world.mark();
+  world.checkpoint();
   for (int n = 0; n < 20; ++n) {
     CAPTURE(n);
     const BodyHandle one = world.handle_at(static_cast<BodyIndex>(dice.below(40)));
     world.set_position(one, dice.vector<Real>());
     world.step();
-    const Mark<Real> mark = world.mark();
+    const Checkpoint<Real> checkpoint = world.checkpoint();
     const Bodies<Real> there = world.bodies();
     for (int k = 0; k < 3; ++k) world.step();
     const Bodies<Real> later = world.bodies();
     world.set_velocity(world.handle_at(static_cast<BodyIndex>(dice.below(40))), {1, 0, 0});
     world.step();
-    world.restore(mark);
+    world.restore(checkpoint);
     REQUIRE(same_motion(there, world.bodies()));
     for (int k = 0; k < 3; ++k) world.step();
     REQUIRE(same_motion(later, world.bodies()));
@@ -204,7 +204,7 @@ TEST_CASE_TEMPLATE("What an effect throws comes through packs and threads, and n
   };
   for (const int threads : {1, 2}) {
     CAPTURE(threads);
-    world.keeping().use_threads(threads);
+    world.backend().use_threads(threads);
     refused(RefusalOfCentre<Real, Phase::kick>{});
     refused(RefusalOfCentre<Real, Phase::drift>{});
     refused(RefusalOfTop<Real, Phase::kick>{});

@@ -42,7 +42,7 @@ ManyBodies<Real> net() {
 template <class Real>
 void step() {
   ManyBodies<Real> world = net<Real>();
-  world.keeping().use_threads(2);
+  world.backend().use_threads(2);
   for (int n = 0; n < 3; ++n) world.step();
 }
 

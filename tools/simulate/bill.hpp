@@ -15,15 +15,15 @@ namespace tumble::simulate {
 /// after each; beside them run whole steps on a copy of the world. So all lines come from one
 /// run. Each round takes a few milliseconds and begins where the world is now. We
 /// report the median of the rounds, less what reading the clock costs.
-template <class Real, class Keeping>
+template <class Real, class Backend>
 class Bill {
   using Clock = std::chrono::steady_clock;
 
  public:
   /// `most_steps` is how many steps are known to succeed.
-  Bill(World<Real, Keeping> world, std::int64_t most_steps)
+  Bill(World<Real, Backend> world, std::int64_t most_steps)
       : world_(std::move(world)),
-        parts_(world_.keeping().parts(world_.work())),
+        parts_(world_.backend().parts(world_.work())),
         passes_(parts_.size()) {
     samples_.resize(passes_ + 1);
     steps_in_round_ = 1;
@@ -75,12 +75,12 @@ class Bill {
   double round() {
     std::vector<double> times(passes_ + 1, 0.0);
     double looking = 0;
-    World<Real, Keeping> world = world_, measured = world_;
+    World<Real, Backend> world = world_, measured = world_;
     for (std::int64_t step = 0; step < steps_in_round_; ++step) {
       const StepTime<Real> moment = step_time_of(world_.ticks() + step, world_.time_step());
       for (std::size_t i = 0; i < passes_; ++i) {
         const Clock::time_point before = Clock::now();
-        measured.keeping().run_part(measured.work(), i, moment);
+        measured.backend().run_part(measured.work(), i, moment);
         times[i] += nanoseconds(Clock::now() - before);
       }
       const Clock::time_point before = Clock::now();
@@ -96,7 +96,7 @@ class Bill {
     return times.back();
   }
 
-  World<Real, Keeping> world_;
+  World<Real, Backend> world_;
   std::vector<PackedPart> parts_;
   std::size_t passes_;
   std::vector<std::vector<double>> samples_;  // ns for each step, of the passes and of the whole

@@ -23,8 +23,8 @@ BodyRecord record_of(const RigidBody<Real>& body, const Posed& model_in_body) {
 }
 
 /// Calls `visit` with each body's name and record.
-template <class Real, class Keeping, class Visit>
-void for_each_body(const Scene<Real, Keeping>& scene, const Visit& visit) {
+template <class Real, class Backend, class Visit>
+void for_each_body(const Scene<Real, Backend>& scene, const Visit& visit) {
   for (const BodyModel& model : scene.models)
     for (std::size_t i = model.first; i < model.first + model.count; ++i) {
       const BodyHandle handle = scene.world.handle_at(static_cast<BodyIndex>(i));

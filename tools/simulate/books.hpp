@@ -26,10 +26,10 @@ inline std::string json_of(const LedgerLine& line) {
 }
 
 /// The whole books, with the energy (J) that gravity and springs had stored at the start.
-template <class Real, class Keeping>
-std::string books_of(const Ledger<Real>& ledger, Scene<Real, Keeping>& scene,
+template <class Real, class Backend>
+std::string books_of(const Ledger<Real>& ledger, Scene<Real, Backend>& scene,
                      double stored_at_the_start) {
-  const World<Real, Keeping>& world = scene.world;
+  const World<Real, Backend>& world = scene.world;
   const double h = time_step_of<double>(world.step_length());
   std::string text = "{\"bodies\":" + std::to_string(world.body_count());
   text.append(",\"turning_method\":").append(nlohmann::json(world.turning_method()).dump());

@@ -40,8 +40,8 @@ inline std::vector<support::Part> drawn_parts(const BodyModel& model) {
 }
 
 /// Adds the scene's bodies and springs to a recording that has none.
-template <class Real, class Keeping>
-void draw(const Scene<Real, Keeping>& scene, support::Recording& recording) {
+template <class Real, class Backend>
+void draw(const Scene<Real, Backend>& scene, support::Recording& recording) {
   std::vector<int> numbers;
   for (const BodyModel& model : scene.models)
     for (std::size_t copy = 0; copy < model.count; ++copy)
@@ -53,8 +53,8 @@ void draw(const Scene<Real, Keeping>& scene, support::Recording& recording) {
 }
 
 /// Where the models of all bodies are now, m, world axes; in the order in which draw() adds them.
-template <class Real, class Keeping>
-std::vector<Posed> drawn_poses(const Scene<Real, Keeping>& scene) {
+template <class Real, class Backend>
+std::vector<Posed> drawn_poses(const Scene<Real, Backend>& scene) {
   std::vector<Posed> poses;
   for_each_body(scene, [&](const std::string&, const BodyRecord& body) {
     poses.push_back({body.position, body.orientation});

@@ -11,8 +11,8 @@ namespace tumble::simulate {
 constexpr std::size_t most_drawn_bodies = 2000;
 
 /// @throws UsageError if the scene has more bodies than a page draws.
-template <class Real, class Keeping>
-void require_drawable(const Scene<Real, Keeping>& scene) {
+template <class Real, class Backend>
+void require_drawable(const Scene<Real, Backend>& scene) {
   const std::size_t bodies = scene.world.body_count();
   if (bodies > most_drawn_bodies)
     throw support::UsageError("the scene has " + std::to_string(bodies) +

@@ -57,8 +57,8 @@ class Plot {
       throw FileError(path, "there is no folder for temporary files; TMPDIR names it");
   }
 
-  template <class Real, class Keeping>
-  void record(double time, Scene<Real, Keeping>& scene) {
+  template <class Real, class Backend>
+  void record(double time, Scene<Real, Backend>& scene) {
     const std::size_t count = scene.world.body_count();
     const double kinetic = holdings_of(scene.world.bodies()).energy;
     energies_.push_back({time, kinetic, Ledger<Real>::stored(scene.world)});

@@ -25,8 +25,8 @@ struct Outputs {
   std::optional<View> view;
   std::optional<OutputFile> books;
 
-  template <class Real, class Keeping>
-  Outputs(const Options& options, const Scene<Real, Keeping>& scene, std::int64_t steps) {
+  template <class Real, class Backend>
+  Outputs(const Options& options, const Scene<Real, Backend>& scene, std::int64_t steps) {
     if (!options.csv.empty()) csv.emplace(options.csv);
     if (!options.json_lines.empty()) json_lines.emplace(options.json_lines);
     if (!options.plot.empty()) plot.emplace(options.plot);
@@ -37,8 +37,8 @@ struct Outputs {
   /// Records this moment. The page of a view has equal intervals only: it leaves out a last moment
   /// that comes early. What can't be recorded any further is given up, and the others go on.
   /// @throws what went wrong, once nothing is left.
-  template <class Real, class Keeping>
-  void record(Scene<Real, Keeping>& scene, bool comes_early = false) {
+  template <class Real, class Backend>
+  void record(Scene<Real, Backend>& scene, bool comes_early = false) {
     const double time =
         static_cast<double>(scene.world.ticks()) * time_step_of<double>(scene.world.step_length());
     record_in(csv, [&] { csv->record(time, scene); });
@@ -93,8 +93,8 @@ struct Outputs {
 };
 
 /// Takes the steps. @return how it ended; `failure` says why, if a step failed
-template <class Real, class Keeping>
-ExitCode take_steps(Scene<Real, Keeping>& scene, Ledger<Real>& ledger, const Options& options,
+template <class Real, class Backend>
+ExitCode take_steps(Scene<Real, Backend>& scene, Ledger<Real>& ledger, const Options& options,
                     std::int64_t steps, Outputs& outputs, std::string& failure) {
   outputs.record(scene);
   Progress progress(steps);
@@ -128,8 +128,8 @@ ExitCode take_steps(Scene<Real, Keeping>& scene, Ledger<Real>& ledger, const Opt
   return code;
 }
 
-template <class Real, class Keeping>
-void print_scene(Scene<Real, Keeping>& scene, const Options& options, std::int64_t steps) {
+template <class Real, class Backend>
+void print_scene(Scene<Real, Backend>& scene, const Options& options, std::int64_t steps) {
   std::printf("%s\n", scene.title.c_str());
   if (!scene.description.empty()) std::printf("%s\n", scene.description.c_str());
   std::printf("\n");
@@ -152,7 +152,7 @@ void print_scene(Scene<Real, Keeping>& scene, const Options& options, std::int64
 /// @throws UsageError, SceneError, FileError.
 template <class Real>
 ExitCode run(const Options& options) {
-  using Keeping = InPacks<Real>;
+  using Backend = InPacks<Real>;
   SceneInPacks<Real> scene = scene_of<Real>(options);
   const std::int64_t steps = steps_until(scene, options.until);
   scene.world.on_warning([](const std::string&) {});  // they stand below the plan
@@ -163,8 +163,8 @@ ExitCode run(const Options& options) {
   catch_signals();
   Outputs outputs(options, scene, steps);
   print_scene(scene, options, steps);
-  const World<Real, Keeping> start = scene.world;
-  scene.world.keeping().use_threads(options.threads);
+  const World<Real, Backend> start = scene.world;
+  scene.world.backend().use_threads(options.threads);
   Ledger<Real> ledger(scene.world);
   const double stored_at_the_start = outputs.books ? Ledger<Real>::stored(scene.world) : 0;
   std::string failure;
@@ -175,7 +175,7 @@ ExitCode run(const Options& options) {
                 static_cast<long long>(scene.world.ticks()), static_cast<long long>(steps));
   if (options.ledger) std::printf("\n%s", table_of(ledger, scene.world).c_str());
   if (options.bill && code == all_simulated)
-    std::printf("\n%s", Bill<Real, Keeping>(start, steps).table().c_str());
+    std::printf("\n%s", Bill<Real, Backend>(start, steps).table().c_str());
   outputs.finish(scene.title,
                  outputs.books ? books_of(ledger, scene, stored_at_the_start) : std::string());
   return ended_by != 0 ? static_cast<ExitCode>(interrupted + ended_by) : code;

@@ -12,8 +12,8 @@ namespace tumble::simulate {
 /// The steps whose end comes nearest to the end of the simulation: `until` (s), or what the scene
 /// says.
 /// @throws UsageError if that is none.
-template <class Real, class Keeping>
-std::int64_t steps_until(const Scene<Real, Keeping>& scene, std::optional<double> until = {}) {
+template <class Real, class Backend>
+std::int64_t steps_until(const Scene<Real, Backend>& scene, std::optional<double> until = {}) {
   const double h = time_step_of<double>(scene.world.step_length());
   const double duration = until.value_or(scene.duration);
   const std::int64_t steps = std::llround(duration / h);

@@ -26,8 +26,8 @@ class CsvFile {
         "angular velocity x (rad/s),angular velocity y (rad/s),angular velocity z (rad/s)\n");
   }
 
-  template <class Real, class Keeping>
-  void record(double time, const Scene<Real, Keeping>& scene) {
+  template <class Real, class Backend>
+  void record(double time, const Scene<Real, Backend>& scene) {
     std::string text;
     for_each_body(scene, [&](const std::string& name, const BodyRecord& body) {
       text.append(text_of(time)).append(",").append(cell(name));
@@ -46,8 +46,8 @@ class JsonLinesFile {
  public:
   explicit JsonLinesFile(const std::filesystem::path& path) : file_(path) {}
 
-  template <class Real, class Keeping>
-  void record(double time, const Scene<Real, Keeping>& scene) {
+  template <class Real, class Backend>
+  void record(double time, const Scene<Real, Backend>& scene) {
     std::string text;
     for_each_body(scene, [&](const std::string& name, const BodyRecord& body) {
       const std::array<double, 13> numbers = numbers_of(body);

@@ -14,8 +14,8 @@ class View {
 
  public:
   /// @throws FileError if the page would hold too much, or can't be written.
-  template <class Real, class Keeping>
-  View(const std::filesystem::path& path, const Scene<Real, Keeping>& scene, std::int64_t every,
+  template <class Real, class Backend>
+  View(const std::filesystem::path& path, const Scene<Real, Backend>& scene, std::int64_t every,
        std::int64_t steps)
       : file_(path),
         recording_(scene.title,
@@ -29,8 +29,8 @@ class View {
     draw(scene, recording_);
   }
 
-  template <class Real, class Keeping>
-  void record(const Scene<Real, Keeping>& scene) {
+  template <class Real, class Backend>
+  void record(const Scene<Real, Backend>& scene) {
     recording_.add_frame(drawn_poses(scene));
   }
 

@@ -28,8 +28,8 @@ struct SteadyTorque {
 };
 
 /// A body of any kind: point, box, ball, rod, static; at rest or not.
-template <class Real, class Keeping>
-BodyHandle add_random_body(World<Real, Keeping>& world, RandomGenerator& dice,
+template <class Real, class Backend>
+BodyHandle add_random_body(World<Real, Backend>& world, RandomGenerator& dice,
                            const std::string& name) {
   const Vec3<Real> place = 3 * dice.vector<Real>();
   const Vec3<Real> velocity = dice.one_in(2) ? dice.vector<Real>() : Vec3<Real>(0, 0, 0);
@@ -61,8 +61,8 @@ BodyHandle add_random_body(World<Real, Keeping>& world, RandomGenerator& dice,
 }
 
 /// Adds one effect of any kind to all or to some; sometimes one that does nothing.
-template <class Real, class Keeping>
-void add_random_effect(World<Real, Keeping>& world, RandomGenerator& dice,
+template <class Real, class Backend>
+void add_random_effect(World<Real, Backend>& world, RandomGenerator& dice,
                        const std::vector<BodyHandle>& bodies) {
   const Real amount = dice.one_in(4) ? 0 : Real(0.5) + dice.real<Real>() / 4;
   const Vec3<Real> direction = dice.one_in(3) ? Vec3<Real>(0, 0, 0) : dice.vector<Real>();
@@ -116,11 +116,11 @@ inline Scheme random_scheme(RandomGenerator& dice) {
   return Scheme(dice.below(scheme_names.size()));
 }
 
-template <class Real, class Keeping = OneByOne<Real>>
-World<Real, Keeping> random_world(RandomGenerator& dice, std::size_t most_bodies = 5) {
+template <class Real, class Backend = OneByOne<Real>>
+World<Real, Backend> random_world(RandomGenerator& dice, std::size_t most_bodies = 5) {
   using Rules = TurningRules<Splitting, SplittingWithoutSine, AxisByAxis, CarryingMomentum, Steady,
                              ImplicitNewton>;
-  World<Real, Keeping> world(steps_per_second(60));
+  World<Real, Backend> world(steps_per_second(60));
   Rules::choose(world, dice.below(6));
   world.step_by(random_scheme(dice));
   std::vector<BodyHandle> bodies;
@@ -132,8 +132,8 @@ World<Real, Keeping> random_world(RandomGenerator& dice, std::size_t most_bodies
 }
 
 /// Does something to a world while it runs. Two worlds with equal dice fare alike.
-template <class Real, class Keeping>
-void meddle(World<Real, Keeping>& world, RandomGenerator& dice, int number) {
+template <class Real, class Backend>
+void meddle(World<Real, Backend>& world, RandomGenerator& dice, int number) {
   if (world.body_count() == 0) return;
   const BodyHandle body = world.handle_at(static_cast<BodyIndex>(dice.below(world.body_count())));
   const bool has_top = !world.is_point(body);

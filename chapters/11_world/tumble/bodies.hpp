@@ -10,7 +10,7 @@
 namespace tumble {
 
 /// The place of a body in the arrays of its world. It changes when other bodies are removed; what
-/// stays the same is the Handle.
+/// stays the same is the BodyHandle.
 using BodyIndex = std::uint32_t;
 
 /// Stands for an array element that a body does not have.
@@ -23,21 +23,24 @@ struct BodyState {
   const Top<Real>& top;
 };
 
-/// All bodies of a world.
+/// Which top belongs to which body, in whatever arrays they lie.
 //! [bodies]
+struct BodyMap {
+  std::vector<BodyIndex> top_of;   ///< where a body's top is; no_index for a point
+  std::vector<BodyIndex> body_of;  ///< whose top it is
+};
+
+/// All bodies of a world.
 template <class Real>
-struct Bodies {
+struct Bodies : BodyMap {
   std::vector<Particle<Real>> centres;  ///< one for each body
   std::vector<Top<Real>> tops;          ///< one for each body that is not a point
-  std::vector<BodyIndex> top_of;        ///< where a body's top is; no_index for a point
-  std::vector<BodyIndex> body_of;       ///< whose top it is
 };
 //! [bodies]
 
 /// True when the body has no orientation: it has no top.
-template <class Real>
-bool is_point(const Bodies<Real>& bodies, BodyIndex body) {
-  return bodies.top_of[body] == no_index;
+inline bool is_point(const BodyMap& map, BodyIndex body) {
+  return map.top_of[body] == no_index;
 }
 
 /// What effects see of the body.

@@ -13,8 +13,8 @@ template <class Real>
 class Drawing {
  public:
   /// Notes where all bodies are. To be called before the first step and after each.
-  template <class Keeping>
-  void note(const World<Real, Keeping>& world) {
+  template <class Backend>
+  void note(const World<Real, Backend>& world) {
     for (const BodyHandle handle : world.handles()) {
       Drawn& drawn = drawn_of(handle);
       const Pose<Real> now = pose_of(world.body(handle));

@@ -3,53 +3,35 @@
 #pragma once
 
 #include <optional>
+#include <tumble/motion_record.hpp>
 #include <tumble/work.hpp>
 
 namespace tumble {
 
-/// What a step changes, as it was before: of those alone that can move or turn.
+/// How those bodies moved before a step that it can move or turn.
 template <class Real>
-class Before {
+class UndoBuffer {
  public:
   void remember(const Bodies<Real>& bodies, const Work<Real>& work) {
     centres_.clear();
     tops_.clear();
-    work.movers.for_each([&](BodyIndex i) {
-      centres_.push_back({bodies.centres[i].position, bodies.centres[i].velocity});
-    });
+    work.movers.for_each([&](BodyIndex i) { centres_.push_back(motion_of(bodies.centres[i])); });
     for (const IndexSet* group : {&work.steady, &work.tumbling})
-      group->for_each([&](BodyIndex i) {
-        tops_.push_back({bodies.tops[i].orientation, bodies.tops[i].angular_momentum_body});
-      });
+      group->for_each([&](BodyIndex i) { tops_.push_back(motion_of(bodies.tops[i])); });
   }
 
   /// Puts it back, and empties the sums.
   void restore(Bodies<Real>& bodies, const Work<Real>& work) const {
     auto centre = centres_.begin();
-    for_each_of(work.movers, bodies.centres, [&](Particle<Real>& moved) {
-      moved.position = centre->position;
-      moved.velocity = centre++->velocity;
-      clear_force(moved);
-    });
+    for_each_of(work.movers, bodies.centres, [&](auto& moved) { set_motion(moved, *centre++); });
     auto top = tops_.begin();
     for (const IndexSet* group : {&work.steady, &work.tumbling})
-      for_each_of(*group, bodies.tops, [&](Top<Real>& turned) {
-        turned.orientation = top->orientation;
-        turned.angular_momentum_body = top++->angular_momentum_body;
-        clear_torque(turned);
-      });
+      for_each_of(*group, bodies.tops, [&](auto& turned) { set_motion(turned, *top++); });
   }
 
  private:
-  struct Centre {
-    Vec3<Real> position, velocity;
-  };
-  struct TopState {
-    Quaternion<Real> orientation;
-    Vec3<Real> angular_momentum_body;
-  };
-  std::vector<Centre> centres_;
-  std::vector<TopState> tops_;
+  std::vector<CentreMotion<Real>> centres_;
+  std::vector<TopMotion<Real>> tops_;
 };
 
 /// True if the body is somewhere, or turned somehow: every number is finite. Zero times a finite

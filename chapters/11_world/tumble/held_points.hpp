@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tumble/bodies.hpp>
+#include <tumble/body_store.hpp>
 #include <tumble/principal_axes.hpp>
 #include <tumble/rigid_body.hpp>
 #include <utility>
@@ -123,12 +123,11 @@ struct HeldTurns {
     if (!(part <= turn.most)) turn.most = part, turn.hold = of_hold;
   }
 
-  /// Once all has been added. `roster` has the bodies.
-  template <class Roster>
-  void find_strengths(const Roster& roster) {
+  /// Once all has been added.
+  void find_strengths(const NamedBodies<Real>& bodies) {
     for (BodyIndex body = 0; body < turns.size(); ++body)
       if (turns[body].most != 0)
-        turns[body].strength = largest_turning_strength<Real>(roster.body(body), turns[body].sum);
+        turns[body].strength = largest_turning_strength<Real>(bodies.body(body), turns[body].sum);
   }
 
   /// The largest strength where each body yields so many times as easily as at rest, and the hold

@@ -13,12 +13,12 @@ namespace tumble {
 template <class Real>
 class Ledger {
  public:
-  template <class Keeping>
-  explicit Ledger(const World<Real, Keeping>& world) : start_(holdings_of(world.bodies())) {}
+  template <class Backend>
+  explicit Ledger(const World<Real, Backend>& world) : start_(holdings_of(world.bodies())) {}
 
   /// One step of the world, booked. If it fails, nothing is booked.
-  template <class Keeping>
-  void step(World<Real, Keeping>& world) {
+  template <class Backend>
+  void step(World<Real, Backend>& world) {
     Lines lines = lines_;
     book_step(world.bodies(), world.work(), world.step_time(), lines);
     world.step();
@@ -29,8 +29,8 @@ class Ledger {
   const LedgerLine& start() const { return start_; }
 
   /// What they have now.
-  template <class Keeping>
-  LedgerLine now(const World<Real, Keeping>& world) const {
+  template <class Backend>
+  LedgerLine now(const World<Real, Backend>& world) const {
     return holdings_of(world.bodies());
   }
 
@@ -39,8 +39,8 @@ class Ledger {
 
   /// What is neither start nor any line: rounding, if the books are right and nobody has changed a
   /// body or stepped the world beside them.
-  template <class Keeping>
-  LedgerLine rest(const World<Real, Keeping>& world) const {
+  template <class Backend>
+  LedgerLine rest(const World<Real, Backend>& world) const {
     LedgerLine rest = now(world);
     rest -= start_;
     for (const LedgerLine& line : lines_) rest -= line;
@@ -48,8 +48,8 @@ class Ledger {
   }
 
   /// The energy (J) stored in the effects that know theirs: gravity and springs.
-  template <class Keeping>
-  static double stored(const World<Real, Keeping>& world) {
+  template <class Backend>
+  static double stored(const World<Real, Backend>& world) {
     const Bodies<Real>& bodies = world.bodies();
     double sum = 0;
     for (const Entry<Real>& entry : world.effects()) {
@@ -167,8 +167,8 @@ class Ledger {
 
 /// The books as a table of text: energy in J, momentum in kg m/s, and angular momentum about the
 /// origin in kg m²/s.
-template <class Real, class Keeping>
-std::string table_of(const Ledger<Real>& ledger, const World<Real, Keeping>& world) {
+template <class Real, class Backend>
+std::string table_of(const Ledger<Real>& ledger, const World<Real, Backend>& world) {
   std::vector<std::pair<std::string, LedgerLine>> rows = {{"at the start", ledger.start()}};
   for (const LedgerLine& line : ledger.lines()) rows.emplace_back("+ " + line.name, line);
   rows.emplace_back("now", ledger.now(world));

@@ -2,6 +2,7 @@
 /// The step, for bodies that lie in plain arrays and are visited one by one.
 #pragma once
 
+#include <tumble/body_store.hpp>
 #include <tumble/guard.hpp>
 #include <tumble/rotors.hpp>
 #include <tumble/tumbling.hpp>
@@ -10,25 +11,41 @@ namespace tumble {
 
 /// Keeps the bodies of a World and steps them. Chapter 12 has another, for many bodies.
 template <class Real>
-class OneByOne {
+class OneByOne final : public BodyStore<Real> {
  public:
   explicit OneByOne(Bodies<Real> bodies = {}) : bodies_(std::move(bodies)) {}
   const Bodies<Real>& bodies() const { return bodies_; }
-  std::size_t top_count() const { return bodies_.tops.size(); }
-  BodyIndex top_of(BodyIndex body) const { return bodies_.top_of[body]; }
-  BodyIndex body_of(BodyIndex top) const { return bodies_.body_of[top]; }
+  void set_bodies(Bodies<Real> bodies) { bodies_ = std::move(bodies); }
 
-  /// The body; a point has a top that is locked about every axis.
-  RigidBody<Real> body(BodyIndex body) const {
+  const BodyMap& map() const override { return bodies_; }
+  RigidBody<Real> body(BodyIndex body) const override {
     const BodyState<Real> state = state_of(bodies_, body);
     return {.centre = state.centre, .top = state.top};
+  }
+  void set_body(BodyIndex body, const RigidBody<Real>& state) override {
+    bodies_.centres[body] = state.centre;
+    if (const BodyIndex top = bodies_.top_of[body]; top != no_index) bodies_.tops[top] = state.top;
+  }
+  void append(const Particle<Real>& centre, const Top<Real>* top) override {
+    tumble::append(bodies_, centre, top);
+  }
+  void take_out(BodyIndex body) override { tumble::take_out(bodies_, body); }
+
+  /// The form in which its steps run an effect or a rule.
+  template <class Effect>
+  static std::shared_ptr<const AnyEffect<Real>> erased(const Effect& effect) {
+    return std::make_shared<const EffectOf<Real, Effect>>(effect);
+  }
+  template <class Rule>
+  static std::shared_ptr<const AnyRule<Real>> erased_rule(const Rule& rule) {
+    return std::make_shared<const RuleOf<Real, Rule>>(rule);
   }
 
   /// One step. @return the body that diverged, if one did: all are then as they were before,
   /// and so they are where an effect throws
   //! [step]
   std::optional<BodyIndex> step(const Work<Real>& work, const StepTime<Real>& moment) {
-    before_.remember(bodies_, work);
+    undo_.remember(bodies_, work);
     try {
       for (const Substep<Real>& substep : work.substeps)  // of Euler's step: kick, whole, drift
         switch (substep.kind) {
@@ -44,11 +61,11 @@ class OneByOne {
         }
       run(work, Phase::drift, bodies_, moment);
     } catch (...) {  // an effect has thrown
-      before_.restore(bodies_, work);
+      undo_.restore(bodies_, work);
       throw;
     }
     const std::optional<BodyIndex> diverged = first_diverged(bodies_, work);
-    if (diverged) before_.restore(bodies_, work);
+    if (diverged) undo_.restore(bodies_, work);
     return diverged;
   }
   //! [step]
@@ -77,34 +94,8 @@ class OneByOne {
   }
   //! [strokes]
 
-  template <class, class>
-  friend class World;
-  template <class, class>
-  friend class NamedBodies;
-  template <class, class>
-  friend class Scenery;
-
-  template <class Effect>
-  static std::shared_ptr<const AnyEffect<Real>> erased(const Effect& effect) {
-    return std::make_shared<const EffectOf<Real, Effect>>(effect);
-  }
-  template <class Rule>
-  static std::shared_ptr<const AnyRule<Real>> erased_rule(const Rule& rule) {
-    return std::make_shared<const RuleOf<Real, Rule>>(rule);
-  }
-  void set_bodies(Bodies<Real> bodies) { bodies_ = std::move(bodies); }
-  /// Of a point only the centre is kept.
-  void set_body(BodyIndex body, const RigidBody<Real>& state) {
-    bodies_.centres[body] = state.centre;
-    if (const BodyIndex top = bodies_.top_of[body]; top != no_index) bodies_.tops[top] = state.top;
-  }
-  BodyIndex append(const Particle<Real>& centre, const Top<Real>* top) {
-    return tumble::append(bodies_, centre, top);
-  }
-  void take_out(BodyIndex body) { tumble::take_out(bodies_, body); }
-
   Bodies<Real> bodies_;
-  Before<Real> before_;
+  UndoBuffer<Real> undo_;
 };
 
 }  // namespace tumble

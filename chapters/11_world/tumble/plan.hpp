@@ -71,8 +71,9 @@ class Reasons {
 }  // namespace detail
 
 /// The line of an effect of the scene.
-template <class Real, class Roster>
-PlanRow row_of(const Entry<Real>& entry, const Planner<Real>& planner, const Roster& roster) {
+template <class Real>
+PlanRow row_of(const Entry<Real>& entry, const Planner<Real>& planner,
+               const NamedBodies<Real>& bodies) {
   const AnyEffect<Real>& effect = *entry.effect;
   const std::vector<BodyFlags>& flags = planner.flags();
   detail::Reasons reasons;
@@ -85,9 +86,9 @@ PlanRow row_of(const Entry<Real>& entry, const Planner<Real>& planner, const Ros
       std::string_view why = effect.skip_reason(BodyFlags{});
       const bool fixed =
           [&](BodyHandle body) {
-            return !unwritable_reason(effect.traits().writes, flags[roster.index_of(body)]).empty();
+            return !unwritable_reason(effect.traits().writes, flags[bodies.index_of(body)]).empty();
           }(entry.targets[i]) &&
-          !unwritable_reason(effect.traits().writes, flags[roster.index_of(entry.targets[i + 1])])
+          !unwritable_reason(effect.traits().writes, flags[bodies.index_of(entry.targets[i + 1])])
                .empty();
       ask(fixed ? "nothing can move either of the two" : why);
     }
@@ -95,7 +96,7 @@ PlanRow row_of(const Entry<Real>& entry, const Planner<Real>& planner, const Ros
     for (const BodyFlags& body : flags) ask(effect.skip_reason(body));
   else
     for (const BodyHandle body : entry.targets)
-      ask(effect.skip_reason(flags[roster.index_of(body)]));
+      ask(effect.skip_reason(flags[bodies.index_of(body)]));
   const std::size_t of = entry.everyone ? flags.size() : entry.targets.size() / (in_pairs ? 2 : 1);
   return {effect.name(),
           effect.phase(),
@@ -123,13 +124,13 @@ inline PlanRow row_of(const Motion& motion, const IndexSet& group,
 
 /// The lines of all, in the order of a step.
 //! [rows_of]
-template <class Real, class Roster>
-std::vector<PlanRow> rows_of(const Planner<Real>& planner, const Roster& roster) {
+template <class Real>
+std::vector<PlanRow> rows_of(const Planner<Real>& planner, const NamedBodies<Real>& bodies) {
   const Work<Real>& work = planner.work();
   std::vector<PlanRow> rows;
   const auto add_scene = [&](Phase phase) {
     for (const Entry<Real>& entry : work.effects)
-      if (entry.effect->phase() == phase) rows.push_back(row_of(entry, planner, roster));
+      if (entry.effect->phase() == phase) rows.push_back(row_of(entry, planner, bodies));
   };
   const auto add_motion = [&](const Motion& motion, const IndexSet& group,
                               const std::string& name = {}) {

@@ -28,23 +28,21 @@ struct StepLimit {
 template <class Real>
 class Responses {
  public:
-  /// `roster` has the bodies and knows the place of a handle, see NamedBodies. Rotors count with
-  /// what they hold at `time` (s).
-  template <class Roster>
-  Responses(const Work<Real>& work, const Roster& roster, Real time)
-      : nutations_(roster.size(), Real(0)) {
+  /// Rotors count with what they hold at `time` (s).
+  Responses(const Work<Real>& work, const NamedBodies<Real>& all, Real time)
+      : nutations_(all.size(), Real(0)) {
     const std::vector<Entry<Real>>& entries = work.effects;
     for (std::size_t i = 0; i < entries.size(); ++i) {
       const EffectTraits<Real>& traits = entries[i].effect->traits();
       if (!traits.has_response) continue;
       std::vector<BodyIndex> bodies;
       if (entries[i].everyone)
-        for (BodyIndex body = 0; body < roster.size(); ++body) bodies.push_back(body);
-      for (const BodyHandle target : entries[i].targets) bodies.push_back(roster.index_of(target));
+        for (BodyIndex body = 0; body < all.size(); ++body) bodies.push_back(body);
+      for (const BodyHandle target : entries[i].targets) bodies.push_back(all.index_of(target));
       const std::size_t stride = traits.joins_two() ? 2 : 1;
       for (std::size_t k = 0; k < bodies.size(); k += stride) {
-        RigidBody<Real> first = roster.body(bodies[k]),
-                        second = stride == 2 ? roster.body(bodies[k + 1]) : first;
+        RigidBody<Real> first = all.body(bodies[k]),
+                        second = stride == 2 ? all.body(bodies[k + 1]) : first;
         const Response<Real> response =
             entries[i].effect->response({first.centre, first.top}, {second.centre, second.top});
         if (response.stiffness == 0 && response.damping == 0 &&
@@ -55,7 +53,7 @@ class Responses {
         holds_.push_back({i, bodies[k], ends_.size(), stride});
         const auto ends = static_cast<Real>(stride);
         const auto add_rotors = [&](Top<Real>& top, BodyIndex body) {
-          top.angular_momentum_body += nutating_momentum(work, roster.top_of(body), top, time);
+          top.angular_momentum_body += nutating_momentum(work, all.top_of(body), top, time);
         };
         add_rotors(first.top, bodies[k]);
         hold(first, bodies[k], response, response.arm_first, response.force, ends);
@@ -64,7 +62,7 @@ class Responses {
         hold(second, bodies[k + 1], response, response.arm_second, -response.force, ends);
       }
     }
-    for (HeldTurns<Real>* turnings : {&stiff_, &damped_}) turnings->find_strengths(roster);
+    for (HeldTurns<Real>* turnings : {&stiff_, &damped_}) turnings->find_strengths(all);
   }
 
   /// The limit of a scheme that bears what pulls back by 4 `times`² in a step, and by which a body

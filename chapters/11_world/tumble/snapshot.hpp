@@ -2,7 +2,8 @@
 /// How all bodies of a world move at one moment, to come back to it.
 #pragma once
 
-#include <tumble/bodies.hpp>
+#include <tumble/motion_record.hpp>
+#include <tumble/planner.hpp>
 
 namespace tumble {
 
@@ -11,11 +12,53 @@ namespace tumble {
 template <class Real>
 struct Snapshot {
   std::int64_t ticks = 0;
-  std::vector<Vec3<Real>> positions, velocities;  ///< of the bodies, in the order of the world
-  std::vector<Quaternion<Real>> orientations;     ///< of the tops
-  std::vector<Vec3<Real>> angular_momenta;        ///< body axes
-  std::vector<bool> has_moved, has_turned;        ///< what the plan knew of the bodies
+  std::vector<CentreMotion<Real>> centres;  ///< of the bodies, in the order of the world
+  std::vector<TopMotion<Real>> tops;
+  std::vector<bool> has_moved, has_turned;  ///< what the plan knew of the bodies
 };
 //! [snapshot]
+
+/// How all bodies move now, and what the planner knows of whether they do.
+template <class Real>
+Snapshot<Real> snapshot_of(const NamedBodies<Real>& bodies, const Planner<Real>& planner,
+                           std::int64_t ticks) {
+  Snapshot<Real> now;
+  now.ticks = ticks;
+  for (BodyIndex index = 0; index < bodies.size(); ++index) {
+    const RigidBody<Real> body = bodies.body(index);
+    now.centres.push_back(motion_of(body.centre));
+    if (!bodies.is_point(index)) now.tops.push_back(motion_of(body.top));
+    now.has_moved.push_back(planner.alone()[index].moves);
+    now.has_turned.push_back(planner.alone()[index].turns);
+  }
+  return now;
+}
+
+/// Throws unless there are as many bodies and tops as `what` has.
+template <class Real>
+void require_as_many(const std::string& what, std::size_t bodies, std::size_t tops,
+                     const NamedBodies<Real>& now) {
+  if (bodies == now.size() && tops == now.top_count()) return;
+  throw std::invalid_argument("the " + what + " has " + std::to_string(bodies) + " bodies, " +
+                              std::to_string(tops) + " of them with a top; the world has " +
+                              std::to_string(now.size()) + " and " +
+                              std::to_string(now.top_count()));
+}
+
+/// Lets all bodies, which lie in `store`, move as they did then.
+template <class Real>
+void restore(const Snapshot<Real>& then, const NamedBodies<Real>& bodies, BodyStore<Real>& store,
+             Planner<Real>& planner) {
+  require_as_many("snapshot", then.centres.size(), then.tops.size(), bodies);
+  planner.end_inputs(bodies);
+  for (BodyIndex index = 0, top = 0; index < bodies.size(); ++index) {
+    RigidBody<Real> body = bodies.body(index);
+    set_motion(body.centre, then.centres[index]);
+    if (!bodies.is_point(index)) set_motion(body.top, then.tops[top++]);
+    store.set_body(index, body);
+  }
+  for (BodyIndex index = 0; index < bodies.size(); ++index)
+    planner.restore_flags(index, then.has_moved[index], then.has_turned[index], bodies);
+}
 
 }  // namespace tumble

@@ -18,12 +18,15 @@ namespace detail {
 /// Calls `visit` with each number of a snapshot, in the order of a file.
 template <class AnySnapshot, class Visit>
 void for_each_number(AnySnapshot& snapshot, const Visit& visit) {
-  for (auto* list : {&snapshot.positions, &snapshot.velocities, &snapshot.angular_momenta})
-    for (auto& vector : *list)
-      for (int axis = 0; axis < 3; ++axis) visit(vector[axis]);
-  for (auto& q : snapshot.orientations) {
-    visit(q.real);
-    for (int axis = 0; axis < 3; ++axis) visit(q.imaginary[axis]);
+  const auto visit_vector = [&](auto& vector) {
+    for (int axis = 0; axis < 3; ++axis) visit(vector[axis]);
+  };
+  for (auto& centre : snapshot.centres) visit_vector(centre.position);
+  for (auto& centre : snapshot.centres) visit_vector(centre.velocity);
+  for (auto& top : snapshot.tops) visit_vector(top.angular_momentum_body);
+  for (auto& top : snapshot.tops) {
+    visit(top.orientation.real);
+    visit_vector(top.orientation.imaginary);
   }
 }
 
@@ -53,8 +56,8 @@ inline std::string checksum_line(std::string_view text) {
 template <class Real>
 void write_snapshot(std::ostream& out, const Snapshot<Real>& snapshot) {
   std::ostringstream text;
-  text << "tumble snapshot 1, " << 8 * sizeof(Real) << " bits, bodies " << snapshot.positions.size()
-       << ", tops " << snapshot.orientations.size() << ", ticks " << snapshot.ticks << '\n'
+  text << "tumble snapshot 1, " << 8 * sizeof(Real) << " bits, bodies " << snapshot.centres.size()
+       << ", tops " << snapshot.tops.size() << ", ticks " << snapshot.ticks << '\n'
        << std::hexfloat;
   for (const std::vector<bool>* flags : {&snapshot.has_moved, &snapshot.has_turned}) {
     for (const bool flag : *flags) text << (flag ? '1' : '0');
@@ -96,9 +99,8 @@ Snapshot<Real> read_snapshot(std::istream& in) {
     text >> word;
     for (const char flag : word) flags->push_back(flag == '1');
   }
-  for (auto* list : {&snapshot.positions, &snapshot.velocities}) list->resize(bodies);
-  snapshot.orientations.resize(tops);
-  snapshot.angular_momenta.resize(tops);
+  snapshot.centres.resize(bodies);
+  snapshot.tops.resize(tops);
   detail::for_each_number(snapshot, [&](Real& number) {
     text >> word;
     number = static_cast<Real>(std::strtod(word.c_str(), nullptr));

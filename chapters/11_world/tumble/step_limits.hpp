@@ -77,9 +77,10 @@ namespace tumble {
 /// in place of 1/N where that allows more than Euler's. With dampers Euler's limit is taken for
 /// Suzuki's too. Both are tried on random scenes, and not proved.
 //! [bound]
-template <class Real, class Roster>
-StepLimit<Real> step_limit(const Work<Real>& work, const Roster& roster, Same<Real> time) {
-  const Responses<Real> responses(work, roster, time);
+template <class Real>
+StepLimit<Real> step_limit(const Work<Real>& work, const NamedBodies<Real>& bodies,
+                           Same<Real> time) {
+  const Responses<Real> responses(work, bodies, time);
   const Real half_turn = std::numbers::pi_v<Real>;
   const StepLimit<Real> limit = responses.limit(1, half_turn, yielding<Real>);
   if (responses.is_damped() || work.scheme != Scheme::suzuki) return limit;
@@ -91,6 +92,33 @@ StepLimit<Real> step_limit(const Work<Real>& work, const Roster& roster, Same<Re
   return suzuki.time_step > limit.time_step ? suzuki : limit;
 }
 //! [bound]
+
+/// What may go wrong in the step at `at`, such as one that is too long for a spring: a sentence, or
+/// none.
+template <class Real>
+std::vector<std::string> warnings(const Work<Real>& work, const NamedBodies<Real>& bodies,
+                                  const StepTime<Real>& at) {
+  const StepLimit<Real> limit = step_limit(work, bodies, at.time);
+  if (at.time_step <= limit.time_step) return {};
+  const auto named = [&](BodyIndex body) { return "'" + bodies.registry.name_of(body) + "'"; };
+  std::string warning = "'" + work.effects[limit.entry].effect->name() + "' on " +
+                        named(limit.body) + " may gain energy without bound: the time step is " +
+                        text_of(at.time_step) + " s, and only up to " + text_of(limit.time_step) +
+                        " s can this be excluded";
+  if (at.time_step <= limit.at_rest) {
+    const BodyIndex body = limit.spinning;
+    const Vec3<Real> rotors =
+        nutating_momentum(work, bodies.top_of(body), bodies.body(body).top, at.time);
+    warning +=
+        ", since " +
+        (rotors == Vec3<Real>::Zero() ? named(body) + " spins"
+                                      : "a wheel spins in " + named(body)) +
+        ", and its nutation turns by " +
+        text_of(std::round(at.time_step * limit.nutation_rate * 180 / std::numbers::pi_v<Real>)) +
+        " degrees in a step";
+  }
+  return {warning};
+}
 
 /// Of which effects step_limit() knows nothing, though they may feed on themselves: a sentence
 /// each.

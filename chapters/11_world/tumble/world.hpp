@@ -4,36 +4,225 @@
 
 #include <cstdio>
 #include <functional>
+#include <tumble/change_log.hpp>
+#include <tumble/check_body.hpp>
+#include <tumble/checkpoints.hpp>
 #include <tumble/failure.hpp>
 #include <tumble/one_by_one.hpp>
 #include <tumble/other_runs.hpp>
-#include <tumble/scenery.hpp>
 #include <tumble/step_clock.hpp>
 #include <tumble/step_limits.hpp>
+#include <unordered_set>
 
 namespace tumble {
 
-/// Bodies and effects with a fixed time step; what is in it, see Scenery. A copy of a world is
-/// another world in the same state, and knows the handles of the first.
+/// Bodies and effects with a fixed time step. Every function that could change the plan tells the
+/// planner, so that the plan stays right. A copy of a world is another world in the same state, and
+/// knows the handles of the first.
 ///
-/// `Keeping` keeps the bodies and steps them, and changes no bit of how they move.
-template <class Real, class Keeping = OneByOne<Real>>
-class World : public Scenery<Real, Keeping> {
-  using Base = Scenery<Real, Keeping>;
-  using Base::planner_, Base::bodies_, Base::change_log_, Base::time_step_, Base::marks_;
-
+/// `Backend` keeps the bodies in arrays and steps them, and changes no bit of how they move.
+template <class Real, class Backend = OneByOne<Real>>
+class World {
  public:
-  using Base::work;
-
   /// @throws std::invalid_argument if the step is negative or longer than an hour. In a step
   /// of 0 s no force, kick or drift moves anything; what effects write by themselves they still
   /// write.
   template <TurningRule<Real> Rule = Splitting>
   explicit World(const StepLength& step = {}, const Rule& rule = {})
-      : Scenery<Real, Keeping>(time_step_of<Real>(step)), step_(step) {
+      : step_(step), time_step_(time_step_of<Real>(step)) {
     require_step_length(step, 0);
-    planner_.turn_by(Keeping::erased_rule(rule));
+    planner_.turn_by(Backend::erased_rule(rule));
   }
+
+  // --- Bodies -----------------------------------------------------------------------------------
+
+  /// Adds a point, or a body, which should come from make_rigid_body() or make_static_body(): here
+  /// each number is checked by itself, and not whether a body can have such moments.
+  /// @throws std::invalid_argument if the name is empty or taken, if a number is not finite, if an
+  /// inverse mass or moment is negative, if the orientation is not nearly of norm 1, or if there is
+  /// angular momentum about a locked axis.
+  BodyHandle add(const std::string& name, const Particle<Real>& point) {
+    return append_body(name, point, nullptr);
+  }
+  BodyHandle add(const std::string& name, const RigidBody<Real>& body) {
+    return append_body(name, body.centre, &body.top);
+  }
+
+  /// Removes a body, and the effects that are fixed to it.
+  void remove(BodyHandle body) {
+    const BodyIndex index = registry_.index_of(body);
+    change_log_.note("'" + name_of(body) + "' was removed");
+    limit_changed_ |= planner_.is_limiting(index);
+    checkpoints_.forget_all();
+    planner_.forget_body(body, all());
+    backend_.take_out(index);
+    registry_.take_out(body);
+    planner_.join_again(index, all());
+  }
+
+  bool contains(BodyHandle body) const { return registry_.contains(body); }
+  std::size_t body_count() const { return registry_.size(); }
+  std::size_t top_count() const { return all().top_count(); }
+  /// @throws std::invalid_argument if no body has that name.
+  BodyHandle find(const std::string& name) const { return registry_.find(name); }
+  const std::string& name_of(BodyHandle body) const {
+    return registry_.name_of(registry_.index_of(body));
+  }
+  /// All bodies, in the order of the arrays.
+  std::vector<BodyHandle> handles() const {
+    std::vector<BodyHandle> handles;
+    for (BodyIndex index = 0; index < registry_.size(); ++index)
+      handles.push_back(registry_.handle_at(index));
+    return handles;
+  }
+  /// The body with that place in the arrays, and the place of a body.
+  BodyHandle handle_at(BodyIndex index) const { return registry_.handle_at(index); }
+  BodyIndex index_of(BodyHandle body) const { return registry_.index_of(body); }
+  bool is_point(BodyHandle body) const { return all().is_point(registry_.index_of(body)); }
+
+  /// The body as it is now; a point has a top that is locked about every axis.
+  RigidBody<Real> body(BodyHandle body) const { return backend_.body(registry_.index_of(body)); }
+  /// All of them: a reference to them, or, from a Backend that has them in another form, a copy.
+  decltype(auto) bodies() const { return backend_.bodies(); }
+  /// What keeps and steps the bodies, for instance to set the number of threads.
+  Backend& backend() { return backend_; }
+
+  // --- Changes while it runs --------------------------------------------------------------------
+
+  /// Puts another body in the place of one that is not a point: with another mass, say. It keeps
+  /// its name and its effects.
+  void replace(BodyHandle body, const RigidBody<Real>& by) {
+    check_body(name_of(body), by.centre);
+    check_body(name_of(body), by.top);
+    require_top(body);
+    change_log_.note("'" + name_of(body) + "' was replaced");
+    limit_changed_ |= planner_.is_limiting(registry_.index_of(body));
+    RigidBody<Real> kept = by;
+    kept.top.orientation = renormalized(by.top.orientation);
+    clear_forces(kept);
+    backend_.set_body(registry_.index_of(body), kept);
+    planner_.change_body(registry_.index_of(body), all());
+  }
+
+  void set_position(BodyHandle body, const Vec3<Same<Real>>& position) {
+    require_finite(name_of(body) + ": position", position, "m");
+    change_state(body, [&](RigidBody<Real>& changed) { changed.centre.position = position; });
+  }
+
+  void set_velocity(BodyHandle body, const Vec3<Same<Real>>& velocity) {
+    require_finite(name_of(body) + ": velocity", velocity, "m/s");
+    change_state(body, [&](RigidBody<Real>& changed) { changed.centre.velocity = velocity; });
+  }
+
+  void set_orientation(BodyHandle body, const Quaternion<Real>& orientation) {
+    require_top(body);
+    const Quaternion<Real> q = checked_orientation(orientation, name_of(body) + ": orientation");
+    change_state(body, [&](RigidBody<Real>& changed) { changed.top.orientation = q; });
+  }
+
+  /// Sets the angular velocity, rad/s, world axes.
+  void set_angular_velocity(BodyHandle body, const Vec3<Same<Real>>& angular_velocity) {
+    require_top(body);
+    change_state(body, [&](RigidBody<Real>& changed) {
+      set_checked_angular_velocity(name_of(body), changed.top, angular_velocity);
+    });
+  }
+
+  /// A blow of `impulse` N s at `point` m, world axes, between two steps.
+  void apply_impulse_at(BodyHandle body, const Vec3<Same<Real>>& impulse,
+                        const Vec3<Same<Real>>& point) {
+    change_state(body, [&](RigidBody<Real>& changed) {
+      tumble::apply_impulse_at(changed, impulse, point);
+      require_finite(name_of(body) + ": velocity after the blow", changed.centre.velocity, "m/s");
+      require_finite(name_of(body) + ": angular momentum after the blow",
+                     changed.top.angular_momentum_body, "kg m^2/s");
+    });
+  }
+
+  /// A force (N) at `point` (m), both in world axes, in the next step alone, such as a player's
+  /// push. The forces of several calls add up.
+  void push_at(BodyHandle body, const Vec3<Same<Real>>& force, const Vec3<Same<Real>>& point) {
+    require_finite(name_of(body) + ": force", force, "N");
+    require_finite(name_of(body) + ": point of the force", point, "m");
+    const Vec3<Real> centre = backend_.body(registry_.index_of(body)).centre.position;
+    planner_.add_input(registry_.index_of(body), {force, torque_about<Real>(centre, point, force)},
+                       all());
+  }
+
+  /// What the steps go through, and what is known of each body.
+  const Work<Real>& work() const { return planner_.work(); }
+  const std::vector<BodyFlags>& flags() const { return planner_.flags(); }
+
+  // --- Effects ----------------------------------------------------------------------------------
+
+  /// Adds an effect for every body, including those that are added later.
+  template <class Effect>
+  EffectHandle add(Effect effect) {
+    static_assert(EffectOnOne<Effect, Real> || FindsPairs<Effect, Real>,
+                  "an effect for everyone has one of the functions for one body in forms.hpp, with "
+                  "the arguments and the result given there, and const");
+    return append_effect(prepared(effect), true, {});
+  }
+
+  /// Adds an effect for some bodies; for one that joins two, each first followed by its second.
+  template <class Effect>
+  EffectHandle add(Effect effect, const std::vector<BodyHandle>& bodies) {
+    static_assert(EffectForSome<Effect, Real>,
+                  "an effect for some bodies has one of the functions in forms.hpp, with the "
+                  "arguments and the result given there, and const, and does not find its pairs "
+                  "itself");
+    return append_effect(prepared(effect), false, bodies);
+  }
+
+  void remove(EffectHandle effect) {
+    const Entry<Real>& entry = entry_of(effect);
+    change_log_.note("'" + entry.effect->name() + "' was removed");
+    limit_changed_ |= entry.effect->traits().changes_limit();
+    planner_.remove_effect(effect.number, all());
+  }
+
+  /// The effect, whose type the caller must know. @throws std::invalid_argument if it is another.
+  template <class Effect>
+  const Effect& effect(EffectHandle handle) const {
+    const Entry<Real>& entry = entry_of(handle);
+    const auto* found = dynamic_cast<const EffectOf<Real, Effect>*>(entry.effect.get());
+    if (!found)
+      throw std::invalid_argument("'" + entry.effect->name() + "' is an effect of another type");
+    return found->effect();
+  }
+
+  /// Puts another effect of the same type in its place, for the same bodies.
+  template <class Effect>
+  void change(EffectHandle handle, Effect by) {
+    (void)effect<Effect>(handle);
+    auto erased = prepared(by);
+    change_log_.note("'" + erased->name() + "' was changed");
+    for (std::size_t i = 0; const BodyHandle body : entry_of(handle).targets)
+      require_top_for(*erased, body, i++);
+    limit_changed_ |= erased->traits().changes_limit();
+    planner_.replace_effect(handle.number, std::move(erased), all());
+  }
+
+  /// From now on the bodies whose moments differ turn by `rule`: one of turning_methods.hpp, or one
+  /// of the user's own.
+  template <TurningRule<Real> Rule>
+  void turn_by(const Rule& rule) {
+    change_log_.note("another method of turning was chosen");
+    planner_.turn_by(Backend::erased_rule(rule));
+  }
+
+  /// From now on all bodies are stepped by `scheme`.
+  void step_by(Scheme scheme) {
+    change_log_.note("the scheme " + std::string(tumble::name_of(scheme)) + " was chosen");
+    limit_changed_ = true;
+    planner_.step_by(scheme);
+  }
+
+  /// The effects of the scene, in the order in which they came.
+  const std::vector<Entry<Real>>& effects() const { return planner_.work().effects; }
+  /// The name of the rule by which bodies turn whose moments differ.
+  const std::string& turning_method() const { return planner_.work().rule->name(); }
+  Scheme scheme() const { return planner_.work().scheme; }
 
   // --- Time -------------------------------------------------------------------------------------
 
@@ -46,28 +235,25 @@ class World : public Scenery<Real, Keeping> {
   StepTime<Real> step_time() const { return step_time_of(ticks_, time_step_); }
 
   /// How all bodies move now: with restore() a step, or a thousand, can be taken back.
-  Snapshot<Real> save() const { return bodies_.snapshot(ticks_, planner_.alone()); }
+  Snapshot<Real> save() const { return snapshot_of(all(), planner_, ticks_); }
   /// All bodies move as they did when the snapshot was saved, and the steps from there on have the
   /// same bits, unless the scene has been changed since, or a push for one step was to come then:
   /// such pushes are dropped. The bodies are taken in the order of the world.
   /// @throws std::invalid_argument if there are more bodies or tops than then, or fewer.
   void restore(const Snapshot<Real>& then) {
-    require_as_many("snapshot", then.positions.size(), then.orientations.size(), bodies_);
-    planner_.end_inputs(bodies_);
-    marks_.forget_all();
-    bodies_.restore(then);
-    planner_.restore_flags(then.has_moved, then.has_turned, bodies_);
+    tumble::restore(then, all(), backend_, planner_);
+    checkpoints_.forget_all();
     ticks_ = then.ticks;
   }
 
-  /// The same as save(), for each frame of a game that may have to go back: after the first mark,
-  /// and until a body comes or goes, it costs what can move and what was changed, and not what
-  /// rests. A mark is for this world, or a copy of it, alone.
-  Mark<Real> mark() { return marks_.mark(ticks_, bodies_, planner_); }
+  /// The same as save(), for each frame of a game that may have to go back: after the first
+  /// checkpoint, and until a body comes or goes, it costs what can move and what was changed, and
+  /// not what rests. A checkpoint is for this world, or a copy of it, alone.
+  Checkpoint<Real> checkpoint() { return checkpoints_.make(ticks_, all(), planner_); }
   /// See restore() of a Snapshot; it costs what can move now, or could then, and what was changed.
   /// @throws std::invalid_argument if there are more bodies or tops than then, or fewer.
-  void restore(const Mark<Real>& then) {
-    marks_.restore(then, bodies_, planner_);
+  void restore(const Checkpoint<Real>& then) {
+    checkpoints_.restore(then, all(), backend_, planner_);
     ticks_ = then.ticks;
   }
 
@@ -75,39 +261,18 @@ class World : public Scenery<Real, Keeping> {
 
   /// What each step does, as a table. It is made when one asks; what it tells of is always right.
   Plan plan() const {
-    return {rows_of(planner_, bodies_), accuracy_of(work()), warnings(), unknown_limits(work())};
+    return {rows_of(planner_, all()), accuracy_of(work()), warnings(), unknown_limits(work())};
   }
   /// What may go wrong as the bodies are now, such as a step too long for a spring.
-  std::vector<std::string> warnings() const {
-    const StepLimit<Real> limit = step_limit();
-    if (time_step_ <= limit.time_step) return {};
-    const std::string& name = work().effects[limit.entry].effect->name();
-    std::string warning = "'" + name + "' on '" + bodies_.name_of(limit.body) +
-                          "' may gain energy without bound: the time step is " +
-                          text_of(time_step_) + " s, and only up to " + text_of(limit.time_step) +
-                          " s can this be excluded";
-    if (time_step_ <= limit.at_rest) {
-      const BodyIndex body = limit.spinning;
-      const Vec3<Real> rotors =
-          nutating_momentum<Real>(work(), bodies_.top_of(body), bodies_.body(body).top, time());
-      const std::string named = "'" + bodies_.name_of(body) + "'";
-      warning +=
-          ", since " +
-          (rotors == Vec3<Real>::Zero() ? named + " spins" : "a wheel spins in " + named) +
-          ", and its nutation turns by " +
-          text_of(std::round(time_step_ * limit.nutation_rate * 180 / std::numbers::pi_v<Real>)) +
-          " degrees in a step";
-    }
-    return {warning};
-  }
+  std::vector<std::string> warnings() const { return tumble::warnings(work(), all(), step_time()); }
 
   /// Up to which step no effect that has a response() can feed on itself, as the bodies are now.
-  StepLimit<Real> step_limit() const { return tumble::step_limit(work(), bodies_, time()); }
+  StepLimit<Real> step_limit() const { return tumble::step_limit(work(), all(), time()); }
 
   /// What has changed the plan since the world began, a sentence each; the last hundred of them.
   std::vector<std::string> change_log() const {
     ChangeLog now = change_log_;
-    if (now.is_pending()) now.tell(work(), bodies_.size(), ticks_);
+    if (now.is_pending()) now.tell(work(), registry_.size(), ticks_);
     return now.sentences();
   }
 
@@ -120,10 +285,10 @@ class World : public Scenery<Real, Keeping> {
   /// effect throws; the world is then as it was before the step.
   void step() {
     if (change_log_.is_pending()) tell_changes();
-    const std::optional<BodyIndex> diverged = bodies_.kept().step(work(), step_time());
+    const std::optional<BodyIndex> diverged = backend_.step(work(), step_time());
     if (diverged) stop(*diverged);
     ++ticks_;
-    planner_.end_inputs(bodies_);
+    planner_.end_inputs(all());
   }
 
   /// The same step without groups: see step_by_reference() in other_runs.hpp.
@@ -141,10 +306,103 @@ class World : public Scenery<Real, Keeping> {
   }
 
  private:
+  NamedBodies<Real> all() const { return {registry_, backend_}; }
+
+  /// `top` is null for a point.
+  BodyHandle append_body(const std::string& name, const Particle<Real>& centre,
+                         const Top<Real>* top) {
+    registry_.require_free(name);
+    check_body(name, centre);
+    if (top) check_body(name, *top);
+    RigidBody<Real> appended{.centre = centre, .top = top ? *top : Top<Real>{}};
+    appended.top.orientation = renormalized(appended.top.orientation);
+    clear_forces(appended);
+    backend_.append(appended.centre, top ? &appended.top : nullptr);
+    const BodyHandle body = registry_.append(name);
+    change_log_.note("'" + name + "' came");
+    checkpoints_.forget_all();
+    planner_.add_body(all());
+    limit_changed_ |= planner_.is_limiting(registry_.index_of(body));
+    return note_motion(body);
+  }
+
+  void require_top(BodyHandle body) const {
+    if (is_point(body))
+      throw std::invalid_argument("'" + name_of(body) + "' is a point: it has no orientation");
+  }
+
+  /// Lets `change` change a body. If it throws, nothing has changed.
+  template <class Change>
+  void change_state(BodyHandle body, const Change& change) {
+    const BodyIndex index = registry_.index_of(body);
+    RigidBody<Real> changed = backend_.body(index);
+    change(changed);
+    clear_forces(changed);
+    backend_.set_body(index, changed);
+    planner_.touch(index);
+    note_motion(body);
+  }
+
+  /// A first velocity or spin changes what the scene calls for.
+  BodyHandle note_motion(BodyHandle body) {
+    const BodyIndex index = registry_.index_of(body);
+    const BodyFlags before = planner_.alone()[index], now = all().flags_of(index, before);
+    if (now.moves != before.moves)
+      change_log_.note("'" + name_of(body) + "' got its first velocity");
+    if (now.turns != before.turns) change_log_.note("'" + name_of(body) + "' got its first spin");
+    if (now != before) planner_.change_body(index, all());
+    return body;
+  }
+
+  const Entry<Real>& entry_of(EffectHandle handle) const {
+    for (const Entry<Real>& entry : effects())
+      if (entry.handle == handle) return entry;
+    throw std::out_of_range("stale handle: effect " + std::to_string(handle.number) +
+                            " has been removed or never was in this world");
+  }
+
+  template <class Effect>
+  std::shared_ptr<const AnyEffect<Real>> prepared(Effect& effect) const {
+    if constexpr (requires { effect.check(); }) effect.check();
+    if constexpr (requires { effect.prepare(time_step_); }) effect.prepare(time_step_);
+    return Backend::erased(effect);
+  }
+
+  void require_top_for(const AnyEffect<Real>& effect, BodyHandle body, std::size_t place) const {
+    const bool is_second = effect.traits().joins_two() && place % 2 == 1;
+    const bool needs = is_second ? effect.traits().needs_second_top : effect.traits().needs_top;
+    if (needs && is_point(body))
+      throw std::invalid_argument("'" + effect.name() + "' needs an orientation, and '" +
+                                  name_of(body) + "' is a point");
+  }
+
+  EffectHandle append_effect(std::shared_ptr<const AnyEffect<Real>> erased, bool everyone,
+                             const std::vector<BodyHandle>& bodies) {
+    const std::string name = erased->name();
+    const std::size_t stride = erased->traits().joins_two() ? 2 : 1;
+    std::unordered_set<BodyIndex> meant_for;
+    if (!everyone && (bodies.empty() || bodies.size() % stride != 0))
+      throw std::invalid_argument("'" + name + "' was given " + std::to_string(bodies.size()) +
+                                  " bodies; it needs " +
+                                  (stride == 2 ? "pairs of them" : "at least one"));
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+      require_top_for(*erased, bodies[i], i);
+      if (stride == 2 && i % 2 == 1 && bodies[i] == bodies[i - 1])
+        throw std::invalid_argument("'" + name + "' joins '" + name_of(bodies[i]) + "' to itself");
+      if (stride == 1 && !meant_for.insert(registry_.index_of(bodies[i])).second)
+        throw std::invalid_argument("'" + name + "' was given '" + name_of(bodies[i]) + "' twice");
+    }
+    change_log_.note("'" + name + "' came");
+    limit_changed_ |= erased->traits().changes_limit();
+    const EffectHandle handle{++last_effect_, registry_.family()};
+    planner_.add_effect({handle, std::move(erased), everyone, bodies, {}}, all());
+    return handle;
+  }
+
   /// Tells of what has changed since the last step.
   void tell_changes() {
-    change_log_.tell(work(), bodies_.size(), ticks_);
-    if (!std::exchange(this->limit_changed_, false)) return;
+    change_log_.tell(work(), registry_.size(), ticks_);
+    if (!std::exchange(limit_changed_, false)) return;
     for (const std::string& warning : warnings())
       if (tell_)
         tell_(warning);
@@ -154,22 +412,30 @@ class World : public Scenery<Real, Keeping> {
 
   template <class Step>
   void step_on_copy(const Step& step) {
-    Bodies<Real> bodies = bodies_.kept().bodies();
-    step(bodies, [this](BodyHandle body) { return bodies_.index_of(body); });
+    Bodies<Real> bodies = backend_.bodies();
+    step(bodies, [this](BodyHandle body) { return registry_.index_of(body); });
     if (const std::optional<BodyIndex> diverged = first_diverged(bodies, work())) stop(*diverged);
-    bodies_.kept().set_bodies(std::move(bodies));
-    marks_.forget_all();
+    backend_.set_bodies(std::move(bodies));
+    checkpoints_.forget_all();
     ++ticks_;
-    planner_.end_inputs(bodies_);
+    planner_.end_inputs(all());
   }
 
   [[noreturn]] void stop(BodyIndex diverged) {
-    throw failure<Real>(bodies_.name_of(diverged), diverged, this->bodies(), work(), ticks_,
+    throw failure<Real>(registry_.name_of(diverged), diverged, bodies(), work(), ticks_,
                         time_step_);
   }
 
   StepLength step_;
+  Real time_step_;
   std::int64_t ticks_ = 0;
+  BodyRegistry registry_;
+  Backend backend_;
+  Planner<Real> planner_;
+  std::uint64_t last_effect_ = 0;
+  Checkpoints<Real> checkpoints_;
+  ChangeLog change_log_;
+  bool limit_changed_ = false;
   std::function<void(const std::string&)> tell_;
 };
 

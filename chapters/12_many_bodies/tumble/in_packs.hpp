@@ -12,17 +12,34 @@ namespace tumble {
 /// Says how a World keeps its bodies, in place of OneByOne: `width` side by side, stepped by as
 /// many threads as you ask for. Every bit of the motion stays the same.
 template <class Real, int width = natural_width<Real>>
-class InPacks {
+class InPacks final : public BodyStore<Real> {
  public:
   /// With fewer bodies than this for each thread, waking one would take longer than doing its
   /// work.
   static constexpr std::size_t smallest_share = 512;
 
-  std::size_t top_count() const { return acts_.bodies.tops.size(); }
-  BodyIndex top_of(BodyIndex body) const { return acts_.bodies.top_of[body]; }
-  BodyIndex body_of(BodyIndex top) const { return acts_.bodies.body_of[top]; }
   Bodies<Real> bodies() const { return unpacked(acts_.bodies); }
-  RigidBody<Real> body(BodyIndex body) const { return body_at(acts_.bodies, body); }
+  void set_bodies(const Bodies<Real>& bodies) { acts_.bodies = packed<Real, width>(bodies); }
+
+  const BodyMap& map() const override { return acts_.bodies; }
+  RigidBody<Real> body(BodyIndex body) const override { return body_at(acts_.bodies, body); }
+  void set_body(BodyIndex body, const RigidBody<Real>& state) override {
+    set_body_at(acts_.bodies, body, state);
+  }
+  void append(const Particle<Real>& centre, const Top<Real>* top) override {
+    tumble::append(acts_.bodies, centre, top);
+  }
+  void take_out(BodyIndex body) override { tumble::take_out(acts_.bodies, body); }
+
+  /// The form in which its steps run an effect or a rule.
+  template <class Effect>
+  static std::shared_ptr<const AnyEffect<Real>> erased(const Effect& effect) {
+    return std::make_shared<const PackedEffectOf<Real, width, Effect>>(effect);
+  }
+  template <class Rule>
+  static std::shared_ptr<const AnyRule<Real>> erased_rule(const Rule& rule) {
+    return std::make_shared<const PackedRuleOf<Real, width, Rule>>(rule);
+  }
 
   /// So many threads take part in each step from now on; without a call, one.
   /// @throws std::invalid_argument if it is not from 1 to 1024; as many as before then do.
@@ -80,37 +97,14 @@ class InPacks {
   }
 
  private:
-  template <class, class>
-  friend class World;
-  template <class, class>
-  friend class NamedBodies;
-  template <class, class>
-  friend class Scenery;
   using Pass = PackedPass<Real, width>;
   static constexpr std::uint32_t packs_in_block = Schedule<Real, width>::packs_in_block;
-
-  template <class Effect>
-  static std::shared_ptr<const AnyEffect<Real>> erased(const Effect& effect) {
-    return std::make_shared<const PackedEffectOf<Real, width, Effect>>(effect);
-  }
-  template <class Rule>
-  static std::shared_ptr<const AnyRule<Real>> erased_rule(const Rule& rule) {
-    return std::make_shared<const PackedRuleOf<Real, width, Rule>>(rule);
-  }
-  void set_bodies(const Bodies<Real>& bodies) { acts_.bodies = packed<Real, width>(bodies); }
-  void set_body(BodyIndex body, const RigidBody<Real>& state) {
-    set_body_at(acts_.bodies, body, state);
-  }
-  BodyIndex append(const Particle<Real>& centre, const Top<Real>* top) {
-    return tumble::append(acts_.bodies, centre, top);
-  }
-  void take_out(BodyIndex body) { tumble::take_out(acts_.bodies, body); }
 
   void prepare(const Work<Real>& work) {
     if (schedule_.version == work.version) return;
     schedule_ = Schedule<Real, width>(work);
     if (pool_.size() > 1) schedule_.keep_threads_apart(acts_.bodies);
-    acts_.past.resize(acts_.bodies.centres.packs().size(), acts_.bodies.tops.packs().size());
+    acts_.undo.resize(acts_.bodies.centres.packs().size(), acts_.bodies.tops.packs().size());
   }
 
   bool is_small(const Stage<Real, width>& stage) const {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <optional>
-#include <tumble/packed_past.hpp>
+#include <tumble/packed_undo_buffer.hpp>
 #include <tumble/schedule.hpp>
 
 namespace tumble {
@@ -14,7 +14,7 @@ template <class Real, int width>
 struct PackedActs {
   using Pass = PackedPass<Real, width>;
   PackedBodies<Real, width> bodies;
-  PackedPast<Real, width> past;
+  PackedUndoBuffer<Real, width> undo;
 
   /// What a pass does to the packs of an array from `begin` to before `end`.
   template <class Array>
@@ -25,10 +25,10 @@ struct PackedActs {
     switch (pass.act) {
       case Act::remember:
         for_each_whole(pass.group, begin, end, [&](std::uint32_t first, std::uint32_t last) {
-          for (std::uint32_t pack = first; pack < last; ++pack) past.remember(array, pack);
+          for (std::uint32_t pack = first; pack < last; ++pack) undo.remember(array, pack);
         });
         for_each_part(pass.group, begin, end,
-                      [&](std::uint32_t pack, const auto&) { past.remember(array, pack); });
+                      [&](std::uint32_t pack, const auto&) { undo.remember(array, pack); });
         return false;
       case Act::kick:
         visit_packs(array, pass.group, begin, end, [h](auto& one) { kick_and_clear(one, h); });
@@ -60,9 +60,9 @@ struct PackedActs {
   /// The body that diverged. All are put back to where they were.
   std::optional<BodyIndex> rolled_back(const Work<Real>& work) {
     const std::optional<BodyIndex> diverged = first_diverged<Real>(bodies, work);
-    work.movers.for_each([&](BodyIndex i) { past.restore(bodies.centres, i); });
+    work.movers.for_each([&](BodyIndex i) { undo.restore(bodies.centres, i); });
     for (const IndexSet* group : {&work.steady, &work.tumbling})
-      group->for_each([&](BodyIndex i) { past.restore(bodies.tops, i); });
+      group->for_each([&](BodyIndex i) { undo.restore(bodies.tops, i); });
     return diverged;
   }
 

@@ -102,10 +102,9 @@ class PackedArray {
 
 /// All bodies of a world, see Bodies.
 template <class Real, int width>
-struct PackedBodies {
+struct PackedBodies : BodyMap {
   PackedArray<Particle, Real, width> centres;
   PackedArray<Top, Real, width> tops;
-  std::vector<BodyIndex> top_of, body_of;
 };
 
 template <class Real, int width>
@@ -113,8 +112,7 @@ PackedBodies<Real, width> packed(const Bodies<Real>& bodies) {
   PackedBodies<Real, width> result;
   for (const Particle<Real>& centre : bodies.centres) result.centres.push_back(centre);
   for (const Top<Real>& top : bodies.tops) result.tops.push_back(top);
-  result.top_of = bodies.top_of;
-  result.body_of = bodies.body_of;
+  static_cast<BodyMap&>(result) = bodies;
   return result;
 }
 
@@ -123,14 +121,8 @@ Bodies<Real> unpacked(const PackedBodies<Real, width>& bodies) {
   Bodies<Real> result;
   for (BodyIndex i = 0; i < bodies.centres.size(); ++i) result.centres.push_back(bodies.centres[i]);
   for (BodyIndex i = 0; i < bodies.tops.size(); ++i) result.tops.push_back(bodies.tops[i]);
-  result.top_of = bodies.top_of;
-  result.body_of = bodies.body_of;
+  static_cast<BodyMap&>(result) = bodies;
   return result;
-}
-
-template <class Real, int width>
-bool is_point(const PackedBodies<Real, width>& bodies, BodyIndex body) {
-  return bodies.top_of[body] == no_index;
 }
 
 /// One body; a point has a top that is locked about every axis.

@@ -3,7 +3,7 @@
 # as one that never heard of them.
 # So does a body at rest, guard and memory for taking back included: 204,800 boxes at rest take as many instructions a step as
 # one, and twelve that fall and tumble as many behind 204,800 at rest as behind 1024.
-# So does a mark, and the way back to it. No step of 200 takes more than twice as many as the median one, and 100,000 bodies load in linear time.
+# So does a checkpoint, and the way back to it. No step of 200 takes more than twice as many as the median one, and 100,000 bodies load in linear time.
 # cmake -DVALGRIND=... -DPROGRAM=... -DSCRATCH=... -P count_instructions.cmake
 file(MAKE_DIRECTORY ${SCRATCH})
 
@@ -54,11 +54,11 @@ if(changes_of_few EQUAL 0 OR changes_of_many GREATER most)
 endif()
 
 # A way back costs what may have moved.
-count(marks_of_few)
-count(marks_of_many)
-math(EXPR most "${marks_of_few} * 5 / 4")
-if(marks_of_few EQUAL 0 OR marks_of_many GREATER most)
-  message(FATAL_ERROR "error: marks cost ${marks_of_many} instructions behind 204,800 bodies at rest, and ${marks_of_few} behind 1024")
+count(checkpoints_of_few)
+count(checkpoints_of_many)
+math(EXPR most "${checkpoints_of_few} * 5 / 4")
+if(checkpoints_of_few EQUAL 0 OR checkpoints_of_many GREATER most)
+  message(FATAL_ERROR "error: checkpoints cost ${checkpoints_of_many} instructions behind 204,800 bodies at rest, and ${checkpoints_of_few} behind 1024")
 endif()
 
 # Each step by itself: valgrind writes a file after each, with its count.

@@ -88,20 +88,20 @@ int count_changes_among(int count) {
   return 0;
 }
 
-/// A mark in each frame, and a way back from the next one.
+/// A checkpoint in each frame, and a way back from the next one.
 template <class AnyWorld>
-[[gnu::noinline]] void marks_that_are_counted(AnyWorld& world) {
+[[gnu::noinline]] void checkpoints_that_are_counted(AnyWorld& world) {
   for (int frame = 0; frame < 20; ++frame) {
-    const Mark<float> mark = world.mark();
+    const Checkpoint<float> checkpoint = world.checkpoint();
     world.step();
-    world.restore(mark);
+    world.restore(checkpoint);
   }
 }
 template <class AnyWorld>
-int count_marks_of(AnyWorld world) {
+int count_checkpoints_of(AnyWorld world) {
   world.step();
-  world.mark();  // of all bodies
-  marks_that_are_counted(world);
+  world.checkpoint();  // of all bodies
+  checkpoints_that_are_counted(world);
   return 0;
 }
 
@@ -163,9 +163,9 @@ int count_steps_of(AnyWorld world) {
 /// idle_effects never|idle|needed: steps a world that never heard of most effects; or has them and
 /// needs none; or has one that it needs. With one|many|few|few_of_many it steps one box at rest,
 /// 200 blocks of 1024 of them, 12 active boxes behind one such block, and behind all; with
-/// packs_one and so on the same in packs. changes_of_ and marks_of_ few or many change bodies, or
-/// take the world back to a mark, among as many. each and packs_each step a mixed scene 200 times;
-/// load_few, load_many and so on load 10,000 boxes or 100,000.
+/// packs_one and so on the same in packs. changes_of_ and checkpoints_of_ few or many change
+/// bodies, or take the world back to a checkpoint, among as many. each and packs_each step a mixed
+/// scene 200 times; load_few, load_many and so on load 10,000 boxes or 100,000.
 int main(int argument_count, char** arguments) {
   const std::string_view kind = argument_count == 2 ? arguments[1] : "";
   const int block = 1024, many = 200 * block;
@@ -179,8 +179,8 @@ int main(int argument_count, char** arguments) {
   if (kind == "packs_many") return count_steps_of(boxes<ManyBodies<float>>(many, 0));
   if (kind == "packs_few") return count_steps_of(boxes<ManyBodies<float>>(block, 12));
   if (kind == "packs_few_of_many") return count_steps_of(boxes<ManyBodies<float>>(many, 12));
-  if (kind == "marks_of_few") return count_marks_of(boxes<World<float>>(block, 12));
-  if (kind == "marks_of_many") return count_marks_of(boxes<World<float>>(many, 12));
+  if (kind == "checkpoints_of_few") return count_checkpoints_of(boxes<World<float>>(block, 12));
+  if (kind == "checkpoints_of_many") return count_checkpoints_of(boxes<World<float>>(many, 12));
   if (kind == "each") return count_each_step<World<float>>(200);
   if (kind == "packs_each") return count_each_step<ManyBodies<float>>(200);
   if (kind == "load_few") return count_loading<World<float>>(10'000);
@@ -196,7 +196,7 @@ int main(int argument_count, char** arguments) {
     std::fputs(
         "usage: idle_effects "
         "never|idle|needed|[packs_](one|many|few|few_of_many|each|load_few|load_many)|"
-        "(changes|marks)_of_(few|many)\n",
+        "(changes|checkpoints)_of_(few|many)\n",
         stderr);
     return 2;
   }

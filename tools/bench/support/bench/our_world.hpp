@@ -11,7 +11,7 @@
 namespace tumble::support::bench {
 
 /// Our world in one of the scenes, by default with its bodies in packs.
-template <class Real, class Keeping = InPacks<Real>>
+template <class Real, class Backend = InPacks<Real>>
 class OurWorld {
  public:
   static constexpr int most_threads = 2;
@@ -33,8 +33,8 @@ class OurWorld {
         world_.add(std::to_string(n), body.centre);
     }
     add_effects(setting.scene, vector_of<Real>(torque));
-    if constexpr (requires { world_.keeping().use_threads(1); })
-      world_.keeping().use_threads(setting.threads);
+    if constexpr (requires { world_.backend().use_threads(1); })
+      world_.backend().use_threads(setting.threads);
   }
 
   void run(int steps) {
@@ -67,7 +67,7 @@ class OurWorld {
     if (has_tops(scene)) world_.add(AngularDamping<Real>{.rate = rate});
   }
 
-  World<Real, Keeping> world_;
+  World<Real, Backend> world_;
 };
 
 }  // namespace tumble::support::bench

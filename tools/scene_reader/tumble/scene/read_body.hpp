@@ -118,8 +118,8 @@ void require_rounded(const RigidBody<double>& body, const RigidBody<Real>& round
 }
 
 /// Adds one body of the pattern. @return the pose of its model in it
-template <class Real, class Keeping>
-Posed add_body(World<Real, Keeping>& world, const std::string& name, const BodyPattern& pattern) {
+template <class Real, class Backend>
+Posed add_body(World<Real, Backend>& world, const std::string& name, const BodyPattern& pattern) {
   if (pattern.is_point) {
     RigidBody<double> point;
     point.centre = make_particle(pattern.properties.mass, pattern.pose.position, pattern.velocity);
@@ -141,8 +141,8 @@ Posed add_body(World<Real, Keeping>& world, const std::string& name, const BodyP
 }
 
 /// Reads one element of "bodies" and adds what it stands for.
-template <class Real, class Keeping>
-void read_body(const Object& object, Scene<Real, Keeping>& scene, const SceneChanges& changes) {
+template <class Real, class Backend>
+void read_body(const Object& object, Scene<Real, Backend>& scene, const SceneChanges& changes) {
   BodyModel model;
   BodyPattern pattern = read_pattern(object, model);
   model.name = pattern.name;

@@ -27,8 +27,8 @@ struct Targets {
 };
 
 /// Finds the bodies that a text names: one body, or all copies of one element.
-template <class Real, class Keeping>
-Targets find_targets(const Value& name, const Scene<Real, Keeping>& scene) {
+template <class Real, class Backend>
+Targets find_targets(const Value& name, const Scene<Real, Backend>& scene) {
   const std::string word = name.text();
   std::vector<std::string_view> known;
   for (std::size_t m = 0; m < scene.models.size(); ++m) {
@@ -49,8 +49,8 @@ Targets find_targets(const Value& name, const Scene<Real, Keeping>& scene) {
 }
 
 /// What "bodies" names.
-template <class Real, class Keeping>
-std::vector<Targets> read_targets(const Value& list, const Scene<Real, Keeping>& scene) {
+template <class Real, class Backend>
+std::vector<Targets> read_targets(const Value& list, const Scene<Real, Backend>& scene) {
   list.list("names of bodies");
   std::vector<Targets> all;
   std::set<std::uint32_t> seen;
@@ -64,8 +64,8 @@ std::vector<Targets> read_targets(const Value& list, const Scene<Real, Keeping>&
 }
 
 /// An effect that means the same to every body: for those that "bodies" names, or for all.
-template <class Real, class Keeping, class Effect>
-void add_for_all(const Object& object, Scene<Real, Keeping>& scene, const Effect& effect) {
+template <class Real, class Backend, class Effect>
+void add_for_all(const Object& object, Scene<Real, Backend>& scene, const Effect& effect) {
   const std::string name = object.has("name") ? object["name"].text() : std::string(Effect::name);
   const Named<Effect> named{effect, name};
   if (!object.has("bodies")) {
@@ -80,8 +80,8 @@ void add_for_all(const Object& object, Scene<Real, Keeping>& scene, const Effect
 
 /// An effect that is fixed to a place of the body, which the file gives in the model's axes. Each
 /// model has its own body axes, so each gets its own effect.
-template <class Real, class Keeping, class MakeEffect>
-void add_for_each_model(const Object& object, Scene<Real, Keeping>& scene,
+template <class Real, class Backend, class MakeEffect>
+void add_for_each_model(const Object& object, Scene<Real, Backend>& scene,
                         const MakeEffect& effect_for) {
   for (const Targets& targets : read_targets(object["bodies"], scene)) {
     auto effect = effect_for(scene.models[targets.model].model_in_body);
@@ -113,8 +113,8 @@ inline DrawnEnd drawn_end(const Object& object, std::string_view key, const Pose
   return {object.vector(key, inverse(model_in_body).position), body};
 }
 
-template <class Real, class Keeping>
-void read_spring_between(const Object& object, Scene<Real, Keeping>& scene) {
+template <class Real, class Backend>
+void read_spring_between(const Object& object, Scene<Real, Backend>& scene) {
   const auto one_body = [&](std::string_view key) {
     Targets targets = find_targets(object[key], scene);
     if (targets.bodies.size() != 1)
@@ -139,8 +139,8 @@ void read_spring_between(const Object& object, Scene<Real, Keeping>& scene) {
   scene.springs.push_back({end("attachment_first", first), end("attachment_second", second)});
 }
 
-template <class Real, class Keeping>
-void read_spring_to_point(const Object& object, Scene<Real, Keeping>& scene) {
+template <class Real, class Backend>
+void read_spring_to_point(const Object& object, Scene<Real, Backend>& scene) {
   const Spring<Real> spring = read_spring<Real>(object);
   const Vec3d anchor = object.vector("anchor");
   add_for_each_model(object, scene, [&](const Posed& model_in_body) {
@@ -166,8 +166,8 @@ inline std::pair<double, double> read_running(const Object& object) {
   return {from, until};
 }
 
-template <class Real, class Keeping>
-void read_thruster(const Object& object, Scene<Real, Keeping>& scene) {
+template <class Real, class Backend>
+void read_thruster(const Object& object, Scene<Real, Backend>& scene) {
   const auto running = read_running(object);
   const Vec3d force = object.vector("force"), point = object.vector("point");
   scene.switches.insert(scene.switches.end(), {running.first, running.second});
@@ -180,8 +180,8 @@ void read_thruster(const Object& object, Scene<Real, Keeping>& scene) {
   });
 }
 
-template <class Real, class Keeping>
-void read_reaction_wheel(const Object& object, Scene<Real, Keeping>& scene) {
+template <class Real, class Backend>
+void read_reaction_wheel(const Object& object, Scene<Real, Backend>& scene) {
   const auto running = read_running(object);
   const Vec3d direction = object["axis"].vector();
   if (direction == Vec3d::Zero()) object["axis"].reject("it needs a direction");
@@ -200,8 +200,8 @@ void read_reaction_wheel(const Object& object, Scene<Real, Keeping>& scene) {
 }
 
 /// Reads one element of "effects" and adds it to the world.
-template <class Real, class Keeping>
-void read_effect(const Value& value, Scene<Real, Keeping>& scene) {
+template <class Real, class Backend>
+void read_effect(const Value& value, Scene<Real, Backend>& scene) {
   const Object object = object_of_kind(value, "effect", "kind", effect_kinds);
   const std::string_view kind = object.kind();
   if (object.has("name")) {

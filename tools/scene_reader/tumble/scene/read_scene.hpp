@@ -10,8 +10,8 @@ namespace tumble {
 
 /// What read_scene() does before the turning method is chosen; `turning_methods` are the names that
 /// the file may use. Defined in read_scene_text.hpp.
-template <class Real, class Keeping>
-Scene<Real, Keeping> read_scene_text(std::string_view text, const std::string& file,
+template <class Real, class Backend>
+Scene<Real, Backend> read_scene_text(std::string_view text, const std::string& file,
                                      const SceneChanges& changes,
                                      std::span<const std::string> turning_methods);
 
@@ -19,11 +19,11 @@ Scene<Real, Keeping> read_scene_text(std::string_view text, const std::string& f
 /// call it. `Rules` are the turning methods that it can name, see TurningRules: more of them are in
 /// chapter 13's turning_rungs.hpp.
 /// @throws SceneError with the file, the pointer and what is wrong there. Nothing is left behind.
-template <class Real, class Keeping = OneByOne<Real>, class Rules = FirstTurningRules>
-Scene<Real, Keeping> read_scene(std::string_view text, const std::string& file,
+template <class Real, class Backend = OneByOne<Real>, class Rules = FirstTurningRules>
+Scene<Real, Backend> read_scene(std::string_view text, const std::string& file,
                                 const SceneChanges& changes = {}) {
-  Scene<Real, Keeping> scene =
-      read_scene_text<Real, Keeping>(text, file, changes, turning_method_words<Rules>());
+  Scene<Real, Backend> scene =
+      read_scene_text<Real, Backend>(text, file, changes, turning_method_words<Rules>());
   if (scene.turning_method) Rules::choose(scene.world, *scene.turning_method);
   return scene;
 }

@@ -15,14 +15,14 @@ inline StepLength read_step(const Object& object) {
 }
 
 //! [read_scene]
-template <class Real, class Keeping>
-Scene<Real, Keeping> read_scene_text(std::string_view text, const std::string& file,
+template <class Real, class Backend>
+Scene<Real, Backend> read_scene_text(std::string_view text, const std::string& file,
                                      const SceneChanges& changes,
                                      std::span<const std::string> turning_methods) {
   const nlohmann::json json = parse_json(text, file);
   const Reading reading{file, range_of<Real>()};
   const Object object = object_called(Value(reading, "", json), "scene");
-  Scene<Real, Keeping> scene{.title = object.text("title", file),
+  Scene<Real, Backend> scene{.title = object.text("title", file),
                              .description = object.text("description", "")};
   scene.duration = object["duration"].positive();
   if (scene.duration > longest_duration)
@@ -30,7 +30,7 @@ Scene<Real, Keeping> read_scene_text(std::string_view text, const std::string& f
 
   StepLength step;
   if (object.has("step")) step = read_step(object_called(object["step"], "step"));
-  scene.world = World<Real, Keeping>(changes.step.value_or(step));
+  scene.world = World<Real, Backend>(changes.step.value_or(step));
   if (object.has("turning_method"))
     scene.turning_method = object["turning_method"].one_of("method", turning_methods);
   if (changes.turning_method) scene.turning_method = changes.turning_method;

@@ -30,12 +30,12 @@ struct DrawnEnd {
 
 /// A world to simulate, and what the file says beside it.
 //! [scene]
-template <class Real, class Keeping = OneByOne<Real>>
+template <class Real, class Backend = OneByOne<Real>>
 struct Scene {
   std::string title, description;                  ///< without a title: what errors call the file
   double duration = 0;                             ///< s
   std::optional<std::size_t> turning_method = {};  ///< its number in the list that it was read with
-  World<Real, Keeping> world = World<Real, Keeping>();
+  World<Real, Backend> world = World<Real, Backend>();
   std::vector<BodyModel> models = {};  ///< in the order of the file
   std::vector<std::array<DrawnEnd, 2>> springs = {};
   std::vector<double> switches = {};  ///< when thrusters and motors start and stop, s
