@@ -390,5 +390,5 @@ TEST_CASE("Of two controllers the one is named that pulls harder, where a damper
   world.add(Steering<double>{Mat3d::Zero(), Mat3d::Identity(), {}}, {handle});
   const StepLimit<double> limit = world.step_limit();
   CHECK(std::abs(limit.time_step - 8.0 / 7) <= 16 * unit_roundoff<double>);
-  CHECK(limit.entry == 1);
+  CHECK(limit.effect == 1);
 }

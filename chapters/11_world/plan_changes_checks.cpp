@@ -47,7 +47,7 @@ std::size_t visited(const AnyWorld& world, const std::string& name) {
 /// How many effects a phase runs.
 template <class AnyWorld>
 std::size_t runs(const AnyWorld& world, Phase phase) {
-  return world.work().in_phase[static_cast<std::size_t>(phase)].size();
+  return world.step_plan().in_phase[static_cast<std::size_t>(phase)].size();
 }
 
 }  // namespace
@@ -237,8 +237,8 @@ TEST_CASE_TEMPLATE("A torque calls for no drift, a force for no turn, and a plan
 TEST_CASE_TEMPLATE("Whatever may change the work of a step gives it a new number", Real,
                    EVERY_PRECISION) {
   World<Real> world;
-  std::uint64_t before = world.work().version;
-  const auto is_new = [&] { return std::exchange(before, world.work().version) != before; };
+  std::uint64_t before = world.step_plan().version;
+  const auto is_new = [&] { return std::exchange(before, world.step_plan().version) != before; };
   const BodyHandle box = world.add("box", box_body<Real>({0, 0, 0}));
   CHECK(is_new());
   world.add("stone", make_particle<Real>(1));

@@ -33,7 +33,7 @@ World<double> disc_at(double spin, double time_step) {
 double energy_of(const World<double>& world) {
   const RigidBody<double> disc = world.body(world.handle_at(0));
   double sum = kinetic_energy(disc.centre) + kinetic_energy(disc.top);
-  for (const Entry<double>& entry : world.effects())
+  for (const EffectInstance<double>& entry : world.effects())
     sum += entry.effect->potential_energy({disc.centre, disc.top}, {disc.centre, disc.top});
   return sum;
 }

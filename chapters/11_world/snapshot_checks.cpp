@@ -150,7 +150,7 @@ TEST_CASE_TEMPLATE("A checkpoint holds the place where an effect, since removed,
   const EffectHandle effect = world.add(Elsewhere<Real>{}, {body});
   world.step();
   world.remove(effect);  // the body has no velocity: nothing can move it now
-  CHECK(world.work().movers.empty());
+  CHECK(world.step_plan().moving.empty());
   const Checkpoint<Real> checkpoint = world.checkpoint();
   world.set_position(body, {1, 2, 3});
   world.restore(checkpoint);

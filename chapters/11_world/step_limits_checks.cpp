@@ -191,7 +191,7 @@ TEST_CASE_TEMPLATE("Springs and dampers at either end of a spring add to what li
   CHECK(bound > left * (joint + left));
   CHECK(bound > right * (joint + right) / 4);
   const Real expected = h * 4 / bound;
-  CHECK(limit.entry == 0);
+  CHECK(limit.effect == 0);
   CHECK(std::abs(limit.time_step - expected) <= 64 * unit_roundoff<Real> * expected);
   // The truth is the larger eigenvalue of h² K + 2 h C, with two coordinates in units of √m.
   const auto strongest = [](Real step) {

@@ -384,7 +384,7 @@ TEST_CASE("A world that goes back to rest forgets what could have moved its bodi
       world.restore(mark);
     else
       world.restore(snapshot);
-    CHECK(world.work().movers.size() == 0);
+    CHECK(world.step_plan().moving.size() == 0);
     world.step();
     CHECK(world.body(stone).centre.position.isZero(0));
     world.set_velocity(stone, {1, 0, 0});

@@ -52,7 +52,7 @@ void step_of_net(benchmark::State& state, int threads) {
 void schedule(benchmark::State& state, int fixed) {
   const auto world = boxes(fixed);
   for (auto _ : state) {
-    Schedule<float, natural_width<float>> made(world.work());
+    Schedule<float, natural_width<float>> made(world.step_plan());
     benchmark::DoNotOptimize(made);
   }
 }

@@ -188,33 +188,33 @@ TEST_CASE_TEMPLATE(
   });
   world.push_at(world.handle_at(0), {1, 2, 3}, {0, 1, 0});
   auto in_parts = world;
-  const Work<Real>& work = in_parts.work();
-  const auto parts = in_parts.backend().parts(work);
+  const StepPlan<Real>& plan = in_parts.step_plan();
+  const auto parts = in_parts.backend().parts(plan);
   const StepTime<Real> moment = in_parts.step_time();
   std::map<std::string, std::size_t> bodies;
   for (std::size_t part = 0; part < parts.size(); ++part) {
     bodies[parts[part].name] += parts[part].bodies;
-    in_parts.backend().run_part(work, part, moment);
+    in_parts.backend().run_part(plan, part, moment);
   }
   CHECK(parts.front().name == "memory of centres");
   CHECK(parts.back().name == "guard of tops");
   world.step();
   CHECK(same_motion(world.bodies(), in_parts.bodies()));
-  const std::size_t turning = work.steady.size() + work.tumbling.size();
+  const auto visited = [&](std::size_t motion) { return plan.motions[motion].members.size(); };
   CHECK(bodies ==
-        std::map<std::string, std::size_t>{{"memory of centres", work.movers.size()},
-                                           {"memory of tops", turning},
-                                           {"gravity", work.effects[0].visits.size()},
-                                           {"Magnus force", work.effects[2].visits.size()},
+        std::map<std::string, std::size_t>{{"memory of centres", plan.moving.size()},
+                                           {"memory of tops", plan.turning.size()},
+                                           {"gravity", plan.effects[0].members.size()},
+                                           {"Magnus force", plan.effects[2].members.size()},
                                            {"input", 1},
-                                           {"kick", work.pushed.size()},
-                                           {"kick of the spin", work.torqued.size()},
+                                           {"kick", visited(0)},
+                                           {"kick of the spin", visited(1)},
                                            {"linear damping", 1},
-                                           {"drift", work.movers.size()},
-                                           {"steady turning", work.steady.size()},
-                                           {"tumbling: splitting", work.tumbling.size()},
-                                           {"guard of centres", work.movers.size()},
-                                           {"guard of tops", turning}});
+                                           {"drift", visited(2)},
+                                           {"steady turning", visited(3)},
+                                           {"tumbling: splitting", visited(4)},
+                                           {"guard of centres", plan.moving.size()},
+                                           {"guard of tops", plan.turning.size()}});
 }
 
 namespace {
@@ -262,11 +262,11 @@ TEST_CASE_TEMPLATE("A world in packs can be stepped by reference, and a part of 
   plain.step();
   by_reference.step_by_reference();
   CHECK(same_motion(plain.bodies(), by_reference.bodies()));
-  const auto parts = in_part.backend().parts(in_part.work());
+  const auto parts = in_part.backend().parts(in_part.step_plan());
   for (std::size_t part = 0; part < parts.size(); ++part)
     if (parts[part].name == "drift") {
       CHECK(parts[part].bodies == 37);
-      in_part.backend().run_part(in_part.work(), part, in_part.step_time());
+      in_part.backend().run_part(in_part.step_plan(), part, in_part.step_time());
     }
   for (BodyIndex i = 0; i < 37; ++i) {
     const RigidBody<Real> drifted = in_part.body(in_part.handle_at(i));
@@ -302,16 +302,16 @@ TEST_CASE_TEMPLATE("A row of passes takes the blocks in which it has members, an
       {{3, 4}, {3 * block, 5 * block}, {7 * block + 1, 7 * block + 2}},
       {{block * block + block - 1, block * block + 2 * block + 1}}};  // far from the first
   for (const std::vector<WholePacks>& runs : cases) {
-    Work<Real> work;
+    StepPlan<Real> plan;
     std::vector<std::uint32_t> expected;
     for (const WholePacks& run : runs)
       for (std::uint32_t pack = run.begin; pack < run.end; ++pack) {
         for (BodyIndex body = pack * width; body < (pack + 1) * width; ++body)
-          work.movers.insert(body);
+          plan.moving.insert(body);
         const std::uint32_t first = pack - pack % block;
         if (expected.empty() || expected.back() != first) expected.push_back(first);
       }
-    const Schedule<Real, width> schedule(work);
+    const Schedule<Real, width> schedule(plan);
     REQUIRE(schedule.stages.size() == 1);
     CHECK(schedule.stages[0].on_centres.blocks == expected);
     CHECK(schedule.stages[0].on_tops.blocks.empty());

@@ -72,6 +72,7 @@ TEST_CASE(
     "In packs a wheel is four parts of each drift: it joins, turns the body twice, and leaves") {
   auto world = with_wheels<float>(ManyBodies<float>(steps_per_second(60)), Scheme::verlet, 70);
   int parts = 0;
-  for (const PackedPart& part : world.backend().parts(world.work())) parts += part.name == "second";
+  for (const PackedPart& part : world.backend().parts(world.step_plan()))
+    parts += part.name == "second";
   CHECK(parts == 2 * 4);
 }

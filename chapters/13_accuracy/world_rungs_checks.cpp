@@ -19,8 +19,8 @@ TEST_CASE_TEMPLATE("A world turns by the rung of the ladder that its scene names
     world.step();
     rung.turn(top, Real(0.1));
     CHECK(world.turning_method() == rung.name);
-    CHECK(world.work().rule->order() == rung.claims.order);
-    CHECK(world.work().rule->is_symmetric() == rung.claims.reverses);
+    CHECK(tumbling_of(world.step_plan()).effect->traits().order == rung.claims.order);
+    CHECK(tumbling_of(world.step_plan()).effect->traits().is_symmetric == rung.claims.reverses);
     const Top<Real>& turned = world.bodies().tops[0];
     CHECK(same_bits(turned.orientation.imaginary, top.orientation.imaginary));
     CHECK(same_bits(turned.angular_momentum_body, top.angular_momentum_body));

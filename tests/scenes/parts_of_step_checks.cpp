@@ -24,7 +24,7 @@ TEST_CASE("The parts of a step are the lines of its plan that visit somebody") {
     std::string lines, parts;
     for (const PlanRow& row : world.plan().rows)
       if (row.visited > 0) lines += row.effect + '\n';
-    for (const simulate::PartOfStep& part : simulate::parts_of(world.work()))
+    for (const simulate::PartOfStep& part : simulate::parts_of(world.step_plan()))
       parts += part.name + '\n';
     CHECK(parts == lines);
   }
@@ -36,14 +36,14 @@ TEST_CASE(
   for (const std::filesystem::path& path : shipped_scenes()) {
     CAPTURE(path.stem().string());
     World<double> world = world_of(path);
-    if (world.work().portions.size() != 3) continue;  // of another scheme
+    if (world.step_plan().portions.size() != 3) continue;  // of another scheme
     ++compared;
     // What a wheel does on both sides of the turning is one part, which no order of parts can be.
     for (const auto& entry : std::vector(world.effects()))
       if (entry.effect->phase() == Phase::turn) world.remove(entry.handle);
     Bodies<double> bodies = world.bodies();
     for (int step = 0; step < 2; ++step) {
-      for (const simulate::PartOfStep& part : simulate::parts_of(world.work())) {
+      for (const simulate::PartOfStep& part : simulate::parts_of(world.step_plan())) {
         CHECK(part.times == 1);
         part.act(bodies, world.step_time());
       }
@@ -58,7 +58,7 @@ TEST_CASE(
     "In a step of Suzuki's forces and kicks occur five times, drifts and turns ten, damping once") {
   World<double> world = world_of(scenes_folder() / "everything.json");
   world.step_by(Scheme::suzuki);
-  const std::vector<simulate::PartOfStep> parts = simulate::parts_of(world.work());
+  const std::vector<simulate::PartOfStep> parts = simulate::parts_of(world.step_plan());
   for (const std::string name : {"gravity", "kick", "kick of the spin", "reaction wheel", "drift",
                                  "steady turning", "tumbling: splitting", "linear damping"}) {
     CAPTURE(name);

@@ -28,9 +28,9 @@ std::vector<Snapshot> run_in_pieces(const SceneWith& scene_with, const Frames& f
     const double h = (end - begin) / static_cast<double>(steps);
     for (long n = 0; n < steps; ++n) {
       const double time = begin + static_cast<double>(n) * h;
-      if (const auto lost = kept.step(world.work(), {time, h}))
+      if (const auto lost = kept.step(world.step_plan(), {time, h}))
         throw failure<double>(world.name_of(world.handle_at(*lost)), *lost, kept.bodies(),
-                              world.work(), std::lround(time / h), h);
+                              world.step_plan(), std::lround(time / h), h);
     }
   };
   std::vector<Snapshot> snapshots;

@@ -82,9 +82,10 @@ void append(SceneCandidates& made, const std::filesystem::path& file, const Fram
             const std::shared_ptr<const Reference>& reference) {
   World<Real> world = scene_with<Real>(file, steps_per_second(frames.rate), {}).world;
   const std::string chosen = world.turning_method();
-  const bool tumbles = !world.work().tumbling.empty();
-  const bool is_kicked =
-      !world.work().pushed.empty() || !world.work().in_phase[std::size_t(Phase::kick)].empty();
+  const bool tumbles = tumbling_of(world.step_plan()).members.size() > 0;
+  const bool is_kicked = std::any_of(world.flags().begin(), world.flags().end(),
+                                     [](const BodyFlags& flags) { return flags.is_pushed; }) ||
+                         !world.step_plan().in_phase[std::size_t(Phase::kick)].empty();
   for (std::size_t method = 0; method < support::SceneRules::names.size(); ++method) {
     const std::string_view name = support::SceneRules::names[method];
     if (!tumbles && name != chosen) continue;  // without a tumbling body they are all the same
@@ -101,7 +102,8 @@ void append(SceneCandidates& made, const std::filesystem::path& file, const Fram
       if (scheme != Scheme::semi_implicit_euler)
         candidate.scheme = scheme_words()[std::size_t(scheme)];
       candidate.precision = std::string(range_of<Real>().precision);
-      candidate.order = is_kicked ? promised : world.work().rule->order().value_or(1);
+      candidate.order =
+          is_kicked ? promised : tumbling_of(world.step_plan()).effect->traits().order.value_or(1);
       made.candidates.push_back(std::move(candidate));
     }
   }

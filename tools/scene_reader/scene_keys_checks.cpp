@@ -22,7 +22,7 @@ RigidBody<double> body_called(const Scene<double>& scene, const std::string& nam
 }
 
 /// A scene's one effect and whom it is for.
-const Entry<double>& only_effect(const Scene<double>& scene) {
+const EffectInstance<double>& only_effect(const Scene<double>& scene) {
   REQUIRE(scene.world.effects().size() == 1);
   return scene.world.effects()[0];
 }
@@ -381,7 +381,7 @@ TEST_CASE("A spring between bodies holds each where the file says, in that body'
         "stiffness": 10, "damping": 7, "rest_length": 1, "only_pulls": true, "name": "chain",
         "attachment_first": [0.5, 1, 0], "attachment_second": [0, 0.5, 1])"));
   const Scene<double> scene = read(text);
-  const Entry<double>& entry = only_effect(scene);
+  const EffectInstance<double>& entry = only_effect(scene);
   CHECK(entry.effect->name() == "chain");
   const Bodies<double>& all = scene.world.bodies();
   const PairPush<double> push = push_on(*entry.effect, state_of(all, 0), state_of(all, 1), 0.0);
@@ -449,7 +449,7 @@ TEST_CASE("An effect is for the bodies that it names, one copy among them, or fo
   const auto indices = [&](const std::string& more) {
     const Scene<double> scene =
         read(scene_of(bodies, effect("gravity", R"("acceleration": [0, 0, -1])" + more)));
-    const Entry<double>& entry = only_effect(scene);
+    const EffectInstance<double>& entry = only_effect(scene);
     CHECK(entry.everyone == entry.targets.empty());
     std::vector<BodyIndex> list;
     for (const BodyHandle& handle : entry.targets) list.push_back(scene.world.index_of(handle));

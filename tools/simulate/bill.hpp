@@ -23,7 +23,7 @@ class Bill {
   /// `most_steps` is how many steps are known to succeed.
   Bill(World<Real, Backend> world, std::int64_t most_steps)
       : world_(std::move(world)),
-        parts_(world_.backend().parts(world_.work())),
+        parts_(world_.backend().parts(world_.step_plan())),
         passes_(parts_.size()) {
     samples_.resize(passes_ + 1);
     steps_in_round_ = 1;
@@ -80,7 +80,7 @@ class Bill {
       const StepTime<Real> moment = step_time_of(world_.ticks() + step, world_.time_step());
       for (std::size_t i = 0; i < passes_; ++i) {
         const Clock::time_point before = Clock::now();
-        measured.backend().run_part(measured.work(), i, moment);
+        measured.backend().run_part(measured.step_plan(), i, moment);
         times[i] += nanoseconds(Clock::now() - before);
       }
       const Clock::time_point before = Clock::now();

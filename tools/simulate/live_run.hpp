@@ -71,7 +71,7 @@ class LiveRun {
   void run_part(int part, int rounds, int steps) const {
     const StepTime<double> moment = start_.step_time();
     const std::int64_t most = std::min<std::int64_t>(steps, steps_);
-    const std::vector<PartOfStep> parts = parts_of(start_.work());
+    const std::vector<PartOfStep> parts = parts_of(start_.step_plan());
     for (int round = 0; round < rounds; ++round) {
       if (part < 0) {
         World<double> world = start_;
@@ -83,7 +83,7 @@ class LiveRun {
       }
     }
   }
-  int part_count() const { return static_cast<int>(parts_of(start_.work()).size()); }
+  int part_count() const { return static_cast<int>(parts_of(start_.step_plan()).size()); }
 
  private:
   static constexpr std::int64_t bodies_of_a_part = 200;

@@ -46,25 +46,26 @@ std::string difference_in_value(const Bodies<Real>& plan, const Bodies<Real>& ot
 /// motion.
 template <class Real>
 void settle(World<Real>& world) {
-  IndexSet one;
-  one.insert(0);
+  Members one;
+  one.indices.insert(0);
+  Bodies<Real> alone;
   for (BodyIndex body = 0; body < world.body_count(); ++body) {
     const BodyHandle handle = world.handle_at(body);
     if (world.is_point(handle)) continue;
-    std::vector<Top<Real>> tops = {world.body(handle).top};
-    const Vec3<Real> start = tops[0].orientation.imaginary;
+    alone.tops = {world.body(handle).top};
+    Top<Real>& top = alone.tops[0];
+    const Vec3<Real> start = top.orientation.imaginary;
     for (int round = 1; round <= 1000; ++round) {
-      tops[0].angular_momentum_body.setZero();
-      const Quaternion<Real> before = tops[0].orientation;
-      world.work().rule->turn(tops, one, world.time_step());
-      if (before.real == tops[0].orientation.real &&
-          before.imaginary == tops[0].orientation.imaginary)
+      top.angular_momentum_body.setZero();
+      const Quaternion<Real> before = top.orientation;
+      tumbling_of(world.step_plan()).effect->run(alone, one, world.step_time());
+      if (before.real == top.orientation.real && before.imaginary == top.orientation.imaginary)
         break;
       if (round % 10 == 0)  // it goes in a circle: from somewhere else
-        tops[0].orientation =
+        top.orientation =
             quaternion_of_rotation_vector<Real>(Vec3<Real>::Constant(1 / Real(round))) * before;
     }
-    if (tops[0].orientation.imaginary != start) world.set_orientation(handle, tops[0].orientation);
+    if (top.orientation.imaginary != start) world.set_orientation(handle, top.orientation);
   }
 }
 

@@ -19,8 +19,8 @@ Push<Real> push_on(const AnyEffect<Real>& effect, const BodyState<Real>& body, R
   Bodies<Real> bodies;
   const Top<Real> top = free_to_turn(body.top);
   append(bodies, body.centre, &top);
-  Visits one;
-  one.group.insert(0);
+  Members one;
+  one.indices.insert(0);
   effect.run(bodies, one, {time, 1});
   const Vec3<Real> gained = bodies.centres[0].velocity - body.centre.velocity;
   return {.force = bodies.centres[0].force + mass_of(body.centre) * gained,

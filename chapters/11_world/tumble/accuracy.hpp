@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <string>
-#include <tumble/work.hpp>
+#include <tumble/motions.hpp>
 #include <vector>
 
 namespace tumble {
@@ -40,29 +40,31 @@ std::string why_first_order(const AnyEffect<Real>& effect) {
 /// one that is off by up to h^(s+1), and so the velocity by h^(s+2). However few such steps there
 /// are, they leave no higher order than s + 2.
 template <class Real>
-Accuracy accuracy_of(const Work<Real>& work) {
-  Accuracy accuracy{work.scheme, order_of(work.scheme)};
+Accuracy accuracy_of(const StepPlan<Real>& plan) {
+  Accuracy accuracy{plan.scheme, order_of(plan.scheme)};
   const int wanted = accuracy.order;
   const auto limit_to = [&](int order, const std::string& why) {
     if (order >= wanted) return;
     accuracy.order = std::min(accuracy.order, order);
     accuracy.limits.push_back(why);
   };
-  for (const Entry<Real>& entry : work.effects)
-    if (entry.visits.size() > 0) {
-      const EffectTraits<Real>& traits = entry.effect->traits();
-      if (const std::string why = why_first_order(*entry.effect); !why.empty())
+  for (const EffectInstance<Real>& instance : plan.effects)
+    if (instance.members.size() > 0) {
+      const EffectTraits<Real>& traits = instance.effect->traits();
+      if (const std::string why = why_first_order(*instance.effect); !why.empty())
         limit_to(1, why);
       else
         limit_to(traits.smoothness + 2, "'" + traits.name + "' has a kink");
     }
-  if (work.tumbling.empty()) return accuracy;
-  const AnyRule<Real>& rule = *work.rule;
-  const std::string turning = "turning by " + rule.name();
-  if (!rule.order())
+  for (std::size_t i = own_motions; i < plan.motions.size(); ++i)
+    limit_to(1, "'" + plan.motions[i].effect->name() + "' does not say its order");
+  if (tumbling_of(plan).members.size() == 0) return accuracy;
+  const EffectTraits<Real>& rule = tumbling_of(plan).effect->traits();
+  const std::string turning = "turning by " + turning_method_of(plan);
+  if (!rule.order)
     limit_to(0, turning + " does not say its order");
-  else if (*rule.order() < 2 || !rule.is_symmetric())  // else it gets the scheme's, see Suzuki
-    limit_to(*rule.order(), turning + " is of order " + std::to_string(*rule.order()));
+  else if (*rule.order < 2 || !rule.is_symmetric)  // else it gets the scheme's, see Suzuki
+    limit_to(*rule.order, turning + " is of order " + std::to_string(*rule.order));
   return accuracy;
 }
 

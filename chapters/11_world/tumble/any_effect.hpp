@@ -18,9 +18,9 @@ class AnyEffect {
   const EffectTraits<Real>& traits() const { return traits_; }
   const std::string& name() const { return traits_.name; }
   Phase phase() const { return traits_.phase; }
-  /// Runs the effect's function on a group or on pairs.
-  virtual void run(Bodies<Real>& bodies, const Visits& visits,
-                   const StepTime<Real>& moment) const = 0;
+  /// Runs the effect's function on bodies one by one, or on pairs.
+  virtual void run(Bodies<Real>& bodies, const Members& members,
+                   const StepTime<Real>& at) const = 0;
   /// Empty if the body needs the effect, else why it does not. Of an effect on two: if any pair
   /// does.
   virtual std::string_view skip_reason(const BodyFlags& flags) const = 0;
@@ -60,25 +60,25 @@ class EffectOf : public AnyEffect<Real> {
       : AnyEffect<Real>(traits_of<Real>(effect)), effect_(effect) {}
   const Effect& effect() const { return effect_; }
 
-  void run(Bodies<Real>& bodies, const Visits& visits,
-           const StepTime<Real>& moment) const override {
+  void run(Bodies<Real>& bodies, const Members& members, const StepTime<Real>& at) const override {
     if constexpr (form.sees == Sees::centre) {
-      for_each_of(visits.group, bodies.centres,
-                  [&](Particle<Real>& centre) { visit(effect_, centre, moment); });
+      for_each_of(members.indices, bodies.centres,
+                  [&](Particle<Real>& centre) { give_to(centre, effect_, centre, at); });
     } else if constexpr (form.sees == Sees::top) {
-      for_each_of(visits.group, bodies.tops, [&](Top<Real>& top) { visit(effect_, top, moment); });
+      for_each_of(members.indices, bodies.tops,
+                  [&](Top<Real>& top) { give_to(top, effect_, top, at); });
     } else if constexpr (form.sees == Sees::body) {
-      visits.group.for_each([&](BodyIndex body) {
+      members.indices.for_each([&](BodyIndex body) {
         Top<Real> none;
         const BodyInPlace<Real> one = in_place(bodies, body, none);
-        visit(effect_, one.centre, one.top, moment);
+        give_to_both(one.centre, one.top, effect_, at);
       });
     } else if constexpr (FindsPairs<Effect, Real>) {
       std::vector<BodyPair> found;
       effect_.find_pairs(std::as_const(bodies), found);
-      for (const BodyPair& pair : found) run_on(bodies, pair, moment);
+      for (const BodyPair& pair : found) run_on(bodies, pair, at);
     } else {
-      for (const BodyPair& pair : visits.pairs) run_on(bodies, pair, moment);
+      for (const BodyPair& pair : members.pairs) run_on(bodies, pair, at);
     }
   }
 
@@ -119,10 +119,10 @@ class EffectOf : public AnyEffect<Real> {
   }
 
  private:
-  void run_on(Bodies<Real>& bodies, const BodyPair& pair, const StepTime<Real>& moment) const {
+  void run_on(Bodies<Real>& bodies, const BodyPair& pair, const StepTime<Real>& at) const {
     Top<Real> none, second_none;
-    visit<Effect, Real>(effect_, in_place(bodies, pair.first, none),
-                        in_place(bodies, pair.second, second_none), moment);
+    give_to_pair<Real>(in_place(bodies, pair.first, none),
+                       in_place(bodies, pair.second, second_none), effect_, at);
   }
 
   static BodyInPlace<Real> in_place(Bodies<Real>& bodies, BodyIndex body, Top<Real>& none) {

@@ -87,20 +87,18 @@ class Checkpoints {
   /// Each once.
   static std::vector<BodyIndex> may_have_moved(const NamedBodies<Real>& bodies,
                                                const Planner<Real>& planner) {
-    const Work<Real>& work = planner.work();
+    const StepPlan<Real>& plan = planner.step_plan();
     std::vector<BodyIndex> found;
-    found.reserve(work.movers.size());
-    work.movers.for_each([&](BodyIndex body) { found.push_back(body); });
-    for (const IndexSet* group : {&work.steady, &work.tumbling})
-      group->for_each([&](BodyIndex top) {
-        const BodyIndex body = bodies.body_of(top);
-        if (!work.movers.contains(body)) found.push_back(body);
-      });
+    found.reserve(plan.moving.size());
+    plan.moving.for_each([&](BodyIndex body) { found.push_back(body); });
+    plan.turning.for_each([&](BodyIndex top) {
+      const BodyIndex body = bodies.body_of(top);
+      if (!plan.moving.contains(body)) found.push_back(body);
+    });
     planner.touched().for_each([&](BodyIndex body) {
       const BodyIndex top = bodies.top_of(body);
-      const bool turns =
-          top != no_index && (work.steady.contains(top) || work.tumbling.contains(top));
-      if (!turns && !work.movers.contains(body)) found.push_back(body);
+      const bool turns = top != no_index && plan.turning.contains(top);
+      if (!turns && !plan.moving.contains(body)) found.push_back(body);
     });
     return found;
   }

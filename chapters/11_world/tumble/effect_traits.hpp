@@ -2,6 +2,7 @@
 /// What an effect's type tells about it: what it reads and writes, whom it visits, how it answers.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <tumble/kernel.hpp>
 #include <type_traits>
@@ -25,6 +26,8 @@ struct EffectTraits {
   bool may_feed_back = false;     ///< it reads how a body moves, and does not say what follows
   bool depends_on_speed = false;  ///< what it gives depends on a velocity or a spin
   int smoothness = 9;             ///< how many derivatives of what it gives never jump; 9: all
+  std::optional<int> order = {};  ///< of a turning rule: the order of its error, if it says
+  bool is_symmetric = false;      ///< of a turning rule: it says that a step back undoes one forth
   bool joins_two() const { return sees == Sees::pair; }
   bool changes_limit() const { return has_response || phase == Phase::turn; }  ///< of the step
   bool visits_tops() const { return sees == Sees::top; }
@@ -51,7 +54,9 @@ constexpr Quantities reads_of() {
                               : sees == Sees::top      ? quantity::of_top
                                                        : quantity::of_body;
   if constexpr (requires { Effect::reads; }) {
-    static_assert(seen.has(Effect::reads), "the effect's function does not see what it reads");
+    static_assert(
+        seen.has(Effect::reads) || requires { Effect::writes; },
+        "the effect's function does not see what it reads");
     return Effect::reads;
   } else {
     return seen;
@@ -103,6 +108,8 @@ EffectTraits<Real> traits_of(const Effect& effect) {
   if constexpr (requires { effect.depends_on_speed(); })
     traits.depends_on_speed = effect.depends_on_speed();
   if constexpr (requires { effect.smoothness(); }) traits.smoothness = effect.smoothness();
+  if constexpr (requires { effect.order(); }) traits.order = effect.order();
+  if constexpr (requires { effect.is_symmetric(); }) traits.is_symmetric = effect.is_symmetric();
   return traits;
 }
 

@@ -1,12 +1,11 @@
 /// @file
-/// Why a step could not be taken, found by taking it once more on a copy, effect by effect.
+/// Why a step could not be taken, found by taking it once more on a copy, pass by pass.
 #pragma once
 
 #include <stdexcept>
 #include <tumble/guard.hpp>
-#include <tumble/rotors.hpp>
 #include <tumble/sine_cosine.hpp>
-#include <tumble/tumbling.hpp>
+#include <tumble/step_order.hpp>
 
 namespace tumble {
 
@@ -29,7 +28,8 @@ class SimulationError : public std::runtime_error {
 template <class Real>
 std::string turn_too_far(const Top<Real>& top, Same<Real> time_step) {
   const Vec3<Real> spin = angular_velocity_body(top);
-  const Real angle = time_step * std::hypot(spin[0], spin[1], spin[2]);  // no square overflows
+  const Real angle =
+      std::abs(time_step) * std::hypot(spin[0], spin[1], spin[2]);  // no square overflows
   return text_of(angle) + " rad in this step, and no finite orientation was found; at most " +
          text_of(2 * SineCosineConstants<Real>::limit) + " rad can be turned";
 }
@@ -60,96 +60,69 @@ template <class Real>
 class Replay {
  public:
   /// `bodies` are as they were before the step.
-  Replay(Bodies<Real> bodies, const Work<Real>& work, BodyIndex diverged)
-      : bodies_(std::move(bodies)), work_(work), diverged_(diverged) {}
+  Replay(Bodies<Real> bodies, const StepPlan<Real>& plan, const StepTime<Real>& step,
+         BodyIndex diverged)
+      : bodies_(std::move(bodies)), plan_(plan), step_(step), diverged_(diverged) {}
 
-  /// What went wrong, as a sentence; `culprit` becomes the effect to blame, if it is one.
-  std::string find(const StepTime<Real>& step, const AnyEffect<Real>*& culprit) {
+  /// What went wrong, as a sentence; `culprit` becomes the effect to blame, if it is one. The first
+  /// pass to blame is the one after which that body has a number that is not finite. A sum of
+  /// forces that overflows is nobody's alone: the kick that follows tells of it.
+  //! [find]
+  std::string find(const AnyEffect<Real>*& culprit) {
+    std::string sentence;
     Bodies<Real> before_drift = bodies_;
-    for (const Substep<Real>& substep : work_.substeps) {
-      const StepTime<Real> part = step_time_of(substep, step);
-      if (substep.kind == SubstepKind::kick) {
-        if (const std::string why = fault_of_kick(part, culprit); !why.empty()) return why;
-      } else if (substep.kind == SubstepKind::whole) {
-        for (const Phase phase : {Phase::impulse, Phase::damping})
-          if (ask_each(phase, step, culprit, false)) return sentence_;
-      } else {
-        before_drift = bodies_;
-        const Real h = part.time_step;
-        for_each_of(work_.movers, bodies_.centres, [&](auto& one) { drift(one, h); });
-        if (has_diverged()) return reason(before_drift, h);
-        const auto rotor = [&](std::size_t i, RotorAct act) {
-          run_rotor(work_, i, act, bodies_.tops, part);
-          if (!sentence_.empty() || !has_diverged()) return;
-          culprit = work_.effects[i].effect.get();
-          sentence_ = fault_of_rotor(*culprit, act, part);
-        };
-        with_rotors(rotors_of(work_), rotor, [&] {
-          before_drift.tops = bodies_.tops;
-          for_each_of(work_.steady, bodies_.tops, [&](auto& one) { turn_steadily(one, h); });
-          work_.rule->turn(bodies_.tops, work_.tumbling, h);
-          if (sentence_.empty() && has_diverged()) sentence_ = reason(before_drift, h);
-        });
-        if (!sentence_.empty()) return sentence_;
+    for_each_pass(plan_, [&](const Pass<Real>& pass) {
+      if (!sentence.empty()) return;
+      const bool is_drift = pass.substep.kind == SubstepKind::drift;
+      const bool had_overflowed = !fault_in(bodies_).empty();
+      const Bodies<Real> before = bodies_;
+      if (is_drift && pass.row.kind == PassKind::motion) before_drift = before;
+      run(pass, plan_, bodies_, step_);
+      if (fault_in(bodies_).empty()) return;
+      if (pass.row.kind == PassKind::motion && pass.place < own_motions) {
+        const BodyState<Real> now = state_of(bodies_, diverged_);
+        if (is_finite(now.centre) && is_finite(now.top)) return;  // the kick of its sum is to come
+        sentence = reason(is_drift ? before : bodies_, step_time_of(pass, step_).time_step);
+      } else if (pass.row.kind != PassKind::input && !had_overflowed) {
+        const std::string what = fault_alone(pass, before);
+        if (what.empty()) return;
+        culprit = instance_of(pass, plan_).effect.get();
+        sentence = pass.row.kind == PassKind::rotor
+                       ? blame_of_rotor(pass, what)
+                       : culprit->name() + " gives " + what + must_be_finite;
       }
-    }
-    if (ask_each(Phase::drift, step, culprit, false)) return sentence_;
-    return reason(before_drift, step.time_step);
+    });
+    return sentence.empty() ? reason(before_drift, step_.time_step) : sentence;
   }
+  //! [find]
 
  private:
-  bool has_diverged() const {
-    const BodyState<Real> body = state_of(bodies_, diverged_);
-    return !detail::not_finite_in(body.centre, body.top).empty();
+  static constexpr const char* must_be_finite = "; every component must be finite";
+
+  std::string fault_in(const Bodies<Real>& bodies) const {
+    const BodyState<Real> body = state_of(bodies, diverged_);
+    return detail::not_finite_in(body.centre, body.top);
   }
 
-  std::string fault_of_rotor(const AnyEffect<Real>& rotor, RotorAct act,
-                             const StepTime<Real>& drift) const {
-    Top<Real> turned = state_of(bodies_, diverged_).top;
-    const Vec3<Real> H = turned.angular_momentum_body =
-        rotor.rotor_momentum_body(time_of(act, drift));
-    return is_finite(H) ? rotor.name() + " would turn it by " +
-                              turn_too_far<Real>(turned, drift.time_step / 2)
-                        : rotor.name() + " holds a momentum of " + text_of(H) +
-                              " kg m^2/s; every component must be finite";
+  /// What is not finite of the body once the pass alone has run, on empty sums; empty if all is.
+  std::string fault_alone(const Pass<Real>& pass, Bodies<Real> before) const {
+    for (Particle<Real>& centre : before.centres) clear_force(centre);
+    for (Top<Real>& top : before.tops) clear_torque(top);
+    run(pass, plan_, before, step_);
+    return fault_in(before);
   }
 
-  /// What went wrong in a kick, or nothing.
-  std::string fault_of_kick(const StepTime<Real>& moment, const AnyEffect<Real>*& culprit) {
-    const Real h = moment.time_step;
-    const Bodies<Real> before = bodies_;
-    if (ask_each(Phase::force, moment, culprit, true)) return sentence_;
-    bodies_ = before;  // what writes a velocity itself has acted by now
-    run(work_, Phase::force, bodies_, moment);
-    add(work_.inputs, bodies_);
-    if (has_diverged())  // a sum that overflows is nobody's alone
-      run(work_, Phase::kick, bodies_, moment);
-    else if (ask_each(Phase::kick, moment, culprit, false))
-      return sentence_;
-    for_each_of(work_.pushed, bodies_.centres, [&](auto& one) { kick(one, h), clear_force(one); });
-    for_each_of(work_.torqued, bodies_.tops, [&](auto& one) { kick(one, h), clear_torque(one); });
-    return has_diverged() ? reason(bodies_, h) : std::string();
-  }
-
-  /// Runs the effects of a phase until one gives the body that diverged a number that is not
-  /// finite. `alone`: each by itself, for those that add to a sum.
-  bool ask_each(Phase phase, const StepTime<Real>& moment, const AnyEffect<Real>*& culprit,
-                bool alone) {
-    for (const std::size_t i : work_.in_phase[static_cast<std::size_t>(phase)]) {
-      const Entry<Real>& entry = work_.effects[i];
-      entry.effect->run(bodies_, entry.visits, moment);
-      const BodyState<Real> body = state_of(bodies_, diverged_);
-      const std::string what = detail::not_finite_in(body.centre, body.top);
-      if (alone) {
-        for (Particle<Real>& centre : bodies_.centres) clear_force(centre);
-        for (Top<Real>& top : bodies_.tops) clear_torque(top);
-      }
-      if (what.empty()) continue;
-      culprit = entry.effect.get();
-      sentence_ = culprit->name() + " gives " + what + "; every component must be finite";
-      return true;
-    }
-    return false;
+  std::string blame_of_rotor(const Pass<Real>& pass, const std::string& what) const {
+    const AnyEffect<Real>& effect = *instance_of(pass, plan_).effect;
+    const StepTime<Real> at = step_time_of(pass, step_);
+    Top<Real> turned =
+        state_of(bodies_, diverged_).top;  // with the spin that the rotor turns it by
+    const Vec3<Real> H = turned.angular_momentum_body = effect.rotor_momentum_body(at.time);
+    if (!is_finite(H))
+      return effect.name() + " holds a momentum of " + text_of(H) + " kg m^2/s" + must_be_finite;
+    if (pass.row.act == RotorAct::turn_before || pass.row.act == RotorAct::turn_after)
+      return effect.name() + " would turn it by " + turn_too_far(turned, at.time_step / 2);
+    return effect.name() + " gives " + what + must_be_finite;
   }
 
   /// Why a body diverged that no effect alone has spoilt, judged by its state before the drift.
@@ -162,21 +135,20 @@ class Replay {
   }
 
   Bodies<Real> bodies_;
-  const Work<Real>& work_;
+  const StepPlan<Real>& plan_;
+  StepTime<Real> step_;
   BodyIndex diverged_;
-  std::string sentence_;
 };
 
 /// The error for a body that diverged. `bodies` are as they were before the step.
 template <class Real>
 SimulationError failure(const std::string& name, BodyIndex diverged, const Bodies<Real>& bodies,
-                        const Work<Real>& work, std::int64_t tick, Real time_step) {
-  const StepTime<Real> moment = step_time_of(tick, time_step);
+                        const StepPlan<Real>& plan, std::int64_t tick, const StepTime<Real>& at) {
   const AnyEffect<Real>* culprit = nullptr;
-  const std::string why = Replay<Real>(bodies, work, diverged).find(moment, culprit);
-  return {"'" + name + "' at " + text_of(moment.time) + " s (step " + std::to_string(tick) +
+  const std::string why = Replay<Real>(bodies, plan, at, diverged).find(culprit);
+  return {"'" + name + "' at " + text_of(at.time) + " s (step " + std::to_string(tick) +
               "): " + why + "; the world is as it was before this step",
-          name, culprit ? culprit->name() : std::string(), static_cast<double>(moment.time)};
+          name, culprit ? culprit->name() : std::string(), static_cast<double>(at.time)};
 }
 
 }  // namespace tumble

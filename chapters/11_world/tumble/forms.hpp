@@ -54,6 +54,14 @@ concept GivesOrientation = requires(const Effect& effect, const Seen& seen,
 };
 //! [forms]
 
+/// Changes what it sees in place, for a time step: the form of a step's own motions, which say what
+/// they write.
+template <class Motion, class Seen, class Real>
+concept MovesInPlace = requires(const Motion& motion, Seen& seen, const Real& time_step) {
+  motion(seen, time_step);
+  { Motion::writes } -> std::convertible_to<Quantities>;
+};
+
 /// A force on two bodies that the effect joins.
 template <class Effect, class Real>
 concept PushBetween = requires(const Effect& effect, const BodyState<Real>& body,
@@ -132,6 +140,10 @@ constexpr Form form_of() {
     form = {Sees::pair, quantity::velocity | quantity::spin, form.count + 1};
   if (HoldsRotor<Effect, Real>)
     form = {Sees::top, quantity::orientation | quantity::spin, form.count + 1};
+  if constexpr (MovesInPlace<Effect, Particle<Real>, Real>)
+    form = {Sees::centre, Effect::writes, form.count + 1};
+  if constexpr (MovesInPlace<Effect, Top<Real>, Real>)
+    form = {Sees::top, Effect::writes, form.count + 1};
   return form;
 }
 

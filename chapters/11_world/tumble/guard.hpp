@@ -4,7 +4,7 @@
 
 #include <optional>
 #include <tumble/motion_record.hpp>
-#include <tumble/work.hpp>
+#include <tumble/step_plan.hpp>
 
 namespace tumble {
 
@@ -12,21 +12,19 @@ namespace tumble {
 template <class Real>
 class UndoBuffer {
  public:
-  void remember(const Bodies<Real>& bodies, const Work<Real>& work) {
+  void remember(const Bodies<Real>& bodies, const StepPlan<Real>& plan) {
     centres_.clear();
     tops_.clear();
-    work.movers.for_each([&](BodyIndex i) { centres_.push_back(motion_of(bodies.centres[i])); });
-    for (const IndexSet* group : {&work.steady, &work.tumbling})
-      group->for_each([&](BodyIndex i) { tops_.push_back(motion_of(bodies.tops[i])); });
+    plan.moving.for_each([&](BodyIndex i) { centres_.push_back(motion_of(bodies.centres[i])); });
+    plan.turning.for_each([&](BodyIndex i) { tops_.push_back(motion_of(bodies.tops[i])); });
   }
 
   /// Puts it back, and empties the sums.
-  void restore(Bodies<Real>& bodies, const Work<Real>& work) const {
+  void restore(Bodies<Real>& bodies, const StepPlan<Real>& plan) const {
     auto centre = centres_.begin();
-    for_each_of(work.movers, bodies.centres, [&](auto& moved) { set_motion(moved, *centre++); });
+    for_each_of(plan.moving, bodies.centres, [&](auto& moved) { set_motion(moved, *centre++); });
     auto top = tops_.begin();
-    for (const IndexSet* group : {&work.steady, &work.tumbling})
-      for_each_of(*group, bodies.tops, [&](auto& turned) { set_motion(turned, *top++); });
+    for_each_of(plan.turning, bodies.tops, [&](auto& turned) { set_motion(turned, *top++); });
   }
 
  private:
@@ -54,16 +52,15 @@ auto is_finite(const Top<Real>& top) {
 /// The first body whose place or velocity is no longer whole, else the first whose top is not.
 /// `bodies` is a Bodies, or like one. @return nothing if all are whole
 template <class Real, class AnyBodies>
-std::optional<BodyIndex> first_diverged(const AnyBodies& bodies, const Work<Real>& work) {
+std::optional<BodyIndex> first_diverged(const AnyBodies& bodies, const StepPlan<Real>& plan) {
   BodyIndex diverged = no_index;
-  work.movers.for_each([&](BodyIndex i) {
+  plan.moving.for_each([&](BodyIndex i) {
     if (!is_finite(bodies.centres[i])) diverged = std::min(diverged, i);
   });
   if (diverged != no_index) return diverged;
-  for (const IndexSet* group : {&work.steady, &work.tumbling})
-    group->for_each([&](BodyIndex i) {
-      if (!is_finite(bodies.tops[i])) diverged = std::min(diverged, bodies.body_of[i]);
-    });
+  plan.turning.for_each([&](BodyIndex i) {
+    if (!is_finite(bodies.tops[i])) diverged = std::min(diverged, bodies.body_of[i]);
+  });
   return diverged == no_index ? std::nullopt : std::optional(diverged);
 }
 

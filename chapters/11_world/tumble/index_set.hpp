@@ -106,10 +106,10 @@ void for_each_of(const IndexSet& group, std::vector<Element>& array, const Chang
 }
 
 /// Whom an effect visits: centres, or tops for an effect that sees tops, or pairs.
-struct Visits {
-  IndexSet group = {};
+struct Members {
+  IndexSet indices = {};
   std::vector<BodyPair> pairs = {};
-  std::size_t size() const { return group.size() + pairs.size(); }
+  std::size_t size() const { return indices.size() + pairs.size(); }
 };
 
 }  // namespace tumble

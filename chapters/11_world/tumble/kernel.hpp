@@ -27,48 +27,42 @@ void add_push(Particle<Real>& centre, Top<Real>& top, const Push<Real>& push) {
 /// What the effect gives to a centre. `seen` is what its function sees.
 template <class Effect, class Seen, class Real>
 void give_to(Particle<Real>& centre, const Effect& effect, const Seen& seen,
-             const StepTime<Real>& moment) {
-  if constexpr (GivesForce<Effect, Seen, Real>)
-    centre.force += effect.force(seen, moment.time);
+             const StepTime<Real>& at) {
+  if constexpr (MovesInPlace<Effect, Particle<Real>, Real>)
+    effect(centre, at.time_step);
+  else if constexpr (GivesForce<Effect, Seen, Real>)
+    centre.force += effect.force(seen, at.time);
   else if constexpr (GivesAcceleration<Effect, Seen, Real>)
-    accelerate<Real>(centre, effect.acceleration(seen, moment.time), moment.time_step);
+    accelerate<Real>(centre, effect.acceleration(seen, at.time), at.time_step);
   else if constexpr (GivesVelocity<Effect, Seen, Real>)
-    centre.velocity = effect.velocity(seen, moment);
+    centre.velocity = effect.velocity(seen, at);
   else if constexpr (GivesPosition<Effect, Seen, Real>)
-    centre.position = effect.position(seen, moment);
+    centre.position = effect.position(seen, at);
 }
 
 /// What it gives to a top.
 template <class Effect, class Seen, class Real>
-void give_to(Top<Real>& top, const Effect& effect, const Seen& seen, const StepTime<Real>& moment) {
-  if constexpr (GivesTorque<Effect, Seen, Real>)
-    top.torque += effect.torque(seen, moment.time);
+void give_to(Top<Real>& top, const Effect& effect, const Seen& seen, const StepTime<Real>& at) {
+  if constexpr (MovesInPlace<Effect, Top<Real>, Real>)
+    effect(top, at.time_step);
+  else if constexpr (GivesTorque<Effect, Seen, Real>)
+    top.torque += effect.torque(seen, at.time);
   else if constexpr (GivesSpin<Effect, Seen, Real>)
-    top.angular_momentum_body = free_part<Real>(top, effect.angular_momentum_body(seen, moment));
+    top.angular_momentum_body = free_part<Real>(top, effect.angular_momentum_body(seen, at));
   else if constexpr (GivesOrientation<Effect, Seen, Real>)
-    top.orientation = effect.orientation(seen, moment);
+    top.orientation = effect.orientation(seen, at);
 }
 
-/// An effect that sees the centre alone, or the top alone.
+/// What an effect that sees both gives to a body.
 template <class Effect, class Real>
-void visit(const Effect& effect, Particle<Real>& centre, const StepTime<Real>& moment) {
-  give_to(centre, effect, centre, moment);
-}
-template <class Effect, class Real>
-void visit(const Effect& effect, Top<Real>& top, const StepTime<Real>& moment) {
-  give_to(top, effect, top, moment);
-}
-
-/// An effect that sees both.
-template <class Effect, class Real>
-void visit(const Effect& effect, Particle<Real>& centre, Top<Real>& top,
-           const StepTime<Real>& moment) {
+void give_to_both(Particle<Real>& centre, Top<Real>& top, const Effect& effect,
+                  const StepTime<Real>& at) {
   const BodyState<Real> seen{centre, top};
   if constexpr (GivesPush<Effect, BodyState<Real>, Real>) {
-    add_push(centre, top, effect.push(seen, moment.time));
+    add_push(centre, top, effect.push(seen, at.time));
   } else {
-    give_to(centre, effect, seen, moment);
-    give_to(top, effect, seen, moment);
+    give_to(centre, effect, seen, at);
+    give_to(top, effect, seen, at);
   }
 }
 
@@ -79,17 +73,17 @@ struct BodyInPlace {
   Top<Real>& top;
 };
 
-/// An effect that joins two.
-template <class Effect, class Real>
-void visit(const Effect& effect, const BodyInPlace<Real>& first, const BodyInPlace<Real>& second,
-           const StepTime<Real>& moment) {
+/// What an effect that joins two gives to them.
+template <class Real, class Effect>
+void give_to_pair(const BodyInPlace<Real>& first, const BodyInPlace<Real>& second,
+                  const Effect& effect, const StepTime<Real>& at) {
   const BodyState<Real> a{first.centre, first.top}, b{second.centre, second.top};
   if constexpr (PushBetween<Effect, Real>) {
-    const PairPush<Real> push = effect.push(a, b, moment.time);
+    const PairPush<Real> push = effect.push(a, b, at.time);
     add_push<Real>(first.centre, first.top, {push.force_on_first, push.torque_on_first});
     add_push<Real>(second.centre, second.top, {-push.force_on_first, push.torque_on_second});
   } else {
-    const PairBlow<Real> blow = effect.blow(a, b, moment);
+    const PairBlow<Real> blow = effect.blow(a, b, at);
     first.centre.velocity += first.centre.inverse_mass * blow.impulse_on_first;
     second.centre.velocity -= second.centre.inverse_mass * blow.impulse_on_first;
     add_angular_momentum<Real>(first.top, blow.turn_on_first);

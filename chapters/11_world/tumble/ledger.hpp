@@ -20,7 +20,7 @@ class Ledger {
   template <class Backend>
   void step(World<Real, Backend>& world) {
     Lines lines = lines_;
-    book_step(world.bodies(), world.work(), world.step_time(), lines);
+    book_step(world.bodies(), world.step_plan(), world.step_time(), lines);
     world.step();
     lines_ = std::move(lines);
   }
@@ -52,17 +52,17 @@ class Ledger {
   static double stored(const World<Real, Backend>& world) {
     const Bodies<Real>& bodies = world.bodies();
     double sum = 0;
-    for (const Entry<Real>& entry : world.effects()) {
-      if (!entry.effect->traits().stores_energy) continue;
+    for (const EffectInstance<Real>& instance : world.effects()) {
+      if (!instance.effect->traits().stores_energy) continue;
       const auto add = [&](BodyIndex first, BodyIndex second) {
         sum += static_cast<double>(
-            entry.effect->potential_energy(state_of(bodies, first), state_of(bodies, second)));
+            instance.effect->potential_energy(state_of(bodies, first), state_of(bodies, second)));
       };
-      entry.visits.group.for_each([&](BodyIndex i) {
-        const BodyIndex body = entry.effect->traits().visits_tops() ? bodies.body_of[i] : i;
+      instance.members.indices.for_each([&](BodyIndex i) {
+        const BodyIndex body = instance.effect->traits().visits_tops() ? bodies.body_of[i] : i;
         add(body, body);
       });
-      for (const BodyPair& pair : entry.visits.pairs) add(pair.first, pair.second);
+      for (const BodyPair& pair : instance.members.pairs) add(pair.first, pair.second);
     }
     return sum;
   }
@@ -77,88 +77,65 @@ class Ledger {
     return lines.back();
   }
 
+  /// What forces and torques of one name give to each body in one kick.
+  struct Share {
+    std::string name;
+    std::vector<Push<Real>> pushes;
+  };
+
   /// The step on a copy. What changes momenta or places at once is booked as the difference that it
   /// makes; forces and torques, which act together, each by its share of the kick, see work_of().
   //! [book_step]
-  static void book_step(Bodies<Real> bodies, const Work<Real>& work, const StepTime<Real>& moment,
+  static void book_step(Bodies<Real> bodies, const StepPlan<Real>& plan, const StepTime<Real>& step,
                         Lines& lines) {
-    const auto book = [&](const std::string& name, const auto& change) {
-      const LedgerLine had = holdings_of(bodies);
-      change();
-      LedgerLine gained = holdings_of(bodies);
-      line_of(lines, name) += gained -= had;
-    };
-    const auto book_phase = [&](Phase phase, const StepTime<Real>& at) {
-      for (const std::size_t i : work.in_phase[static_cast<std::size_t>(phase)]) {
-        const Entry<Real>& entry = work.effects[i];
-        book(entry.effect->name(), [&] { entry.effect->run(bodies, entry.visits, at); });
+    constexpr Quantities sums = quantity::force | quantity::torque;
+    std::vector<Share> shares;  // of one kick
+    Quantities used;            // which sums it has used up
+    for_each_pass(plan, [&](const Pass<Real>& pass) {
+      const bool is_input = pass.row.kind == PassKind::input;
+      const std::string name = is_input ? "input" : instance_of(pass, plan).effect->name();
+      if (is_input || instance_of(pass, plan).effect->traits().writes.has_any(sums)) {
+        if (std::exchange(used, {}) != Quantities{}) shares.clear();
+        shares.push_back({name, pushes_of(pass, plan, bodies, step)});
+        line_of(lines, name);  // lines stand in the order of the step
+        run(pass, plan, bodies, step);
+        return;
       }
-    };
-    for (const std::size_t i : work.in_phase[static_cast<std::size_t>(Phase::force)])
-      line_of(lines, work.effects[i].effect->name());  // lines stand in the order of the scene
-    for (const Substep<Real>& substep : work.substeps) {
-      const StepTime<Real> part = step_time_of(substep, moment);
-      const Real h = part.time_step;
-      if (substep.kind == SubstepKind::kick) {
-        Bodies<Real> alone = bodies;  // for one force at a time
-        for (const std::size_t i : work.in_phase[static_cast<std::size_t>(Phase::force)]) {
-          const Entry<Real>& entry = work.effects[i];
-          const auto act = [&] { entry.effect->run(bodies, entry.visits, part); };
-          if (entry.effect->traits().writes.has_any(quantity::force | quantity::torque))
-            act();
-          else  // it changes momenta or places at once
-            book(entry.effect->name(), act);
+      const Bodies<Real> before = bodies;
+      run(pass, plan, bodies, step);
+      const Quantities kicks{instance_of(pass, plan).effect->traits().reads.bits & sums.bits &
+                             ~used.bits};
+      used = used | kicks;
+      if (kicks != Quantities{}) {
+        for (const Share& share : shares) {
+          LedgerLine& line = line_of(lines, share.name);
+          for (BodyIndex body = 0; body < share.pushes.size(); ++body) {
+            Push<Real> push = share.pushes[body];
+            if (!kicks.has(quantity::force)) push.force.setZero();
+            if (!kicks.has(quantity::torque)) push.torque.setZero();
+            if (push.force == Vec3<Real>::Zero() && push.torque == Vec3<Real>::Zero()) continue;
+            line += work_of(push, state_of(before, body), state_of(bodies, body),
+                            step_time_of(pass, step).time_step);
+          }
         }
-        add(work.inputs, bodies);
-        book_phase(Phase::kick, part);
-        const Bodies<Real> summed = bodies;
-        for_each_of(work.pushed, bodies.centres, [&](auto& centre) { kick(centre, h); });
-        for_each_of(work.torqued, bodies.tops, [&](auto& top) { kick(top, h); });
-        for (const std::size_t i : work.in_phase[static_cast<std::size_t>(Phase::force)]) {
-          work.effects[i].effect->run(alone, work.effects[i].visits, part);
-          book_kick(alone, summed, bodies, h, line_of(lines, work.effects[i].effect->name()));
-        }
-        add(work.inputs, alone);
-        if (!work.inputs.empty()) book_kick(alone, summed, bodies, h, line_of(lines, "input"));
-        for_each_of(work.pushed, bodies.centres, [](auto& centre) { clear_force(centre); });
-        for_each_of(work.torqued, bodies.tops, [](auto& top) { clear_torque(top); });
-      } else if (substep.kind == SubstepKind::whole) {
-        book_phase(Phase::impulse, moment);
-        book_phase(Phase::damping, moment);
       } else {
-        if (!work.movers.empty())
-          book("drift", [&] {
-            for_each_of(work.movers, bodies.centres, [&](auto& centre) { drift(centre, h); });
-          });
-        const auto rotor = [&](std::size_t i, RotorAct act) {
-          book(work.effects[i].effect->name(), [&] { run_rotor(work, i, act, bodies.tops, part); });
-        };
-        with_rotors(rotors_of(work), rotor, [&] {
-          if (!work.steady.empty())
-            book("steady turning", [&] {
-              for_each_of(work.steady, bodies.tops, [&](auto& top) { turn_steadily(top, h); });
-            });
-          if (!work.tumbling.empty())
-            book("tumbling: " + work.rule->name(),
-                 [&] { work.rule->turn(bodies.tops, work.tumbling, h); });
-        });
+        LedgerLine gained = holdings_of(bodies);
+        line_of(lines, name) += gained -= holdings_of(before);
       }
-    }
-    book_phase(Phase::drift, moment);
+    });
   }
   //! [book_step]
 
-  /// Books the sums that an effect alone has made, and empties them.
-  static void book_kick(Bodies<Real>& alone, const Bodies<Real>& before, const Bodies<Real>& kicked,
-                        Real h, LedgerLine& line) {
-    for (BodyIndex body = 0; body < alone.centres.size(); ++body) {
-      const BodyState<Real> one = state_of(alone, body);
-      const Push<Real> push{one.centre.force, one.top.torque};
-      if (push.force == Vec3<Real>::Zero() && push.torque == Vec3<Real>::Zero()) continue;
-      line += work_of(push, state_of(before, body), state_of(kicked, body), h);
-      clear_force(alone.centres[body]);
-      if (!is_point(alone, body)) clear_torque(alone.tops[alone.top_of[body]]);
-    }
+  /// What a pass alone adds to the sums of each body.
+  static std::vector<Push<Real>> pushes_of(const Pass<Real>& pass, const StepPlan<Real>& plan,
+                                           Bodies<Real> bodies, const StepTime<Real>& step) {
+    for (Particle<Real>& centre : bodies.centres) clear_force(centre);
+    for (Top<Real>& top : bodies.tops) clear_torque(top);
+    run(pass, plan, bodies, step);
+    std::vector<Push<Real>> pushes;
+    for (BodyIndex body = 0; body < bodies.centres.size(); ++body)
+      pushes.push_back({state_of(bodies, body).centre.force, state_of(bodies, body).top.torque});
+    return pushes;
   }
 
   LedgerLine start_;

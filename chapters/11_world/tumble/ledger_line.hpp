@@ -2,7 +2,7 @@
 /// A line of the books of a world: what somebody put in or took out, and what bodies have.
 #pragma once
 
-#include <tumble/work.hpp>
+#include <tumble/step_plan.hpp>
 
 namespace tumble {
 

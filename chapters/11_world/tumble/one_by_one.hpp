@@ -4,8 +4,7 @@
 
 #include <tumble/body_store.hpp>
 #include <tumble/guard.hpp>
-#include <tumble/rotors.hpp>
-#include <tumble/tumbling.hpp>
+#include <tumble/step_order.hpp>
 
 namespace tumble {
 
@@ -31,69 +30,30 @@ class OneByOne final : public BodyStore<Real> {
   }
   void take_out(BodyIndex body) override { tumble::take_out(bodies_, body); }
 
-  /// The form in which its steps run an effect or a rule.
+  /// The form in which its steps run an effect or a motion.
   template <class Effect>
   static std::shared_ptr<const AnyEffect<Real>> erased(const Effect& effect) {
     return std::make_shared<const EffectOf<Real, Effect>>(effect);
-  }
-  template <class Rule>
-  static std::shared_ptr<const AnyRule<Real>> erased_rule(const Rule& rule) {
-    return std::make_shared<const RuleOf<Real, Rule>>(rule);
   }
 
   /// One step. @return the body that diverged, if one did: all are then as they were before,
   /// and so they are where an effect throws
   //! [step]
-  std::optional<BodyIndex> step(const Work<Real>& work, const StepTime<Real>& moment) {
-    undo_.remember(bodies_, work);
+  std::optional<BodyIndex> step(const StepPlan<Real>& plan, const StepTime<Real>& at) {
+    undo_.remember(bodies_, plan);
     try {
-      for (const Substep<Real>& substep : work.substeps)  // of Euler's step: kick, whole, drift
-        switch (substep.kind) {
-          case SubstepKind::kick:
-            kick_all(work, step_time_of(substep, moment));
-            break;
-          case SubstepKind::whole:
-            run(work, Phase::impulse, bodies_, moment);
-            run(work, Phase::damping, bodies_, moment);
-            break;
-          case SubstepKind::drift:
-            drift_all(work, step_time_of(substep, moment));
-        }
-      run(work, Phase::drift, bodies_, moment);
+      for_each_pass(plan, [&](const Pass<Real>& pass) { run(pass, plan, bodies_, at); });
     } catch (...) {  // an effect has thrown
-      undo_.restore(bodies_, work);
+      undo_.restore(bodies_, plan);
       throw;
     }
-    const std::optional<BodyIndex> diverged = first_diverged(bodies_, work);
-    if (diverged) undo_.restore(bodies_, work);
+    const std::optional<BodyIndex> diverged = first_diverged(bodies_, plan);
+    if (diverged) undo_.restore(bodies_, plan);
     return diverged;
   }
   //! [step]
 
  private:
-  //! [strokes]
-  void kick_all(const Work<Real>& work, const StepTime<Real>& moment) {
-    const Real h = moment.time_step;
-    run(work, Phase::force, bodies_, moment);
-    add(work.inputs, bodies_);
-    run(work, Phase::kick, bodies_, moment);
-    for_each_of(work.pushed, bodies_.centres,
-                [&](auto& centre) { kick(centre, h), clear_force(centre); });
-    for_each_of(work.torqued, bodies_.tops, [&](auto& top) { kick(top, h), clear_torque(top); });
-  }
-  void drift_all(const Work<Real>& work, const StepTime<Real>& moment) {
-    const Real h = moment.time_step;
-    for_each_of(work.movers, bodies_.centres, [&](auto& centre) { drift(centre, h); });
-    const auto rotor = [&](std::size_t i, RotorAct act) {
-      run_rotor(work, i, act, bodies_.tops, moment);
-    };
-    with_rotors(rotors_of(work), rotor, [&] {
-      for_each_of(work.steady, bodies_.tops, [&](auto& top) { turn_steadily(top, h); });
-      work.rule->turn(bodies_.tops, work.tumbling, h);
-    });
-  }
-  //! [strokes]
-
   Bodies<Real> bodies_;
   UndoBuffer<Real> undo_;
 };

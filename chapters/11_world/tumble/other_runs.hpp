@@ -1,141 +1,99 @@
 /// @file
-/// The step without groups, in two ways, to judge the step by plan.
+/// The step without the plan's sets, in two ways, to judge the step by plan.
 #pragma once
 
 #include <tumble/body_flags.hpp>
-#include <tumble/rotors.hpp>
-#include <tumble/tumbling.hpp>
-#include <tumble/work.hpp>
+#include <tumble/step_order.hpp>
 
 namespace tumble {
 
-/// A step without groups, body after body. `visits(entry, body)` says whether an effect visits a
-/// body that it is meant for; `moves`, with a Motion and a body, whether a motion does.
-/// `index_of` gives the place of a handle.
-template <class Real, class DoesVisit, class Moves, class IndexOf>
-void step_without_groups(Bodies<Real>& bodies, const Work<Real>& work, const StepTime<Real>& moment,
-                         const DoesVisit& visits, const Moves& moves, const IndexOf& index_of) {
-  const auto for_each_visit = [&](const Entry<Real>& entry, const auto& run) {
-    const EffectTraits<Real>& traits = entry.effect->traits();
-    if (traits.finds_pairs) {
-      run(Visits{});
-    } else if (traits.joins_two()) {
-      for (std::size_t i = 0; i < entry.targets.size(); i += 2)
-        run(Visits{{}, {{index_of(entry.targets[i]), index_of(entry.targets[i + 1])}}});
-    } else {
-      const auto visit_one = [&](BodyIndex body) {
-        Visits one;
-        if (!visits(entry, body)) return;
-        one.group.insert(traits.visits_tops() ? bodies.top_of[body] : body);
-        run(one);
-      };
-      if (entry.everyone)
-        for (BodyIndex body = 0; body < bodies.centres.size(); ++body) visit_one(body);
-      for (const BodyHandle body : entry.targets) visit_one(index_of(body));
+/// A step that keeps no sets: in each pass `does_visit(pass, body)` is asked again of each body
+/// that the pass is meant for. An effect that joins two always visits its pairs. `index_of` gives
+/// the place of a handle.
+template <class Real, class DoesVisit, class IndexOf>
+void step_without_sets(Bodies<Real>& bodies, const StepPlan<Real>& plan, const StepTime<Real>& at,
+                       const DoesVisit& does_visit, const IndexOf& index_of) {
+  for_each_pass_even_idle(plan, plan.substeps, [&](const Pass<Real>& pass) {
+    if (pass.row.kind == PassKind::input) return run(pass, plan, bodies, at);
+    const EffectInstance<Real>& instance = instance_of(pass, plan);
+    const EffectTraits<Real>& traits = instance.effect->traits();
+    if (traits.finds_pairs) return run(pass, plan, {}, bodies, at);
+    if (traits.joins_two()) {
+      for (std::size_t i = 0; i < instance.targets.size(); i += 2)
+        run(pass, plan, {{}, {{index_of(instance.targets[i]), index_of(instance.targets[i + 1])}}},
+            bodies, at);
+      return;
     }
-  };
-  const auto run_phase = [&](Phase phase, const StepTime<Real>& at) {
-    for (const Entry<Real>& entry : work.effects)
-      if (entry.effect->phase() == phase)
-        for_each_visit(entry, [&](const Visits& one) { entry.effect->run(bodies, one, at); });
-  };
-  std::vector<std::size_t> rotors;
-  for (std::size_t i = 0; i < work.effects.size(); ++i)
-    if (work.effects[i].effect->phase() == Phase::turn) rotors.push_back(i);
-  const auto for_centres = [&](const Motion& motion, const auto& change) {
-    for (BodyIndex body = 0; body < bodies.centres.size(); ++body)
-      if (moves(motion, body)) change(bodies.centres[body]);
-  };
-  const auto for_tops = [&](const Motion& motion, const auto& change) {
-    for (BodyIndex top = 0; top < bodies.tops.size(); ++top)
-      if (moves(motion, bodies.body_of[top])) change(bodies.tops[top]);
-  };
-  for (const Substep<Real>& substep : work.substeps) {
-    const StepTime<Real> part = step_time_of(substep, moment);
-    const Real h = part.time_step;
-    if (substep.kind == SubstepKind::kick) {
-      run_phase(Phase::force, part);
-      add(work.inputs, bodies);
-      run_phase(Phase::kick, part);
-      for_centres(kick_motion, [&](auto& centre) { kick(centre, h), clear_force(centre); });
-      for_tops(kick_of_spin, [&](auto& top) { kick(top, h), clear_torque(top); });
-    } else if (substep.kind == SubstepKind::whole) {
-      run_phase(Phase::impulse, moment);
-      run_phase(Phase::damping, moment);
-    } else {
-      for_centres(drift_motion, [&](auto& centre) { drift(centre, h); });
-      const auto rotor = [&](std::size_t i, RotorAct act) {
-        const Entry<Real>& entry = work.effects[i];
-        for_each_visit(entry, [&](const Visits& one) {
-          run_rotor(*entry.effect, one.group, act, bodies.tops, part);
-        });
-      };
-      with_rotors(rotors, rotor, [&] {
-        for_tops(steady_turning, [&](auto& top) { turn_steadily(top, h); });
-        for_tops(tumbling_motion, [&](auto& top) {
-          IndexSet one;
-          one.insert(0);
-          std::vector<Top<Real>> alone = {top};
-          work.rule->turn(alone, one, h);
-          top = alone[0];
-        });
-      });
-    }
-  }
-  run_phase(Phase::drift, moment);
+    Members members;
+    const auto ask = [&](BodyIndex body) {
+      const BodyIndex member = traits.visits_tops() ? bodies.top_of[body] : body;
+      if (member != no_index && does_visit(pass, body)) members.indices.insert(member);
+    };
+    if (instance.everyone)
+      for (BodyIndex body = 0; body < bodies.centres.size(); ++body) ask(body);
+    for (const BodyHandle body : instance.targets) ask(index_of(body));
+    run(pass, plan, members, bodies, at);
+  });
 }
 
 /// The reference run: each predicate is asked for each body, and what is known of the bodies is
 /// found anew in each step, from what they are alone.
 //! [step_by_reference]
 template <class Real, class IndexOf>
-void step_by_reference(Bodies<Real>& bodies, const Work<Real>& work,
-                       const std::vector<BodyFlags>& alone, const StepTime<Real>& moment,
+void step_by_reference(Bodies<Real>& bodies, const StepPlan<Real>& plan,
+                       const std::vector<BodyFlags>& alone, const StepTime<Real>& at,
                        const IndexOf& index_of) {
   std::vector<std::vector<const AnyEffect<Real>*>> meant(alone.size());
-  for (const Entry<Real>& entry : work.effects) {
-    if (entry.everyone)
-      for (auto& effects : meant) effects.push_back(entry.effect.get());
-    for (const BodyHandle target : entry.targets)
-      meant[index_of(target)].push_back(entry.effect.get());
+  for (std::size_t i = own_motions; i < plan.motions.size(); ++i)
+    for (auto& effects : meant) effects.push_back(plan.motions[i].effect.get());
+  for (const EffectInstance<Real>& instance : plan.effects) {
+    if (instance.everyone)
+      for (auto& effects : meant) effects.push_back(instance.effect.get());
+    for (const BodyHandle target : instance.targets)
+      meant[index_of(target)].push_back(instance.effect.get());
   }
   std::vector<BodyFlags> flags;
   for (std::size_t body = 0; body < alone.size(); ++body)
     flags.push_back(flags_under<Real>(alone[body], [&](const auto& ask) {
       for (const AnyEffect<Real>* effect : meant[body]) ask(*effect);
     }));
-  step_without_groups(
-      bodies, work, moment,
-      [&](const Entry<Real>& entry, BodyIndex body) {
-        return entry.effect->skip_reason(flags[body]).empty();
+  step_without_sets(
+      bodies, plan, at,
+      [&](const Pass<Real>& pass, BodyIndex body) {
+        return instance_of(pass, plan).effect->skip_reason(flags[body]).empty();
       },
-      [&](const Motion& motion, BodyIndex body) { return motion.skip_reason(flags[body]).empty(); },
       index_of);
 }
 //! [step_by_reference]
 
-/// The exhaustive run: nothing is known and nobody is asked. An effect visits every body that has
-/// what it needs, every body is kicked and drifts, and every top turns: by the rule if its
-/// moments differ, else steadily, for that is chapter 8's choice and no plan's.
+/// The exhaustive run: nothing is known of what acts on a body or of how it moves, and no effect is
+/// asked. An effect visits every body that has what it needs; and every body is taken for one that
+/// everything pushes and turns, so that it is kicked, drifts and turns: by the rule if its moments
+/// differ, else steadily, for that is chapter 8's choice and no plan's.
 //! [step_exhaustively]
 template <class Real, class IndexOf>
-void step_exhaustively(Bodies<Real>& bodies, const Work<Real>& work, const StepTime<Real>& moment,
+void step_exhaustively(Bodies<Real>& bodies, const StepPlan<Real>& plan, const StepTime<Real>& at,
                        const IndexOf& index_of) {
-  step_without_groups(
-      bodies, work, moment,
-      [&](const Entry<Real>& entry, BodyIndex body) {
-        const EffectTraits<Real>& traits = entry.effect->traits();
+  step_without_sets(
+      bodies, plan, at,
+      [&](const Pass<Real>& pass, BodyIndex body) {
+        const AnyEffect<Real>& effect = *instance_of(pass, plan).effect;
+        if (pass.row.kind == PassKind::motion)
+          return effect
+              .skip_reason({.is_point = is_point(bodies, body),
+                            .can_turn = true,
+                            .is_gyroscopic = is_gyroscopic(state_of(bodies, body).top),
+                            .is_pushed = true,
+                            .is_torqued = true,
+                            .moves = true,
+                            .turns = true})
+              .empty();
+        const EffectTraits<Real>& traits = effect.traits();
         if (traits.needs_top && is_point(bodies, body)) return false;
         const bool only_its_velocity = traits.writes == quantity::velocity;
         const bool only_its_force = traits.writes == quantity::force;
         // What has no mass to push keeps the velocity that its user gave it.
         return !(is_static(bodies.centres[body]) && (only_its_velocity || only_its_force));
-      },
-      [&](const Motion& motion, BodyIndex body) {
-        const bool tumbles = is_gyroscopic(state_of(bodies, body).top);
-        return motion.name == steady_turning.name    ? !tumbles
-               : motion.name == tumbling_motion.name ? tumbles
-                                                     : true;
       },
       index_of);
 }

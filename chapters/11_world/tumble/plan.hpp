@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <tumble/accuracy.hpp>
 #include <tumble/planner.hpp>
+#include <tumble/step_order.hpp>
 
 namespace tumble {
 
@@ -70,83 +71,51 @@ class Reasons {
 
 }  // namespace detail
 
-/// The line of an effect of the scene.
+/// The line of an effect, or of a motion.
 template <class Real>
-PlanRow row_of(const Entry<Real>& entry, const Planner<Real>& planner,
+PlanRow row_of(const EffectInstance<Real>& instance, const Planner<Real>& planner,
                const NamedBodies<Real>& bodies) {
-  const AnyEffect<Real>& effect = *entry.effect;
+  const AnyEffect<Real>& effect = *instance.effect;
   const std::vector<BodyFlags>& flags = planner.flags();
   detail::Reasons reasons;
   const auto ask = [&](std::string_view why) {
     if (!why.empty()) reasons.add(why);
   };
   const bool in_pairs = effect.traits().joins_two() && !effect.traits().finds_pairs;
+  const auto is_fixed = [&](BodyHandle body) {
+    return !unwritable_reason(effect.traits().writes, flags[bodies.index_of(body)]).empty();
+  };
   if (in_pairs)
-    for (std::size_t i = 0; i < entry.targets.size(); i += 2) {
-      std::string_view why = effect.skip_reason(BodyFlags{});
-      const bool fixed =
-          [&](BodyHandle body) {
-            return !unwritable_reason(effect.traits().writes, flags[bodies.index_of(body)]).empty();
-          }(entry.targets[i]) &&
-          !unwritable_reason(effect.traits().writes, flags[bodies.index_of(entry.targets[i + 1])])
-               .empty();
-      ask(fixed ? "nothing can move either of the two" : why);
-    }
-  else if (entry.everyone)
+    for (std::size_t i = 0; i < instance.targets.size(); i += 2)
+      ask(is_fixed(instance.targets[i]) && is_fixed(instance.targets[i + 1])
+              ? "nothing can move either of the two"
+              : effect.skip_reason(BodyFlags{}));
+  else if (instance.everyone)
     for (const BodyFlags& body : flags) ask(effect.skip_reason(body));
   else
-    for (const BodyHandle body : entry.targets)
+    for (const BodyHandle body : instance.targets)
       ask(effect.skip_reason(flags[bodies.index_of(body)]));
-  const std::size_t of = entry.everyone ? flags.size() : entry.targets.size() / (in_pairs ? 2 : 1);
+  const std::size_t of = instance.meant_for(flags.size());
   return {effect.name(),
           effect.phase(),
-          entry.visits.size(),
+          instance.members.size(),
           of,
           text_of(effect.traits().reads),
           text_of(effect.traits().writes),
           reasons.sentence(in_pairs ? "pair" : "body", of)};
 }
 
-/// The line of a motion that every world has.
-inline PlanRow row_of(const Motion& motion, const IndexSet& group,
-                      const std::vector<BodyFlags>& flags, const std::string& name = {}) {
-  detail::Reasons reasons;
-  for (const BodyFlags& body : flags)
-    if (const std::string_view why = motion.skip_reason(body); !why.empty()) reasons.add(why);
-  return {name.empty() ? std::string(motion.name) : name,
-          motion.phase,
-          group.size(),
-          flags.size(),
-          text_of(motion.reads),
-          text_of(motion.writes),
-          reasons.sentence("body", flags.size())};
-}
-
-/// The lines of all, in the order of a step.
+/// The lines of all, in the order of a step with one kick. A rotor has one for all that it does.
 //! [rows_of]
 template <class Real>
 std::vector<PlanRow> rows_of(const Planner<Real>& planner, const NamedBodies<Real>& bodies) {
-  const Work<Real>& work = planner.work();
+  const StepPlan<Real>& plan = planner.step_plan();
   std::vector<PlanRow> rows;
-  const auto add_scene = [&](Phase phase) {
-    for (const Entry<Real>& entry : work.effects)
-      if (entry.effect->phase() == phase) rows.push_back(row_of(entry, planner, bodies));
-  };
-  const auto add_motion = [&](const Motion& motion, const IndexSet& group,
-                              const std::string& name = {}) {
-    rows.push_back(row_of(motion, group, planner.flags(), name));
-  };
-  add_scene(Phase::force);
-  add_scene(Phase::kick);
-  add_motion(kick_motion, work.pushed);
-  add_motion(kick_of_spin, work.torqued);
-  add_scene(Phase::impulse);
-  add_scene(Phase::damping);
-  add_scene(Phase::turn);
-  add_motion(drift_motion, work.movers);
-  add_motion(steady_turning, work.steady);
-  add_motion(tumbling_motion, work.tumbling, "tumbling: " + work.rule->name());
-  add_scene(Phase::drift);
+  for_each_pass_even_idle(plan, substeps_of<Real>(Scheme::semi_implicit_euler),
+                          [&](const Pass<Real>& pass) {
+                            if (pass.row.kind != PassKind::input && pass.row.act == RotorAct::join)
+                              rows.push_back(row_of(instance_of(pass, plan), planner, bodies));
+                          });
   return rows;
 }
 //! [rows_of]

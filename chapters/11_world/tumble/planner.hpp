@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <tumble/body_store.hpp>
-#include <tumble/work.hpp>
+#include <tumble/motions.hpp>
 #include <utility>
 
 namespace tumble {
@@ -14,19 +14,30 @@ namespace tumble {
 template <class Real>
 class Planner {
  public:
-  const Work<Real>& work() const { return work_; }
+  /// `motions`: see motions_of().
+  explicit Planner(std::vector<EffectInstance<Real>> motions) {
+    plan_.motions = std::move(motions);
+  }
+
+  const StepPlan<Real>& step_plan() const { return plan_; }
   const std::vector<BodyFlags>& flags() const { return flags_; }
   /// What of the flags is the bodies' own, without the effects.
   const std::vector<BodyFlags>& alone() const { return alone_; }
 
-  void turn_by(std::shared_ptr<const AnyRule<Real>> rule) {
-    work_.rule = std::move(rule);
-    ++work_.version;
+  /// `tumbling` is a Tumbling by another rule.
+  void turn_by(std::shared_ptr<const AnyEffect<Real>> tumbling) {
+    plan_.motions[own_motions - 1].effect = std::move(tumbling);
+    ++plan_.version;
+  }
+  /// Another motion of each step.
+  void add_motion(EffectInstance<Real> motion, const NamedBodies<Real>& bodies) {
+    plan_.motions.push_back(std::move(motion));
+    refresh_targets(true, {}, bodies);
   }
   void step_by(Scheme scheme) {
-    work_.scheme = scheme;
-    work_.substeps = substeps_of<Real>(scheme);
-    ++work_.version;
+    plan_.scheme = scheme;
+    plan_.substeps = substeps_of<Real>(scheme);
+    ++plan_.version;
   }
 
   /// A body was appended.
@@ -40,7 +51,7 @@ class Planner {
   /// A body has changed.
   void change_body(BodyIndex body, const NamedBodies<Real>& bodies) {
     refresh(body, bodies);
-    for (const std::uint64_t number : own_[body]) join(entry_of(number), bodies);
+    for (const std::uint64_t number : own_[body]) join(instance_of(number), bodies);
   }
 
   /// A body is about to go: its own effects and pushes go, and the last body and the last top get
@@ -49,24 +60,23 @@ class Planner {
     release(handle, bodies);
     const BodyIndex body = bodies.index_of(handle), top = bodies.top_of(body);
     const auto last = static_cast<BodyIndex>(flags_.size() - 1);
-    for_each_entry_of(last, [&](Entry<Real>& entry) {
-      if (entry.effect->traits().visits_tops()) return;
-      entry.visits.group.replace_by_last(body, last);
-      list_phase(entry);
+    for_each_instance_of(last, [&](EffectInstance<Real>& instance) {
+      if (instance.effect->traits().visits_tops()) return;
+      instance.members.indices.replace_by_last(body, last);
+      list_phase(instance);
     });
-    for (IndexSet* group : {&work_.pushed, &work_.movers}) group->replace_by_last(body, last);
+    plan_.moving.replace_by_last(body, last);
     if (top != no_index) {
       const BodyIndex last_top = static_cast<BodyIndex>(bodies.top_count() - 1);
-      for_each_entry_of(bodies.body_of(last_top), [&](Entry<Real>& entry) {
-        if (!entry.effect->traits().visits_tops()) return;
-        entry.visits.group.replace_by_last(top, last_top);
-        list_phase(entry);
+      for_each_instance_of(bodies.body_of(last_top), [&](EffectInstance<Real>& instance) {
+        if (!instance.effect->traits().visits_tops()) return;
+        instance.members.indices.replace_by_last(top, last_top);
+        list_phase(instance);
       });
-      for (IndexSet* group : {&work_.torqued, &work_.steady, &work_.tumbling})
-        group->replace_by_last(top, last_top);
+      plan_.turning.replace_by_last(top, last_top);
     }
-    std::erase_if(work_.inputs, [&](const Input<Real>& input) { return input.body == body; });
-    for (Input<Real>& input : work_.inputs)
+    std::erase_if(plan_.inputs, [&](const Input<Real>& input) { return input.body == body; });
+    for (Input<Real>& input : plan_.inputs)
       if (input.body == last) input.body = body;
     replace_by_last(alone_, body);
     replace_by_last(flags_, body);
@@ -75,24 +85,25 @@ class Planner {
 
   /// The body has gone: the pairs of the one that got its place are found again.
   void join_again(BodyIndex body, const NamedBodies<Real>& bodies) {
-    ++work_.version;
+    ++plan_.version;
     if (body < own_.size())
-      for (const std::uint64_t number : own_[body]) join(entry_of(number), bodies);
+      for (const std::uint64_t number : own_[body]) join(instance_of(number), bodies);
   }
 
   /// An effect was added.
-  void add_effect(Entry<Real> entry, const NamedBodies<Real>& bodies) {
-    const std::uint64_t number = entry.handle.number;
-    if (entry.everyone) everyone_.push_back(number);
-    for (const BodyHandle target : entry.targets) own_[bodies.index_of(target)].push_back(number);
-    work_.effects.push_back(std::move(entry));
+  void add_effect(EffectInstance<Real> instance, const NamedBodies<Real>& bodies) {
+    const std::uint64_t number = instance.handle.number;
+    if (instance.everyone) everyone_.push_back(number);
+    for (const BodyHandle target : instance.targets)
+      own_[bodies.index_of(target)].push_back(number);
+    plan_.effects.push_back(std::move(instance));
     meet(number, bodies);
   }
 
   /// The effect becomes another one, for the same bodies.
   void replace_effect(std::uint64_t number, std::shared_ptr<const AnyEffect<Real>> effect,
                       const NamedBodies<Real>& bodies) {
-    entry_of(number).effect = std::move(effect);
+    instance_of(number).effect = std::move(effect);
     meet(number, bodies);
   }
 
@@ -101,14 +112,14 @@ class Planner {
     const auto found = find(number);
     const bool everyone = found->everyone;
     const std::vector<BodyHandle> targets = std::move(found->targets);
-    const auto place = static_cast<std::size_t>(found - work_.effects.begin());
-    for (auto& list : work_.in_phase) {
+    const auto place = static_cast<std::size_t>(found - plan_.effects.begin());
+    for (auto& list : plan_.in_phase) {
       std::erase(list, place);
       for (std::size_t& later : list) later -= later > place;
     }
-    work_.effects.erase(found);
+    plan_.effects.erase(found);
     std::erase(everyone_, number);
-    ++work_.version;
+    ++plan_.version;
     for (const BodyHandle target : targets) disown(bodies.index_of(target), number);
     refresh_targets(everyone, targets, bodies);
   }
@@ -130,20 +141,21 @@ class Planner {
   /// True if an effect that is meant for this body can limit the step.
   bool is_limiting(BodyIndex body) {
     bool found = false;
-    for_each_entry_of(
-        body, [&](const Entry<Real>& entry) { found |= entry.effect->traits().has_response; });
+    for_each_instance_of(body, [&](const EffectInstance<Real>& instance) {
+      found |= instance.effect->traits().has_response;
+    });
     return found;
   }
 
   /// A push for the next step alone.
   void add_input(BodyIndex body, const Push<Real>& push, const NamedBodies<Real>& bodies) {
-    work_.inputs.push_back({body, push});
+    plan_.inputs.push_back({body, push});
     note(alone_[body], quantity::force | quantity::torque);
     refresh(body, bodies);
   }
   /// The step was taken, with its inputs.
   void end_inputs(const NamedBodies<Real>& bodies) {
-    for (const Input<Real>& input : std::exchange(work_.inputs, {})) {
+    for (const Input<Real>& input : std::exchange(plan_.inputs, {})) {
       alone_[input.body].is_pushed = alone_[input.body].is_torqued = false;
       refresh(input.body, bodies);
     }
@@ -157,50 +169,47 @@ class Planner {
     const BodyIndex top = bodies.top_of(body);
     alone_[body] = bodies.flags_of(body, alone_[body]);
     const BodyFlags flags = flags_[body] = flags_under<Real>(alone_[body], [&](const auto& ask) {
-      for_each_entry_of(body, [&](Entry<Real>& entry) { ask(*entry.effect); });
+      for_each_instance_of(
+          body, [&](EffectInstance<Real>& instance) { ask(*instance.effect); }, own_motions);
     });
-    for_each_entry_of(body, [&](Entry<Real>& entry) {
-      const EffectTraits<Real>& traits = entry.effect->traits();
+    for_each_instance_of(body, [&](EffectInstance<Real>& instance) {
+      const EffectTraits<Real>& traits = instance.effect->traits();
       if (traits.joins_two() && !traits.finds_pairs) return;
       const BodyIndex member = traits.visits_tops() ? top : body;
       if (member == no_index) return;
-      entry.visits.group.set(member, entry.effect->skip_reason(flags).empty());
-      list_phase(entry);
+      instance.members.indices.set(member, instance.effect->skip_reason(flags).empty());
+      list_phase(instance);
     });
-    work_.pushed.set(body, kick_motion.skip_reason(flags).empty());
-    work_.movers.set(body, drift_motion.skip_reason(flags).empty());
-    if (top != no_index) {
-      work_.torqued.set(top, kick_of_spin.skip_reason(flags).empty());
-      work_.steady.set(top, steady_turning.skip_reason(flags).empty());
-      work_.tumbling.set(top, tumbling_motion.skip_reason(flags).empty());
-    }
-    ++work_.version;
+    plan_.moving.set(body, flags.moves);
+    if (top != no_index) plan_.turning.set(top, flags.turns);
+    ++plan_.version;
   }
   //! [refresh]
 
   /// The pairs that an effect on two visits: those of which it can change something.
-  void join(Entry<Real>& entry, const NamedBodies<Real>& bodies) {
-    const EffectTraits<Real>& traits = entry.effect->traits();
+  void join(EffectInstance<Real>& instance, const NamedBodies<Real>& bodies) {
+    const EffectTraits<Real>& traits = instance.effect->traits();
     if (!traits.joins_two() || traits.finds_pairs) return;
-    entry.visits.pairs.clear();
-    if (entry.effect->skip_reason(BodyFlags{}).empty())
-      for (std::size_t i = 0; i < entry.targets.size(); i += 2) {
-        const BodyPair pair{bodies.index_of(entry.targets[i]),
-                            bodies.index_of(entry.targets[i + 1])};
+    instance.members.pairs.clear();
+    if (instance.effect->skip_reason(BodyFlags{}).empty())
+      for (std::size_t i = 0; i < instance.targets.size(); i += 2) {
+        const BodyPair pair{bodies.index_of(instance.targets[i]),
+                            bodies.index_of(instance.targets[i + 1])};
         if (unwritable_reason(traits.writes, bodies.flags_of(pair.first, {})).empty() ||
             unwritable_reason(traits.writes, bodies.flags_of(pair.second, {})).empty())
-          entry.visits.pairs.push_back(pair);
+          instance.members.pairs.push_back(pair);
       }
-    list_phase(entry);
+    list_phase(instance);
   }
 
   /// Puts the effect into the list of its phase if it visits somebody, else takes it out.
-  void list_phase(const Entry<Real>& entry) {
-    auto& list = work_.in_phase[static_cast<std::size_t>(entry.effect->phase())];
-    const auto place = static_cast<std::size_t>(&entry - work_.effects.data());
+  void list_phase(const EffectInstance<Real>& instance) {
+    if (instance.handle.number == 0) return;  // a motion
+    auto& list = plan_.in_phase[static_cast<std::size_t>(instance.effect->phase())];
+    const auto place = static_cast<std::size_t>(&instance - plan_.effects.data());
     const auto found = std::lower_bound(list.begin(), list.end(), place);
     const bool is_listed = found != list.end() && *found == place;
-    if (is_listed == (entry.visits.size() > 0)) return;
+    if (is_listed == (instance.members.size() > 0)) return;
     if (is_listed)
       list.erase(found);
     else
@@ -208,27 +217,31 @@ class Planner {
   }
 
   auto find(std::uint64_t number) {
-    return std::lower_bound(
-        work_.effects.begin(), work_.effects.end(), number,
-        [](const Entry<Real>& entry, std::uint64_t n) { return entry.handle.number < n; });
+    return std::lower_bound(plan_.effects.begin(), plan_.effects.end(), number,
+                            [](const EffectInstance<Real>& instance, std::uint64_t n) {
+                              return instance.handle.number < n;
+                            });
   }
-  Entry<Real>& entry_of(std::uint64_t number) { return *find(number); }
+  EffectInstance<Real>& instance_of(std::uint64_t number) { return *find(number); }
 
   void disown(BodyIndex body, std::uint64_t number) {
     const auto found = std::find(own_[body].begin(), own_[body].end(), number);
     if (found != own_[body].end()) own_[body].erase(found);
   }
 
+  /// The motions from `first` on, and the effects that are meant for the body. The step's own
+  /// motions raise no flag that what calls for them has not raised: nobody asks them for it.
   template <class Visit>
-  void for_each_entry_of(BodyIndex body, const Visit& visit) {
-    for (const std::uint64_t number : everyone_) visit(entry_of(number));
-    for (const std::uint64_t number : own_[body]) visit(entry_of(number));
+  void for_each_instance_of(BodyIndex body, const Visit& visit, std::size_t first = 0) {
+    for (std::size_t i = first; i < plan_.motions.size(); ++i) visit(plan_.motions[i]);
+    for (const std::uint64_t number : everyone_) visit(instance_of(number));
+    for (const std::uint64_t number : own_[body]) visit(instance_of(number));
   }
 
   void meet(std::uint64_t number, const NamedBodies<Real>& bodies) {
-    join(entry_of(number), bodies);
-    const Entry<Real>& entry = entry_of(number);
-    refresh_targets(entry.everyone, entry.targets, bodies);
+    join(instance_of(number), bodies);
+    const EffectInstance<Real>& instance = instance_of(number);
+    refresh_targets(instance.everyone, instance.targets, bodies);
   }
   void refresh_targets(bool everyone, const std::vector<BodyHandle>& targets,
                        const NamedBodies<Real>& bodies) {
@@ -242,10 +255,11 @@ class Planner {
     const BodyIndex index = bodies.index_of(body);
     while (!own_[index].empty()) {
       const std::uint64_t number = own_[index].back();
-      Entry<Real>& entry = entry_of(number);
-      const std::ptrdiff_t stride = entry.effect->traits().joins_two() ? 2 : 1;
+      EffectInstance<Real>& instance = instance_of(number);
+      const std::ptrdiff_t stride = instance.effect->traits().joins_two() ? 2 : 1;
       std::vector<BodyHandle> kept, gone;
-      for (auto first = entry.targets.begin(); first != entry.targets.end(); first += stride) {
+      for (auto first = instance.targets.begin(); first != instance.targets.end();
+           first += stride) {
         auto& list = std::find(first, first + stride, body) == first + stride ? kept : gone;
         list.insert(list.end(), first, first + stride);
       }
@@ -253,16 +267,17 @@ class Planner {
         remove_effect(number, bodies);
         continue;
       }
-      entry.targets = std::move(kept);
-      entry.visits.group.erase(entry.effect->traits().visits_tops() ? bodies.top_of(index) : index);
+      instance.targets = std::move(kept);
+      instance.members.indices.erase(instance.effect->traits().visits_tops() ? bodies.top_of(index)
+                                                                             : index);
       for (const BodyHandle target : gone) disown(bodies.index_of(target), number);
-      join(entry, bodies);
-      list_phase(entry);
+      join(instance, bodies);
+      list_phase(instance);
       refresh_targets(false, gone, bodies);
     }
   }
 
-  Work<Real> work_;
+  StepPlan<Real> plan_;
   IndexSet touched_;  // whose motion or flags somebody has changed since touched_by_nobody()
   std::vector<BodyFlags> alone_, flags_;
   std::vector<std::vector<std::uint64_t>> own_;  // effects meant for a body, once for each pair

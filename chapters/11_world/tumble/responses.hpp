@@ -7,7 +7,7 @@
 #include <tumble/held_points.hpp>
 #include <tumble/rotors.hpp>
 #include <tumble/semi_implicit_euler.hpp>
-#include <tumble/work.hpp>
+#include <tumble/step_plan.hpp>
 #include <vector>
 
 namespace tumble {
@@ -17,7 +17,7 @@ namespace tumble {
 template <class Real>
 struct StepLimit {
   Real time_step = std::numeric_limits<Real>::infinity();
-  std::size_t entry = 0;          ///< the effect: its place among the scene's
+  std::size_t effect = 0;         ///< its place among the scene's
   BodyIndex body = 0;             ///< on which body, or which first one of two
   Real at_rest = time_step;       ///< the step that would be short enough if no body spun, s
   BodyIndex spinning = no_index;  ///< of the one or two bodies, which nutates the fastest, if any
@@ -29,22 +29,22 @@ template <class Real>
 class Responses {
  public:
   /// Rotors count with what they hold at `time` (s).
-  Responses(const Work<Real>& work, const NamedBodies<Real>& all, Real time)
+  Responses(const StepPlan<Real>& plan, const NamedBodies<Real>& all, Real time)
       : nutations_(all.size(), Real(0)) {
-    const std::vector<Entry<Real>>& entries = work.effects;
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      const EffectTraits<Real>& traits = entries[i].effect->traits();
+    const std::vector<EffectInstance<Real>>& instances = plan.effects;
+    for (std::size_t i = 0; i < instances.size(); ++i) {
+      const EffectTraits<Real>& traits = instances[i].effect->traits();
       if (!traits.has_response) continue;
       std::vector<BodyIndex> bodies;
-      if (entries[i].everyone)
+      if (instances[i].everyone)
         for (BodyIndex body = 0; body < all.size(); ++body) bodies.push_back(body);
-      for (const BodyHandle target : entries[i].targets) bodies.push_back(all.index_of(target));
+      for (const BodyHandle target : instances[i].targets) bodies.push_back(all.index_of(target));
       const std::size_t stride = traits.joins_two() ? 2 : 1;
       for (std::size_t k = 0; k < bodies.size(); k += stride) {
         RigidBody<Real> first = all.body(bodies[k]),
                         second = stride == 2 ? all.body(bodies[k + 1]) : first;
         const Response<Real> response =
-            entries[i].effect->response({first.centre, first.top}, {second.centre, second.top});
+            instances[i].effect->response({first.centre, first.top}, {second.centre, second.top});
         if (response.stiffness == 0 && response.damping == 0 &&
             response.force == Vec3<Real>::Zero() &&
             response.turning_stiffness == Mat3<Real>::Zero() &&
@@ -53,7 +53,7 @@ class Responses {
         holds_.push_back({i, bodies[k], ends_.size(), stride});
         const auto ends = static_cast<Real>(stride);
         const auto add_rotors = [&](Top<Real>& top, BodyIndex body) {
-          top.angular_momentum_body += nutating_momentum(work, all.top_of(body), top, time);
+          top.angular_momentum_body += nutating_momentum(plan, all.top_of(body), top, time);
         };
         add_rotors(first.top, bodies[k]);
         hold(first, bodies[k], response, response.arm_first, response.force, ends);
@@ -103,7 +103,7 @@ class Responses {
     BodyIndex body;
   };
   struct Hold {
-    std::size_t entry;
+    std::size_t effect;
     BodyIndex body;
     std::size_t first_end, end_count;  // one or two
   };
@@ -115,7 +115,7 @@ class Responses {
 
   StepLimit<Real> limited_by(std::size_t hold, Real time_step) const {
     StepLimit<Real> limit{
-        .time_step = time_step, .entry = holds_[hold].entry, .body = holds_[hold].body};
+        .time_step = time_step, .effect = holds_[hold].effect, .body = holds_[hold].body};
     for (std::size_t end = holds_[hold].first_end, n = 0; n < holds_[hold].end_count; ++end, ++n)
       if (const BodyIndex body = ends_[end].body; nutations_[body] > limit.nutation_rate)
         limit.spinning = body, limit.nutation_rate = nutations_[body];

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <tumble/splitting.hpp>
-#include <tumble/work.hpp>
+#include <tumble/step_plan.hpp>
 
 namespace tumble {
 
@@ -61,50 +61,15 @@ Real time_of(RotorAct act, const StepTime<Real>& drift) {
   return act < RotorAct::turn_after ? drift.time : drift.time + drift.time_step;
 }
 
-/// Does it to the tops of a group.
-template <class Real>
-void run_rotor(const AnyEffect<Real>& rotor, const IndexSet& group, RotorAct act,
-               std::vector<Top<Real>>& tops, const StepTime<Real>& drift) {
-  const Vec3<Real> H = rotor.rotor_momentum_body(time_of(act, drift));
-  for_each_of(group, tops, [&](auto& top) { act_on<Real>(top, act, H, drift.time_step); });
-}
-
-/// Does it to all that the effect number `i` visits.
-template <class Real>
-void run_rotor(const Work<Real>& work, std::size_t i, RotorAct act, std::vector<Top<Real>>& tops,
-               const StepTime<Real>& drift) {
-  run_rotor(*work.effects[i].effect, work.effects[i].visits.group, act, tops, drift);
-}
-
-/// Those of the scene's effects that are rotors and visit any body: indices.
-template <class Real>
-const std::vector<std::size_t>& rotors_of(const Work<Real>& work) {
-  return work.in_phase[static_cast<std::size_t>(Phase::turn)];
-}
-
-/// What rotors do about the turning: calls `act` with each of `rotors` and what it does. All have
-/// joined before any of them turns a body, and after `turn` all goes the other way round, so that a
-/// drift back undoes a drift forth.
-//! [with_rotors]
-template <class Act, class Turn>
-void with_rotors(const std::vector<std::size_t>& rotors, const Act& act, const Turn& turn) {
-  for (const RotorAct what : {RotorAct::join, RotorAct::turn_before})
-    for (auto i = rotors.begin(); i != rotors.end(); ++i) act(*i, what);
-  turn();
-  for (const RotorAct what : {RotorAct::turn_after, RotorAct::leave})
-    for (auto i = rotors.rbegin(); i != rotors.rend(); ++i) act(*i, what);
-}
-//! [with_rotors]
-
 /// What of all rotors of a top can make it nutate at `time` (s), kg m²/s, body axes: nothing about
 /// an axis beside which it can't turn about both others.
 template <class Real>
-Vec3<Real> nutating_momentum(const Work<Real>& work, BodyIndex index, const Top<Real>& top,
+Vec3<Real> nutating_momentum(const StepPlan<Real>& plan, BodyIndex index, const Top<Real>& top,
                              Real time) {
   Vec3<Real> sum = Vec3<Real>::Zero();
-  for (const std::size_t i : rotors_of(work))
-    if (work.effects[i].visits.group.contains(index))
-      sum += work.effects[i].effect->rotor_momentum_body(time);
+  for (const std::size_t i : plan.in_phase[static_cast<std::size_t>(Phase::turn)])
+    if (plan.effects[i].members.indices.contains(index))
+      sum += plan.effects[i].effect->rotor_momentum_body(time);
   const Vec3<Real>& J = top.inverse_moments;
   for (int axis = 0; axis < 3; ++axis)
     if (J[(axis + 1) % 3] == 0 || J[(axis + 2) % 3] == 0) sum[axis] = 0;

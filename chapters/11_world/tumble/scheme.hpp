@@ -30,8 +30,9 @@ inline int order_of(Scheme scheme) {
   return scheme == Scheme::semi_implicit_euler ? 1 : scheme == Scheme::verlet ? 2 : 4;
 }
 
-/// What a substep does.
-enum class SubstepKind { kick, whole, drift };
+/// What a substep is: a kick or a drift; `whole` is what blows and damping act for, the step as a
+/// whole; and the end is where its time has passed.
+enum class SubstepKind { kick, whole, drift, end };
 
 /// A part of a step; its times are parts of the whole step.
 template <class Real>
@@ -41,10 +42,6 @@ struct Substep {
   Real lasts;   ///< negative: backwards
 };
 
-/// What belongs to the step as a whole: blows and damping, and what acts on places at its end.
-template <class Real>
-inline constexpr Substep<Real> whole_step = {SubstepKind::whole, 0, 1};
-
 /// When a substep happens.
 template <class Real>
 StepTime<Real> step_time_of(const Substep<Real>& substep, const StepTime<Real>& step) {
@@ -52,7 +49,7 @@ StepTime<Real> step_time_of(const Substep<Real>& substep, const StepTime<Real>& 
 }
 
 /// The substeps of a scheme's step, in their order. Blows and damping, which are given for whole
-/// steps, come once, before the last drift.
+/// steps, come once, before the last drift; and so does what acts at the end, for all of it too.
 //! [substeps_of]
 template <class Real>
 std::vector<Substep<Real>> substeps_of(Scheme scheme) {
@@ -76,7 +73,8 @@ std::vector<Substep<Real>> substeps_of(Scheme scheme) {
       add(SubstepKind::drift, length / 2);
     }
   }
-  substeps.insert(substeps.end() - 1, whole_step<Real>);
+  substeps.insert(substeps.end() - 1, {SubstepKind::whole, 0, 1});
+  substeps.push_back({SubstepKind::end, 0, 1});
   return substeps;
 }
 //! [substeps_of]

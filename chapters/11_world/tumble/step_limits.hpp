@@ -78,14 +78,14 @@ namespace tumble {
 /// Suzuki's too. Both are tried on random scenes, and not proved.
 //! [bound]
 template <class Real>
-StepLimit<Real> step_limit(const Work<Real>& work, const NamedBodies<Real>& bodies,
+StepLimit<Real> step_limit(const StepPlan<Real>& plan, const NamedBodies<Real>& bodies,
                            Same<Real> time) {
-  const Responses<Real> responses(work, bodies, time);
+  const Responses<Real> responses(plan, bodies, time);
   const Real half_turn = std::numbers::pi_v<Real>;
   const StepLimit<Real> limit = responses.limit(1, half_turn, yielding<Real>);
-  if (responses.is_damped() || work.scheme != Scheme::suzuki) return limit;
+  if (responses.is_damped() || plan.scheme != Scheme::suzuki) return limit;
   const StepLimit<Real> suzuki =
-      responses.limit(static_cast<Real>(largest_stable_angle(work.scheme) / 2),
+      responses.limit(static_cast<Real>(largest_stable_angle(plan.scheme) / 2),
                       half_turn / std::sqrt(Real(1.5)), [half_turn](Real angle) {
                         return 1 / (1 - Real(1.5) * (angle / half_turn) * (angle / half_turn));
                       });
@@ -96,19 +96,19 @@ StepLimit<Real> step_limit(const Work<Real>& work, const NamedBodies<Real>& bodi
 /// What may go wrong in the step at `at`, such as one that is too long for a spring: a sentence, or
 /// none.
 template <class Real>
-std::vector<std::string> warnings(const Work<Real>& work, const NamedBodies<Real>& bodies,
+std::vector<std::string> warnings(const StepPlan<Real>& plan, const NamedBodies<Real>& bodies,
                                   const StepTime<Real>& at) {
-  const StepLimit<Real> limit = step_limit(work, bodies, at.time);
+  const StepLimit<Real> limit = step_limit(plan, bodies, at.time);
   if (at.time_step <= limit.time_step) return {};
   const auto named = [&](BodyIndex body) { return "'" + bodies.registry.name_of(body) + "'"; };
-  std::string warning = "'" + work.effects[limit.entry].effect->name() + "' on " +
+  std::string warning = "'" + plan.effects[limit.effect].effect->name() + "' on " +
                         named(limit.body) + " may gain energy without bound: the time step is " +
                         text_of(at.time_step) + " s, and only up to " + text_of(limit.time_step) +
                         " s can this be excluded";
   if (at.time_step <= limit.at_rest) {
     const BodyIndex body = limit.spinning;
     const Vec3<Real> rotors =
-        nutating_momentum(work, bodies.top_of(body), bodies.body(body).top, at.time);
+        nutating_momentum(plan, bodies.top_of(body), bodies.body(body).top, at.time);
     warning +=
         ", since " +
         (rotors == Vec3<Real>::Zero() ? named(body) + " spins"
@@ -124,11 +124,11 @@ std::vector<std::string> warnings(const Work<Real>& work, const NamedBodies<Real
 /// each.
 //! [unknown_limits]
 template <class Real>
-std::vector<std::string> unknown_limits(const Work<Real>& work) {
+std::vector<std::string> unknown_limits(const StepPlan<Real>& plan) {
   std::vector<std::string> sentences;
-  for (const Entry<Real>& entry : work.effects)
-    if (const EffectTraits<Real>& traits = entry.effect->traits();
-        traits.may_feed_back && entry.visits.size() > 0)
+  for (const EffectInstance<Real>& instance : plan.effects)
+    if (const EffectTraits<Real>& traits = instance.effect->traits();
+        traits.may_feed_back && instance.members.size() > 0)
       sentences.push_back(
           "'" + traits.name + "' reads " + text_of(traits.reads & quantity::of_motion) +
           (traits.finds_pairs ? ", of pairs that it finds itself" : ", and has no response()"));

@@ -10,6 +10,7 @@
 #include <tumble/failure.hpp>
 #include <tumble/one_by_one.hpp>
 #include <tumble/other_runs.hpp>
+#include <tumble/plan.hpp>
 #include <tumble/step_clock.hpp>
 #include <tumble/step_limits.hpp>
 #include <unordered_set>
@@ -29,9 +30,10 @@ class World {
   /// write.
   template <TurningRule<Real> Rule = Splitting>
   explicit World(const StepLength& step = {}, const Rule& rule = {})
-      : step_(step), time_step_(time_step_of<Real>(step)) {
+      : step_(step),
+        time_step_(time_step_of<Real>(step)),
+        planner_(motions_of<Real, Backend>(rule)) {
     require_step_length(step, 0);
-    planner_.turn_by(Backend::erased_rule(rule));
   }
 
   // --- Bodies -----------------------------------------------------------------------------------
@@ -150,7 +152,7 @@ class World {
   }
 
   /// What the steps go through, and what is known of each body.
-  const Work<Real>& work() const { return planner_.work(); }
+  const StepPlan<Real>& step_plan() const { return planner_.step_plan(); }
   const std::vector<BodyFlags>& flags() const { return planner_.flags(); }
 
   // --- Effects ----------------------------------------------------------------------------------
@@ -175,19 +177,19 @@ class World {
   }
 
   void remove(EffectHandle effect) {
-    const Entry<Real>& entry = entry_of(effect);
-    change_log_.note("'" + entry.effect->name() + "' was removed");
-    limit_changed_ |= entry.effect->traits().changes_limit();
+    const EffectInstance<Real>& instance = instance_of(effect);
+    change_log_.note("'" + instance.effect->name() + "' was removed");
+    limit_changed_ |= instance.effect->traits().changes_limit();
     planner_.remove_effect(effect.number, all());
   }
 
   /// The effect, whose type the caller must know. @throws std::invalid_argument if it is another.
   template <class Effect>
   const Effect& effect(EffectHandle handle) const {
-    const Entry<Real>& entry = entry_of(handle);
-    const auto* found = dynamic_cast<const EffectOf<Real, Effect>*>(entry.effect.get());
+    const EffectInstance<Real>& instance = instance_of(handle);
+    const auto* found = dynamic_cast<const EffectOf<Real, Effect>*>(instance.effect.get());
     if (!found)
-      throw std::invalid_argument("'" + entry.effect->name() + "' is an effect of another type");
+      throw std::invalid_argument("'" + instance.effect->name() + "' is an effect of another type");
     return found->effect();
   }
 
@@ -197,7 +199,7 @@ class World {
     (void)effect<Effect>(handle);
     auto erased = prepared(by);
     change_log_.note("'" + erased->name() + "' was changed");
-    for (std::size_t i = 0; const BodyHandle body : entry_of(handle).targets)
+    for (std::size_t i = 0; const BodyHandle body : instance_of(handle).targets)
       require_top_for(*erased, body, i++);
     limit_changed_ |= erased->traits().changes_limit();
     planner_.replace_effect(handle.number, std::move(erased), all());
@@ -208,7 +210,7 @@ class World {
   template <TurningRule<Real> Rule>
   void turn_by(const Rule& rule) {
     change_log_.note("another method of turning was chosen");
-    planner_.turn_by(Backend::erased_rule(rule));
+    planner_.turn_by(Backend::erased(Tumbling<Rule>{.rule = rule}));
   }
 
   /// From now on all bodies are stepped by `scheme`.
@@ -218,11 +220,23 @@ class World {
     planner_.step_by(scheme);
   }
 
+  /// Adds a motion that every step makes behind its own of that phase, for all bodies: see
+  /// motions.hpp.
+  template <class Motion>
+  void add_motion(const Motion& motion) {
+    static_assert(
+        MovesInPlace<Motion, Particle<Real>, Real> || MovesInPlace<Motion, Top<Real>, Real>,
+        "a motion is a function of a centre or a top and a time step, and says what it "
+        "writes");
+    change_log_.note("'" + std::string(motion.name) + "' came");
+    planner_.add_motion({.effect = Backend::erased(motion)}, all());
+  }
+
   /// The effects of the scene, in the order in which they came.
-  const std::vector<Entry<Real>>& effects() const { return planner_.work().effects; }
+  const std::vector<EffectInstance<Real>>& effects() const { return step_plan().effects; }
   /// The name of the rule by which bodies turn whose moments differ.
-  const std::string& turning_method() const { return planner_.work().rule->name(); }
-  Scheme scheme() const { return planner_.work().scheme; }
+  std::string turning_method() const { return turning_method_of(step_plan()); }
+  Scheme scheme() const { return step_plan().scheme; }
 
   // --- Time -------------------------------------------------------------------------------------
 
@@ -261,18 +275,21 @@ class World {
 
   /// What each step does, as a table. It is made when one asks; what it tells of is always right.
   Plan plan() const {
-    return {rows_of(planner_, all()), accuracy_of(work()), warnings(), unknown_limits(work())};
+    return {rows_of(planner_, all()), accuracy_of(step_plan()), warnings(),
+            unknown_limits(step_plan())};
   }
   /// What may go wrong as the bodies are now, such as a step too long for a spring.
-  std::vector<std::string> warnings() const { return tumble::warnings(work(), all(), step_time()); }
+  std::vector<std::string> warnings() const {
+    return tumble::warnings(step_plan(), all(), step_time());
+  }
 
   /// Up to which step no effect that has a response() can feed on itself, as the bodies are now.
-  StepLimit<Real> step_limit() const { return tumble::step_limit(work(), all(), time()); }
+  StepLimit<Real> step_limit() const { return tumble::step_limit(step_plan(), all(), time()); }
 
   /// What has changed the plan since the world began, a sentence each; the last hundred of them.
   std::vector<std::string> change_log() const {
     ChangeLog now = change_log_;
-    if (now.is_pending()) now.tell(work(), registry_.size(), ticks_);
+    if (now.is_pending()) now.tell(step_plan(), registry_.size(), ticks_);
     return now.sentences();
   }
 
@@ -285,7 +302,7 @@ class World {
   /// effect throws; the world is then as it was before the step.
   void step() {
     if (change_log_.is_pending()) tell_changes();
-    const std::optional<BodyIndex> diverged = backend_.step(work(), step_time());
+    const std::optional<BodyIndex> diverged = backend_.step(step_plan(), step_time());
     if (diverged) stop(*diverged);
     ++ticks_;
     planner_.end_inputs(all());
@@ -294,14 +311,14 @@ class World {
   /// The same step without groups: see step_by_reference() in other_runs.hpp.
   void step_by_reference() {
     step_on_copy([&](Bodies<Real>& bodies, const auto& index_of) {
-      tumble::step_by_reference(bodies, work(), planner_.alone(), step_time(), index_of);
+      tumble::step_by_reference(bodies, step_plan(), planner_.alone(), step_time(), index_of);
     });
   }
 
   /// The same step with nothing known of any body: see step_exhaustively() in other_runs.hpp.
   void step_exhaustively() {
     step_on_copy([&](Bodies<Real>& bodies, const auto& index_of) {
-      tumble::step_exhaustively(bodies, work(), step_time(), index_of);
+      tumble::step_exhaustively(bodies, step_plan(), step_time(), index_of);
     });
   }
 
@@ -354,9 +371,9 @@ class World {
     return body;
   }
 
-  const Entry<Real>& entry_of(EffectHandle handle) const {
-    for (const Entry<Real>& entry : effects())
-      if (entry.handle == handle) return entry;
+  const EffectInstance<Real>& instance_of(EffectHandle handle) const {
+    for (const EffectInstance<Real>& instance : effects())
+      if (instance.handle == handle) return instance;
     throw std::out_of_range("stale handle: effect " + std::to_string(handle.number) +
                             " has been removed or never was in this world");
   }
@@ -395,13 +412,13 @@ class World {
     change_log_.note("'" + name + "' came");
     limit_changed_ |= erased->traits().changes_limit();
     const EffectHandle handle{++last_effect_, registry_.family()};
-    planner_.add_effect({handle, std::move(erased), everyone, bodies, {}}, all());
+    planner_.add_effect({handle, std::move(erased), everyone, bodies}, all());
     return handle;
   }
 
   /// Tells of what has changed since the last step.
   void tell_changes() {
-    change_log_.tell(work(), registry_.size(), ticks_);
+    change_log_.tell(step_plan(), registry_.size(), ticks_);
     if (!std::exchange(limit_changed_, false)) return;
     for (const std::string& warning : warnings())
       if (tell_)
@@ -414,7 +431,8 @@ class World {
   void step_on_copy(const Step& step) {
     Bodies<Real> bodies = backend_.bodies();
     step(bodies, [this](BodyHandle body) { return registry_.index_of(body); });
-    if (const std::optional<BodyIndex> diverged = first_diverged(bodies, work())) stop(*diverged);
+    if (const std::optional<BodyIndex> diverged = first_diverged(bodies, step_plan()))
+      stop(*diverged);
     backend_.set_bodies(std::move(bodies));
     checkpoints_.forget_all();
     ++ticks_;
@@ -422,8 +440,8 @@ class World {
   }
 
   [[noreturn]] void stop(BodyIndex diverged) {
-    throw failure<Real>(registry_.name_of(diverged), diverged, bodies(), work(), ticks_,
-                        time_step_);
+    throw failure<Real>(registry_.name_of(diverged), diverged, bodies(), step_plan(), ticks_,
+                        step_time());
   }
 
   StepLength step_;

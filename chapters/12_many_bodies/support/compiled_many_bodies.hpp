@@ -6,12 +6,13 @@
 #include <tumble/turning_methods.hpp>
 
 // NOLINTBEGIN(bugprone-macro-parentheses): a kind of declaration and a type can stand in none
-#define TUMBLE_MANY_BODIES(how, Real)                                    \
-  how template class Schedule<Real, natural_width<Real>>;                \
-  how template struct PackedActs<Real, natural_width<Real>>;             \
-  how template class PackedRuleOf<Real, natural_width<Real>, Splitting>; \
-  how template class InPacks<Real>;                                      \
-  how template class World<Real, InPacks<Real>>;                         \
+#define TUMBLE_MANY_BODIES(how, Real)                                             \
+  how template class Schedule<Real, natural_width<Real>>;                         \
+  how template struct PackedActs<Real, natural_width<Real>>;                      \
+  how template std::vector<EffectInstance<Real>> motions_of<Real, InPacks<Real>>( \
+      const Splitting&);                                                          \
+  how template class InPacks<Real>;                                               \
+  how template class World<Real, InPacks<Real>>;                                  \
   how template void FirstTurningRules::choose(World<Real, InPacks<Real>>&, std::size_t);
 // NOLINTEND(bugprone-macro-parentheses)
 

@@ -31,14 +31,10 @@ class InPacks final : public BodyStore<Real> {
   }
   void take_out(BodyIndex body) override { tumble::take_out(acts_.bodies, body); }
 
-  /// The form in which its steps run an effect or a rule.
+  /// The form in which its steps run an effect or a motion.
   template <class Effect>
   static std::shared_ptr<const AnyEffect<Real>> erased(const Effect& effect) {
     return std::make_shared<const PackedEffectOf<Real, width, Effect>>(effect);
-  }
-  template <class Rule>
-  static std::shared_ptr<const AnyRule<Real>> erased_rule(const Rule& rule) {
-    return std::make_shared<const PackedRuleOf<Real, width, Rule>>(rule);
   }
 
   /// So many threads take part in each step from now on; without a call, one.
@@ -51,58 +47,60 @@ class InPacks final : public BodyStore<Real> {
   /// See OneByOne::step(). The stages one after another; each thread takes the blocks of its own
   /// share one by one through a whole stage.
   //! [step]
-  std::optional<BodyIndex> step(const Work<Real>& work, const StepTime<Real>& moment) {
-    prepare(work);
+  std::optional<BodyIndex> step(const StepPlan<Real>& plan, const StepTime<Real>& at) {
+    prepare(plan);
     std::atomic<bool> diverged = false;
     try {
       for (const Stage<Real, width>& stage : schedule_.stages) {
-        for (const Pass& pass : stage.on_both) on_both_.run(acts_, work, pass, moment, pool_);
-        pool_.parallel_for(!is_small(stage), [&](int member, int members) {
+        for (const PackedPass<Real, width>& pass : stage.on_both)
+          on_both_.run(acts_, plan, pass, at, pool_);
+        pool_.parallel_for(!is_small(stage), [&](int thread, int threads) {
           std::exception_ptr thrown;
-          const bool centres = run_row(work, stage.on_centres, acts_.bodies.centres, moment, member,
-                                       members, thrown);
+          const bool centres =
+              run_row(plan, stage.on_centres, acts_.bodies.centres, at, thread, threads, thrown);
           const bool tops =
-              run_row(work, stage.on_tops, acts_.bodies.tops, moment, member, members, thrown);
+              run_row(plan, stage.on_tops, acts_.bodies.tops, at, thread, threads, thrown);
           if (thrown) std::rethrow_exception(thrown);
           if (centres || tops) diverged = true;
         });
       }
     } catch (...) {  // an effect has thrown
-      (void)acts_.rolled_back(work);
+      (void)acts_.rolled_back(plan);
       throw;
     }
-    return diverged ? acts_.rolled_back(work) : std::nullopt;
+    return diverged ? acts_.rolled_back(plan) : std::nullopt;
   }
   //! [step]
 
   /// What a step consists of; and one part alone, to measure what it costs.
-  std::vector<PackedPart> parts(const Work<Real>& work) {
+  std::vector<PackedPart> parts(const StepPlan<Real>& plan) {
     std::vector<PackedPart> parts;
-    for_each_pass(work, [&](const Pass& pass, bool of_tops, const Stage<Real, width>&) {
-      parts.push_back(packed_part_of(work, pass, of_tops));
-    });
+    for_each_pass(
+        plan, [&](const PackedPass<Real, width>& pass, bool of_tops, const Stage<Real, width>&) {
+          parts.push_back(packed_part_of(plan, pass, of_tops));
+        });
     return parts;
   }
-  void run_part(const Work<Real>& work, std::size_t part, const StepTime<Real>& moment) {
+  void run_part(const StepPlan<Real>& plan, std::size_t part, const StepTime<Real>& at) {
     std::size_t n = 0;
-    for_each_pass(work, [&](const Pass& pass, bool of_tops, const Stage<Real, width>& stage) {
+    for_each_pass(plan, [&](const PackedPass<Real, width>& pass, bool of_tops,
+                            const Stage<Real, width>& stage) {
       if (n++ != part) return;
       if (!stage.on_both.empty() && &pass == &stage.on_both[0])
-        acts_.act_on_both(work, pass, moment);
+        acts_.run_on_both(plan, pass, at);
       else if (of_tops)
-        acts_.act(work, pass, acts_.bodies.tops, 0, no_index, moment);
+        acts_.act(plan, pass, acts_.bodies.tops, 0, no_index, at);
       else
-        acts_.act(work, pass, acts_.bodies.centres, 0, no_index, moment);
+        acts_.act(plan, pass, acts_.bodies.centres, 0, no_index, at);
     });
   }
 
  private:
-  using Pass = PackedPass<Real, width>;
   static constexpr std::uint32_t packs_in_block = Schedule<Real, width>::packs_in_block;
 
-  void prepare(const Work<Real>& work) {
-    if (schedule_.version == work.version) return;
-    schedule_ = Schedule<Real, width>(work);
+  void prepare(const StepPlan<Real>& plan) {
+    if (schedule_.version == plan.version) return;
+    schedule_ = Schedule<Real, width>(plan);
     if (pool_.size() > 1) schedule_.keep_threads_apart(acts_.bodies);
     acts_.undo.resize(acts_.bodies.centres.packs().size(), acts_.bodies.tops.packs().size());
   }
@@ -121,16 +119,16 @@ class InPacks final : public BodyStore<Real> {
   /// nowhere
   //! [run_row]
   template <class Array>
-  bool run_row(const Work<Real>& work, const Row<Real, width>& row, Array& array,
-               const StepTime<Real>& moment, int member, int members, std::exception_ptr& thrown) {
-    const std::size_t end = share_of(row.blocks.size(), member + 1, members);
+  bool run_row(const StepPlan<Real>& plan, const Row<Real, width>& row, Array& array,
+               const StepTime<Real>& at, int thread, int threads, std::exception_ptr& thrown) {
+    const std::size_t end = share_of(row.blocks.size(), thread + 1, threads);
     bool diverged = false;
-    for (std::size_t n = share_of(row.blocks.size(), member, members); n < end; ++n)
-      for (const Pass& pass : row.passes) {
+    for (std::size_t n = share_of(row.blocks.size(), thread, threads); n < end; ++n)
+      for (const PackedPass<Real, width>& pass : row.passes) {
         if (thrown && pass.act != Act::remember) continue;
         const std::uint32_t begin = row.blocks[n];
         try {
-          diverged |= acts_.act(work, pass, array, begin, begin + packs_in_block, moment);
+          diverged |= acts_.act(plan, pass, array, begin, begin + packs_in_block, at);
         } catch (...) {
           thrown = std::current_exception();
         }
@@ -140,12 +138,12 @@ class InPacks final : public BodyStore<Real> {
   //! [run_row]
 
   template <class Visit>
-  void for_each_pass(const Work<Real>& work, const Visit& visit) {
-    prepare(work);
+  void for_each_pass(const StepPlan<Real>& plan, const Visit& visit) {
+    prepare(plan);
     for (const Stage<Real, width>& stage : schedule_.stages) {
-      for (const Pass& pass : stage.on_both) visit(pass, false, stage);
-      for (const Pass& pass : stage.on_centres.passes) visit(pass, false, stage);
-      for (const Pass& pass : stage.on_tops.passes) visit(pass, true, stage);
+      for (const PackedPass<Real, width>& pass : stage.on_both) visit(pass, false, stage);
+      for (const PackedPass<Real, width>& pass : stage.on_centres.passes) visit(pass, false, stage);
+      for (const PackedPass<Real, width>& pass : stage.on_tops.passes) visit(pass, true, stage);
     }
   }
 

@@ -12,9 +12,9 @@ namespace tumble {
 //! [add_pushes]
 template <class Real, int width>
 [[gnu::flatten]] void add_pushes(PackedBodies<Real, width>& bodies, std::span<const BodyPair> pairs,
-                                 std::span<const PairPush<Real>> pushes, int member, int members) {
+                                 std::span<const PairPush<Real>> pushes, int thread, int threads) {
   const auto is_mine = [&](std::size_t pack, std::size_t count) {
-    return share_of(count, member, members) <= pack && pack < share_of(count, member + 1, members);
+    return share_of(count, thread, threads) <= pack && pack < share_of(count, thread + 1, threads);
   };
   const auto add = [&](BodyIndex body, const Push<Real>& push) {
     auto& centres = bodies.centres.packs();
@@ -52,35 +52,36 @@ class OnBoth {
   /// Forces between pairs are found first, each by some thread, and then added, each body's by one
   /// thread. A blow meets the speeds that the blows before it have left: one thread deals them all.
   //! [on_both]
-  void run(PackedActs<Real, width>& acts, const Work<Real>& work,
+  void run(PackedActs<Real, width>& acts, const StepPlan<Real>& plan,
            const PackedPass<Real, width>& pass, const StepTime<Real>& step, ThreadPool& pool) {
-    if (pool.size() == 1 || pass.act == Act::inputs) return acts.act_on_both(work, pass, step);
-    const Entry<Real>& entry = work.effects[pass.entry];
-    const StepTime<Real> moment = step_time_of(pass.substep, step);
-    const auto members = static_cast<std::size_t>(pool.size());
-    if (!entry.effect->traits().joins_two()) {
+    if (pool.size() == 1 || !pass.effect) return acts.run_on_both(plan, pass, step);
+    const EffectInstance<Real>& instance = instance_of(pass.pass, plan);
+    const StepTime<Real> at = step_time_of(pass.pass, step);
+    const auto threads = static_cast<std::size_t>(pool.size());
+    if (!instance.effect->traits().joins_two()) {
       for (const std::vector<std::uint32_t>& packs : pass.apart)
-        pool.parallel_for(packs.size() * width >= smallest_share_of_pairs * members,
-                          [&](int member, int of) {
-                            const std::size_t end = share_of(packs.size(), member + 1, of);
-                            for (std::size_t n = share_of(packs.size(), member, of); n < end; ++n)
-                              pass.effect->run_on_packs(acts.bodies, entry.visits, pass.group,
-                                                        packs[n], packs[n] + 1, moment);
+        pool.parallel_for(packs.size() * width >= smallest_share_of_pairs * threads,
+                          [&](int thread, int of) {
+                            const std::size_t end = share_of(packs.size(), thread + 1, of);
+                            for (std::size_t n = share_of(packs.size(), thread, of); n < end; ++n)
+                              pass.effect->run_on_packs(acts.bodies, instance.members, pass.indices,
+                                                        packs[n], packs[n] + 1, at);
                           });
-    } else if (entry.effect->phase() != Phase::force) {
-      acts.act_on_both(work, pass, step);
+    } else if (instance.effect->phase() != Phase::force) {
+      acts.run_on_both(plan, pass, step);
     } else {
-      const std::span<const BodyPair> pairs = pass.effect->pairs(acts.bodies, entry.visits, found_);
-      const bool worth_it = pairs.size() >= smallest_share_of_pairs * members;
+      const std::span<const BodyPair> pairs =
+          pass.effect->pairs(acts.bodies, instance.members, found_);
+      const bool worth_it = pairs.size() >= smallest_share_of_pairs * threads;
       pushes_.resize(pairs.size());
-      pool.parallel_for(worth_it, [&](int member, int of) {
-        const std::size_t begin = share_of(pairs.size(), member, of);
-        const std::size_t count = share_of(pairs.size(), member + 1, of) - begin;
+      pool.parallel_for(worth_it, [&](int thread, int of) {
+        const std::size_t begin = share_of(pairs.size(), thread, of);
+        const std::size_t count = share_of(pairs.size(), thread + 1, of) - begin;
         pass.effect->find_pushes(acts.bodies, pairs.subspan(begin, count),
-                                 std::span(pushes_).subspan(begin, count), moment.time);
+                                 std::span(pushes_).subspan(begin, count), at.time);
       });
-      pool.parallel_for(worth_it, [&](int member, int of) {
-        add_pushes<Real, width>(acts.bodies, pairs, pushes_, member, of);
+      pool.parallel_for(worth_it, [&](int thread, int of) {
+        add_pushes<Real, width>(acts.bodies, pairs, pushes_, thread, of);
       });
     }
   }

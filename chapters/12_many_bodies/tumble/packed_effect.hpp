@@ -5,7 +5,6 @@
 #include <span>
 #include <tumble/any_effect.hpp>
 #include <tumble/packed_visits.hpp>
-#include <tumble/rule.hpp>
 
 namespace tumble {
 
@@ -15,15 +14,15 @@ template <class Real, int width>
 class PackedEffect {
  public:
   virtual ~PackedEffect() = default;
-  /// Runs the effect's function on those bodies of the group that lie in the packs from `begin` to
+  /// Runs the effect's function on those bodies of `packs` that lie in the packs from `begin` to
   /// before `end`; on all pairs if it joins two.
-  virtual void run_on_packs(PackedBodies<Real, width>& bodies, const Visits& visits,
+  virtual void run_on_packs(PackedBodies<Real, width>& bodies, const Members& members,
                             const PackedIndexSet<Real, width>& packs, std::uint32_t begin,
-                            std::uint32_t end, const StepTime<Real>& moment) const = 0;
+                            std::uint32_t end, const StepTime<Real>& at) const = 0;
   /// The pairs that it joins, of an effect on two: those that it visits or, put into `found`, those
   /// that it finds.
   virtual std::span<const BodyPair> pairs(const PackedBodies<Real, width>& bodies,
-                                          const Visits& visits,
+                                          const Members& members,
                                           std::vector<BodyPair>& found) const = 0;
   /// What an effect of the force phase gives to each of these pairs, without giving it to them.
   virtual void find_pushes(const PackedBodies<Real, width>& bodies, std::span<const BodyPair> pairs,
@@ -48,29 +47,31 @@ template <class Real, int width, class Effect>
 class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<Real, width> {
   using Packed = Pack<Real, width>;
   using Kernel = decltype(broadcast<Real, width>(std::declval<const Effect&>()));
-  static constexpr bool is_widened = !std::is_same_v<Kernel, Effect>;
+  static constexpr bool takes_packs = !std::is_same_v<Kernel, Effect> ||
+                                      MovesInPlace<Effect, Particle<Packed>, Packed> ||
+                                      MovesInPlace<Effect, Top<Packed>, Packed>;
   static constexpr Sees sees = form_of<Effect, Real>().sees;
 
  public:
   explicit PackedEffectOf(const Effect& effect)
       : EffectOf<Real, Effect>(effect), kernel_(broadcast<Real, width>(effect)) {}
 
-  void run_on_packs(PackedBodies<Real, width>& bodies, const Visits& visits,
+  void run_on_packs(PackedBodies<Real, width>& bodies, const Members& members,
                     const PackedIndexSet<Real, width>& packs, std::uint32_t begin,
-                    std::uint32_t end, const StepTime<Real>& moment) const override {
+                    std::uint32_t end, const StepTime<Real>& at) const override {
     if constexpr (sees == Sees::pair) {
       std::vector<BodyPair> found;
-      for (const BodyPair& pair : pairs(bodies, visits, found)) run_on_pair(bodies, pair, moment);
+      for (const BodyPair& pair : pairs(bodies, members, found)) run_on_pair(bodies, pair, at);
     } else if constexpr (sees == Sees::body) {
       const bool changes_tops =
           this->traits().writes.has_any(quantity::torque | quantity::spin | quantity::orientation);
       visit_bodies(
           bodies, packs, begin, end, changes_tops,
-          [&](Particle<Packed>& centre, Top<Packed>& top, [[maybe_unused]] const auto& members) {
-            if constexpr (is_widened)
-              visit(kernel_, centre, top, StepTime<Packed>{moment.time, moment.time_step});
+          [&](Particle<Packed>& centre, Top<Packed>& top, [[maybe_unused]] const auto& mask) {
+            if constexpr (takes_packs)
+              give_to_both(centre, top, kernel_, StepTime<Packed>{at.time, at.time_step});
             else
-              visit_lanes(centre, top, members, moment);
+              visit_lanes(centre, top, mask, at);
           });
     } else {
       auto& array = [&]() -> auto& {
@@ -80,25 +81,28 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
           return bodies.tops;
       }
       ();
-      if constexpr (is_widened)
+      if constexpr (takes_packs)
         visit_packs(array, packs, begin, end,
-                    [kernel = kernel_, wide = StepTime<Packed>{moment.time, moment.time_step}](
-                        auto& element) { visit(kernel, element, wide); });
+                    [kernel = kernel_, wide = StepTime<Packed>{at.time, at.time_step}](
+                        auto& element) { give_to(element, kernel, element, wide); });
       else
         visit_lanes_of(array, packs, begin, end,
-                       [&](auto& element) { visit(kernel_, element, moment); });
+                       [&](auto& element) { give_to(element, kernel_, element, at); });
     }
   }
 
   std::span<const BodyPair> pairs([[maybe_unused]] const PackedBodies<Real, width>& bodies,
-                                  const Visits& visits,
+                                  const Members& members,
                                   [[maybe_unused]] std::vector<BodyPair>& found) const override {
     if constexpr (FindsPairs<Effect, Real>) {
       found.clear();
-      this->effect().find_pairs(unpacked(bodies), found);
+      if constexpr (requires { this->effect().find_pairs(bodies, found); })
+        this->effect().find_pairs(bodies, found);
+      else
+        this->effect().find_pairs(unpacked(bodies), found);
       return found;
     }
-    return visits.pairs;
+    return members.pairs;
   }
 
   void find_pushes([[maybe_unused]] const PackedBodies<Real, width>& bodies,
@@ -115,23 +119,22 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
   }
 
  private:
-  void visit_lanes(Particle<Packed>& centre, Top<Packed>& top, const PackMask<Real, width>& members,
-                   const StepTime<Real>& moment) const {
+  void visit_lanes(Particle<Packed>& centre, Top<Packed>& top, const PackMask<Real, width>& mask,
+                   const StepTime<Real>& at) const {
     for (int lane = 0; lane < width; ++lane) {
-      if (!members[lane]) continue;
+      if (!mask[lane]) continue;
       Particle<Real> one = lane_of(centre, lane);
       Top<Real> its_top = lane_of(top, lane);
-      visit(this->effect(), one, its_top, moment);
+      give_to_both(one, its_top, this->effect(), at);
       set_lane(centre, lane, one);
       set_lane(top, lane, its_top);
     }
   }
 
   void run_on_pair(PackedBodies<Real, width>& bodies, const BodyPair& pair,
-                   const StepTime<Real>& moment) const {
+                   const StepTime<Real>& at) const {
     RigidBody<Real> first = body_at(bodies, pair.first), second = body_at(bodies, pair.second);
-    visit<Effect, Real>(this->effect(), {first.centre, first.top}, {second.centre, second.top},
-                        moment);
+    give_to_pair<Real>({first.centre, first.top}, {second.centre, second.top}, this->effect(), at);
     set_body_at(bodies, pair.first, first);
     set_body_at(bodies, pair.second, second);
   }
@@ -139,31 +142,6 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
   Kernel kernel_;
 };
 
-/// A rule that turns packs of tops, where it takes them; else their lanes.
-template <class Real, int width>
-class PackedRule {
- public:
-  virtual ~PackedRule() = default;
-  virtual void turn_packs(PackedArray<Top, Real, width>& tops,
-                          const PackedIndexSet<Real, width>& packs, std::uint32_t begin,
-                          std::uint32_t end, Real time_step) const = 0;
-};
-
-template <class Real, int width, class Rule>
-class PackedRuleOf final : public RuleOf<Real, Rule>, public PackedRule<Real, width> {
- public:
-  using RuleOf<Real, Rule>::RuleOf;
-  void turn_packs(PackedArray<Top, Real, width>& tops, const PackedIndexSet<Real, width>& packs,
-                  std::uint32_t begin, std::uint32_t end, Real time_step) const override {
-    if constexpr (TurningRule<Rule, Pack<Real, width>>)
-      visit_packs(
-          tops, packs, begin, end,
-          [rule = this->rule(), h = Pack<Real, width>(time_step)](auto& top) { rule(top, h); });
-    else
-      visit_lanes_of(tops, packs, begin, end,
-                     [&](Top<Real>& top) { this->rule()(top, time_step); });
-  }
-};
 /// @endcond
 
 }  // namespace tumble

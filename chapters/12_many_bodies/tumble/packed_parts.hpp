@@ -15,29 +15,15 @@ struct PackedPart {
 
 /// The pass as a part of the step; of those on tops and on centres alike, `of_tops` tells which.
 template <class Real, int width>
-PackedPart packed_part_of(const Work<Real>& work, const PackedPass<Real, width>& pass,
+PackedPart packed_part_of(const StepPlan<Real>& plan, const PackedPass<Real, width>& pass,
                           bool of_tops) {
-  const std::size_t bodies = count_of(pass.group);
-  switch (pass.act) {
-    case Act::effect:
-      return {work.effects[pass.entry].effect->name(), work.effects[pass.entry].visits.size()};
-    case Act::rotor:
-      return {work.effects[pass.entry].effect->name(), bodies};
-    case Act::inputs:
-      return {"input", work.inputs.size()};
-    case Act::kick:
-      return {std::string(of_tops ? kick_of_spin.name : kick_motion.name), bodies};
-    case Act::drift:
-      return {std::string(drift_motion.name), bodies};
-    case Act::turn_steadily:
-      return {std::string(steady_turning.name), bodies};
-    case Act::tumble:
-      return {"tumbling: " + work.rule->name(), bodies};
-    default:
-      return {std::string(pass.act == Act::guard ? "guard of " : "memory of ")
-                  .append(of_tops ? "tops" : "centres"),
-              bodies};
-  }
+  if (pass.act != Act::run)
+    return {std::string(pass.act == Act::guard ? "guard of " : "memory of ")
+                .append(of_tops ? "tops" : "centres"),
+            count_of(pass.indices)};
+  if (pass.pass.row.kind == PassKind::input) return {"input", plan.inputs.size()};
+  const EffectInstance<Real>& instance = instance_of(pass.pass, plan);
+  return {instance.effect->name(), instance.members.size()};
 }
 
 }  // namespace tumble

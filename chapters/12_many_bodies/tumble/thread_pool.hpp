@@ -26,7 +26,7 @@ inline std::size_t share_of(std::size_t count, int member, int members) {
 //! [pool]
 class ThreadPool {
  public:
-  using Work = std::function<void(int)>;
+  using Task = std::function<void(int)>;
 
   /// @throws std::invalid_argument if the size is not from 1 to 1024, std::system_error if the
   /// system gives no more threads.
@@ -46,24 +46,24 @@ class ThreadPool {
 
   int size() const { return size_; }
 
-  /// Calls `work` with 0, 1, … size − 1, each on a thread of its own, and waits for all of them.
+  /// Calls `task` with 0, 1, … size − 1, each on a thread of its own, and waits for all of them.
   /// What one of them throws, this throws once all are done.
-  void run(const Work& work) {
-    if (!others_) return work(0);
-    others_->begin(work);
+  void run(const Task& task) {
+    if (!others_) return task(0);
+    others_->begin(task);
     others_->do_share(0);
     others_->wait_until_done();
   }
   //! [pool]
 
-  /// Calls `work` with the number of each member and how many there are; with 0 and 1 alone if it
+  /// Calls `task` with the number of each member and how many there are; with 0 and 1 alone if it
   /// is not `worth_it` to wake the others.
-  template <class WorkOfMember>
-  void parallel_for(bool worth_it, const WorkOfMember& work) {
+  template <class TaskOfThread>
+  void parallel_for(bool worth_it, const TaskOfThread& task) {
     if (worth_it)
-      run([&](int member) { work(member, size_); });
+      run([&](int member) { task(member, size_); });
     else
-      work(0, 1);
+      task(0, 1);
   }
 
  private:
@@ -83,13 +83,13 @@ class ThreadPool {
     Others(const Others&) = delete;
     Others& operator=(const Others&) = delete;
 
-    void begin(const Work& work) {
+    void begin(const Task& task) {
       has_failed_ = false;
-      call(&work);
+      call(&task);
     }
     void do_share(int member) noexcept {
       try {
-        (*work_)(member);
+        (*task_)(member);
       } catch (...) {
         if (!has_failed_.exchange(true)) failure_ = std::current_exception();
       }
@@ -106,8 +106,8 @@ class ThreadPool {
       for (std::thread& thread : threads_) thread.join();
     }
 
-    void call(const Work* work) {
-      work_ = work;
+    void call(const Task* task) {
+      task_ = task;
       busy_.store(static_cast<unsigned>(threads_.size()));
       calls_.fetch_add(1);
       calls_.notify_all();
@@ -116,14 +116,14 @@ class ThreadPool {
     void serve(int member) {
       for (unsigned seen = 0;; ++seen) {
         while (calls_.load() == seen) wait_while(calls_, seen);
-        if (!work_) return;
+        if (!task_) return;
         do_share(member);
         busy_.fetch_sub(1);
         busy_.notify_all();
       }
     }
 
-    /// Work comes back within microseconds: to fall asleep at once would take longer than to look
+    /// Task comes back within microseconds: to fall asleep at once would take longer than to look
     /// again.
     static void wait_while(const std::atomic<unsigned>& number, unsigned old) {
       for (int look = 0; look < 4096; ++look)
@@ -131,7 +131,7 @@ class ThreadPool {
       number.wait(old);
     }
 
-    const Work* work_ = nullptr;
+    const Task* task_ = nullptr;
     std::atomic<unsigned> calls_ = 0, busy_ = 0;
     std::atomic<bool> has_failed_ = false;
     std::exception_ptr failure_;  ///< the first one's

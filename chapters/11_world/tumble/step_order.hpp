@@ -1,0 +1,142 @@
+/// @file
+/// The order of a step. It stands here and nowhere else: the step, and all that explains, judges or
+/// measures it, go through this list.
+#pragma once
+
+#include <tumble/motions.hpp>
+#include <tumble/rotors.hpp>
+
+namespace tumble {
+
+/// What a pass is: an effect of the scene, the pushes of this step alone, a motion of the step's
+/// own, or a rotor, which shares its momentum about the turning.
+enum class PassKind { effect, input, motion, rotor };
+
+/// In which substeps, and of which phase, passes of a kind are run.
+struct OrderRow {
+  SubstepKind in;
+  PassKind kind;
+  Phase phase;
+  RotorAct act = RotorAct::join;  ///< of rotors
+};
+
+/// All rotors have joined before any of them turns a body, and after the turning all goes the other
+/// way round, so that a drift back undoes a drift forth.
+//! [step_order]
+inline constexpr std::array<OrderRow, 12> step_order = {{
+    {SubstepKind::kick, PassKind::effect, Phase::force},  // forces and torques are summed
+    {SubstepKind::kick, PassKind::input, Phase::force},   // and the user's pushes
+    {SubstepKind::kick, PassKind::effect, Phase::kick},   // what sets a velocity or spin itself
+    {SubstepKind::kick, PassKind::motion, Phase::kick},   // the sums change velocities and spins
+    {SubstepKind::whole, PassKind::effect, Phase::impulse},
+    {SubstepKind::whole, PassKind::effect, Phase::damping},
+    {SubstepKind::drift, PassKind::rotor, Phase::turn, RotorAct::join},
+    {SubstepKind::drift, PassKind::rotor, Phase::turn, RotorAct::turn_before},
+    {SubstepKind::drift, PassKind::motion, Phase::drift},  // bodies move on, and turn
+    {SubstepKind::drift, PassKind::rotor, Phase::turn, RotorAct::turn_after},
+    {SubstepKind::drift, PassKind::rotor, Phase::turn, RotorAct::leave},
+    {SubstepKind::end, PassKind::effect, Phase::drift},  // what puts bodies somewhere itself
+}};
+//! [step_order]
+
+/// One thing that a step does to all bodies that call for it.
+//! [pass]
+template <class Real>
+struct Pass {
+  OrderRow row = step_order[0];
+  Substep<Real> substep = {};
+  std::size_t place = 0;  ///< among the effects of the plan, or among its motions
+};
+//! [pass]
+
+/// What runs in a pass, and on whom. The inputs have none.
+template <class Real>
+const EffectInstance<Real>& instance_of(const Pass<Real>& pass, const StepPlan<Real>& plan) {
+  return (pass.row.kind == PassKind::motion ? plan.motions : plan.effects)[pass.place];
+}
+
+/// Calls `visit` with one pass after another, for these substeps. `in_phase` has the places of the
+/// effects that take part, by phase.
+//! [for_each_pass]
+template <class Real, class Visit>
+void for_each_pass(const StepPlan<Real>& plan, const std::vector<Substep<Real>>& substeps,
+                   const EffectsByPhase& in_phase, const Visit& visit) {
+  for (const Substep<Real>& substep : substeps)
+    for (const OrderRow& row : step_order) {
+      if (row.in != substep.kind) continue;
+      const auto pass = [&](std::size_t place) { visit(Pass<Real>{row, substep, place}); };
+      const auto& effects = in_phase[static_cast<std::size_t>(row.phase)];
+      if (row.kind == PassKind::input) {
+        if (!plan.inputs.empty()) pass(0);
+      } else if (row.kind == PassKind::motion) {
+        for (std::size_t i = 0; i < plan.motions.size(); ++i)
+          if (plan.motions[i].effect->phase() == row.phase) pass(i);
+      } else if (row.kind == PassKind::rotor && row.act >= RotorAct::turn_after) {
+        for (auto i = effects.rbegin(); i != effects.rend(); ++i) pass(*i);
+      } else {
+        for (const std::size_t i : effects) pass(i);
+      }
+    }
+}
+//! [for_each_pass]
+
+/// The passes of a step that visit anybody.
+template <class Real, class Visit>
+void for_each_pass(const StepPlan<Real>& plan, const Visit& visit) {
+  for_each_pass(plan, plan.substeps, plan.in_phase, [&](const Pass<Real>& pass) {
+    if (pass.row.kind != PassKind::motion || instance_of(pass, plan).members.size() > 0)
+      visit(pass);
+  });
+}
+
+/// All of them, those that visit nobody too.
+template <class Real, class Visit>
+void for_each_pass_even_idle(const StepPlan<Real>& plan, const std::vector<Substep<Real>>& substeps,
+                             const Visit& visit) {
+  EffectsByPhase every;
+  for (std::size_t i = 0; i < plan.effects.size(); ++i)
+    every[static_cast<std::size_t>(plan.effects[i].effect->phase())].push_back(i);
+  for_each_pass(plan, substeps, every, visit);
+}
+
+/// When a pass happens in a step. Rotors act with what they hold at their end of the drift.
+template <class Real>
+StepTime<Real> step_time_of(const Pass<Real>& pass, const StepTime<Real>& step) {
+  const StepTime<Real> at = step_time_of(pass.substep, step);
+  return pass.row.kind == PassKind::rotor ? StepTime<Real>{time_of(pass.row.act, at), at.time_step}
+                                          : at;
+}
+
+/// Adds the pushes of this step alone.
+template <class Real>
+void add(const std::vector<Input<Real>>& inputs, Bodies<Real>& bodies) {
+  for (const Input<Real>& input : inputs) {
+    Top<Real> none;
+    const BodyIndex top = bodies.top_of[input.body];
+    add_push(bodies.centres[input.body], top == no_index ? none : bodies.tops[top], input.push);
+  }
+}
+
+/// Runs a pass on those of `members`, in plain arrays.
+template <class Real>
+void run(const Pass<Real>& pass, const StepPlan<Real>& plan, const Members& members,
+         Bodies<Real>& bodies, const StepTime<Real>& step) {
+  if (pass.row.kind == PassKind::input) return add(plan.inputs, bodies);
+  const StepTime<Real> at = step_time_of(pass, step);
+  const AnyEffect<Real>& effect = *instance_of(pass, plan).effect;
+  if (pass.row.kind != PassKind::rotor) return effect.run(bodies, members, at);
+  const Vec3<Real> H = effect.rotor_momentum_body(at.time);
+  for_each_of(members.indices, bodies.tops,
+              [&](Top<Real>& top) { act_on<Real>(top, pass.row.act, H, at.time_step); });
+}
+
+/// Runs it on those whom the plan lets it visit.
+template <class Real>
+void run(const Pass<Real>& pass, const StepPlan<Real>& plan, Bodies<Real>& bodies,
+         const StepTime<Real>& step) {
+  static const Members nobody;
+  run(pass, plan, pass.row.kind == PassKind::input ? nobody : instance_of(pass, plan).members,
+      bodies, step);
+}
+
+}  // namespace tumble
