@@ -37,7 +37,7 @@ TEST_CASE_TEMPLATE(
     "The kinetic energy of 1000 particles is that of their centre plus that of their turning", Real,
     EVERY_PRECISION) {
   const int count = 1000;
-  Dice dice(1);
+  RandomGenerator dice(1);
   std::vector<Particle<Real>> particles;
   for (int i = 0; i < count; ++i)
     particles.push_back(make_particle(Real(0.5 + dice()), dice.vector<Real>()));
@@ -87,7 +87,7 @@ TEST_CASE_TEMPLATE(
 }
 
 TEST_CASE_TEMPLATE("Turning energy is the same number in every frame", Real, EVERY_PRECISION) {
-  Dice dice(2);
+  RandomGenerator dice(2);
   const Mat3<Real> inertia = mass_properties(Box<Real>{{1, 2, 3}}, 5).inertia;
   for (int n = 0; n < 20; ++n) {
     const Mat3<Real> R = random_turn<Real>(dice);

@@ -98,7 +98,7 @@ TEST_CASE_TEMPLATE("A matrix turns while its products are off by 1024 roundings,
 
 TEST_CASE_TEMPLATE("A product of fifty turns is still a turn, and of a thousand different ones",
                    Real, EVERY_PRECISION) {
-  Dice dice(7);
+  RandomGenerator dice(7);
   for (int trial = 0; trial < 20; ++trial) {
     const Mat3<Real> R = random_turn<Real>(dice);
     Mat3<Real> power = R, product = R;

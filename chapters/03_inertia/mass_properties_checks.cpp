@@ -12,7 +12,7 @@ namespace {
 /// A lump without any symmetry.
 template <class Real>
 std::vector<Particle<Real>> lump(unsigned seed) {
-  Dice dice(seed);
+  RandomGenerator dice(seed);
   std::vector<Particle<Real>> particles;
   for (int i = 0; i < 20; ++i)
     particles.push_back(make_particle(Real(0.5 + dice()), dice.vector<Real>()));
@@ -59,7 +59,7 @@ TEST_CASE_TEMPLATE(
     "centre of mass",
     Real, EVERY_PRECISION) {
   const MassProperties<Real> body = mass_properties(lump<Real>(7));
-  Dice dice(8);
+  RandomGenerator dice(8);
   for (int n = 0; n < 50; ++n) {
     const Vec3<Real> axis = dice.vector<Real>(), point = dice.vector<Real>();
     CHECK(turning_energy(inertia_about(body, point), axis) >=
@@ -116,7 +116,7 @@ TEST_CASE_TEMPLATE(
 
 TEST_CASE_TEMPLATE("Turned to other axes the tensor keeps its trace and its principal moments",
                    Real, EVERY_PRECISION) {
-  Dice dice(11);
+  RandomGenerator dice(11);
   const MassProperties<Real> body = mass_properties(lump<Real>(12));
   const Vec3<Real> moments = principal_axes(body.inertia).moments;
   for (int n = 0; n < 20; ++n) {
@@ -133,7 +133,7 @@ TEST_CASE_TEMPLATE("Turned to other axes the tensor keeps its trace and its prin
 
 TEST_CASE_TEMPLATE("Moving the particles or moving their mass properties is the same", Real,
                    EVERY_PRECISION) {
-  Dice dice(13);
+  RandomGenerator dice(13);
   const Mat3<Real> R = random_turn<Real>(dice);
   const Vec3<Real> shift(3, -1, 2);
   std::vector<Particle<Real>> particles = lump<Real>(14);
@@ -222,7 +222,7 @@ TEST_CASE_TEMPLATE("Parts, turns and shifts that make no sense are refused", Rea
 }
 
 TEST_CASE_TEMPLATE("Turned to other axes a tensor is symmetric to the bit", Real, EVERY_PRECISION) {
-  Dice dice(35);
+  RandomGenerator dice(35);
   int rounded = 0;
   for (int n = 0; n < 20; ++n) {
     const Mat3<Real> R = random_turn<Real>(dice),

@@ -113,7 +113,7 @@ TEST_CASE_TEMPLATE("Two boxes that do not touch are one mesh and one compound bo
 }
 
 TEST_CASE_TEMPLATE("A mesh that was turned has a tensor that was turned", Real, EVERY_PRECISION) {
-  Dice dice(41);
+  RandomGenerator dice(41);
   const Vec3<Real> size(3, 1, 2), shift(1, -2, 3);
   for (int n = 0; n < 10; ++n) {
     const Mat3<Real> R = random_turn<Real>(dice);
@@ -230,7 +230,7 @@ TEST_CASE_TEMPLATE("Triangles without area, corner or place are refused", Real, 
 
 TEST_CASE_TEMPLATE("A flat sheet that is closed on paper encloses nothing and is refused", Real,
                    EVERY_PRECISION) {
-  Dice dice(42);
+  RandomGenerator dice(42);
   for (int n = 0; n < 20; ++n) {
     Mesh<Real> sheet{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
                      {{0, 1, 2}, {0, 2, 3}, {2, 1, 0}, {3, 2, 0}}};

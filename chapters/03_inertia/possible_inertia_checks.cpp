@@ -24,7 +24,7 @@ std::string complaint_about(const Mat3<Real>& inertia) {
 
 TEST_CASE_TEMPLATE("Every solid of this chapter is possible, the flat and the thin ones too", Real,
                    EVERY_PRECISION) {
-  Dice dice(31);
+  RandomGenerator dice(31);
   for (int n = 0; n < 50; ++n) {
     const Mat3<Real> R = random_turn<Real>(dice);
     for (const MassProperties<Real>& body :
@@ -48,7 +48,7 @@ TEST_CASE_TEMPLATE("A tensor that breaks I_1 + I_2 >= I_3 is refused with its th
       complaint_about(diagonal<Real>(1, 4, 2)) ==
       "hammer: the principal moments are (1, 2, 4) kg m^2; no real body has these: the two smaller "
       "must add up to the largest or more, but I_1 + I_2 = 3 < I_3 = 4");
-  Dice dice(32);
+  RandomGenerator dice(32);
   for (int n = 0; n < 20; ++n) {
     const Mat3<Real> R = random_turn<Real>(dice);
     CHECK(complaint_about(in_other_axes(diagonal<Real>(1, 2, Real(3.001)), R)) != "nothing thrown");
@@ -152,14 +152,14 @@ TEST_CASE_TEMPLATE(
   // Σ |v_i| |I_ij| |v_j| is 2 Σ v_i² v_j² over the pairs; a dozen roundings of it, and of v.
   const Real roundings = 48 * unit_roundoff<Real>;
   CHECK(std::abs(slack_of({1, 1, 1}) - Real(4) / 3) <= roundings);
-  Dice dice(33);
+  RandomGenerator dice(33);
   for (int n = 0; n < 100; ++n)
     CHECK(slack_of(random_turn<Real>(dice).col(0)) <= Real(4) / 3 + roundings);
 }
 
 TEST_CASE_TEMPLATE("The slack of a moment is how far the worst errors of the elements move it",
                    Real, EVERY_PRECISION) {
-  Dice dice(32);
+  RandomGenerator dice(32);
   const Real slack = std::sqrt(unit_roundoff<Real>);
   const Mat3<Real> moments = diagonal<Real>(1, 2, 3);
   for (int n = 0; n < 20; ++n) {
@@ -192,7 +192,7 @@ TEST_CASE_TEMPLATE("A zero moment is refused where it would be inverted, never t
   CHECK(complaint_of([] { inverse_moments("point", Vec3<Real>(0, 0, 0)); }) ==
         "point: the principal moments are (0, 0, 0) kg m^2; " + why);
   // A slanted rod's zero comes out as a rounding, on either side of zero.
-  Dice dice(33);
+  RandomGenerator dice(33);
   for (int n = 0; n < 50; ++n) {
     const Mat3<Real> slanted =
         in_other_axes(mass_properties(ThinRod<Real>{1}, 1).inertia, random_turn<Real>(dice));
@@ -210,7 +210,7 @@ TEST_CASE_TEMPLATE(
 
 TEST_CASE_TEMPLATE("Moments from 1e-18 to 1e18 kg m² are judged and inverted alike", Real,
                    EVERY_PRECISION) {
-  Dice dice(34);
+  RandomGenerator dice(34);
   for (int n = 0; n < 20; ++n) {
     const Mat3<Real> plain =
         in_other_axes(diagonal<Real>(1, 2, Real(2.5)), random_turn<Real>(dice));

@@ -26,7 +26,7 @@ void check_axes(const Mat3<Real>& inertia, const PrincipalAxes<Real>& found) {
 }
 
 template <class Real>
-Mat3<Real> turned(const Vec3<Real>& moments, Dice& dice) {
+Mat3<Real> turned(const Vec3<Real>& moments, RandomGenerator& dice) {
   const Mat3<Real> diagonal = moments.asDiagonal();
   return in_other_axes(diagonal, random_turn<Real>(dice));
 }
@@ -35,7 +35,7 @@ Mat3<Real> turned(const Vec3<Real>& moments, Dice& dice) {
 
 TEST_CASE_TEMPLATE("The principal frame is right-handed and puts the tensor together again", Real,
                    EVERY_PRECISION) {
-  Dice dice(21);
+  RandomGenerator dice(21);
   for (int n = 0; n < 100; ++n) {
     const Mat3<Real> inertia = turned(Vec3<Real>(1, 2, Real(2.5)), dice);
     check_axes(inertia, principal_axes(inertia));
@@ -44,7 +44,7 @@ TEST_CASE_TEMPLATE("The principal frame is right-handed and puts the tensor toge
 
 TEST_CASE_TEMPLATE("Bodies with two or three equal moments get a right-handed frame too", Real,
                    EVERY_PRECISION) {
-  Dice dice(22);
+  RandomGenerator dice(22);
   for (int n = 0; n < 100; ++n)
     for (const Vec3<Real>& moments :
          {Vec3<Real>(1, 2, 2), Vec3<Real>(1, 1, 2), Vec3<Real>(3, 3, 3), Vec3<Real>(0, 1, 1)}) {
@@ -105,7 +105,7 @@ TEST_CASE_TEMPLATE(
     "In a frame turned back by phi the product of inertia is what the formula says, and none is "
     "left",
     Real, EVERY_PRECISION) {
-  Dice dice(25);
+  RandomGenerator dice(25);
   for (int n = 0; n < 100; ++n) {
     const Mat3<Real> inertia = turned(Vec3<Real>(1, 2, Real(2.5)), dice);
     const Real phi = dice.vector<Real>().x(), sine = std::sin(phi), cosine = std::cos(phi);
@@ -129,7 +129,7 @@ TEST_CASE_TEMPLATE(
 }
 
 TEST_CASE_TEMPLATE("Another method, Eigen's, finds the same moments", Real, EVERY_PRECISION) {
-  Dice dice(23);
+  RandomGenerator dice(23);
   for (int n = 0; n < 100; ++n) {
     const Vec3<Real> moments =
         Vec3<Real>(2, 3, 4) + dice.vector<Real>();  // always possible for matter
@@ -172,7 +172,7 @@ TEST_CASE_TEMPLATE("A needle nearly along an axis keeps the relative accuracy of
 
 TEST_CASE_TEMPLATE("Where mirrored elements differ by roundings, their mean counts, to the bit",
                    Real, EVERY_PRECISION) {
-  Dice dice(25);
+  RandomGenerator dice(25);
   for (int n = 0; n < 20; ++n) {
     const Mat3<Real> symmetric = turned(Vec3<Real>(1, 2, Real(2.5)), dice);
     Mat3<Real> lopsided = symmetric, mean = symmetric;
@@ -191,7 +191,7 @@ TEST_CASE_TEMPLATE("Where mirrored elements differ by roundings, their mean coun
 
 TEST_CASE_TEMPLATE("Principal moments scale by powers of two without changing another bit", Real,
                    EVERY_PRECISION) {
-  Dice dice(24);
+  RandomGenerator dice(24);
   for (int n = 0; n < 20; ++n) {
     const Mat3<Real> inertia = turned(Vec3<Real>(1, 2, Real(2.5)), dice);
     const auto [moments, axes] = principal_axes(inertia);

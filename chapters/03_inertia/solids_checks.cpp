@@ -112,7 +112,7 @@ TEST_CASE_TEMPLATE("A rod is the integral along its length, a plate the one over
 
 TEST_CASE_TEMPLATE("A tetrahedron with any four corners is the integral over its inside", Real,
                    EVERY_PRECISION) {
-  Dice dice(3);
+  RandomGenerator dice(3);
   for (int n = 0; n < 20; ++n) {
     Tetrahedron<Real> tetrahedron;
     std::array<Vec, 4> corners;
@@ -137,7 +137,7 @@ namespace {
 template <class Inside>
 void check_with_darts(const MassProperties<double>& body, const Vec3d& half_box, double volume_m3,
                       const Inside& inside) {
-  Dice dice(4);
+  RandomGenerator dice(4);
   const int darts = 40'000;
   const double too_rare = 5;  // standard deviations: passed by chance once in two million
   Mat3d sum = Mat3d::Zero(), squares = Mat3d::Zero();

@@ -1,6 +1,6 @@
 // By how much the limit of the step is too careful, in random nets of springs at rest.
 #include <algorithm>
-#include <support/dice.hpp>
+#include <support/random_generator.hpp>
 #include <support/record.hpp>
 #include <tumble/solids.hpp>
 #include <tumble/springs.hpp>

@@ -59,6 +59,26 @@ struct Shift {
   }
 };
 
+/// Two of them, about axes whose turns do not commute.
+template <class Real, int axis>
+struct Wheel {
+  static constexpr std::string_view name = axis == 0 ? "wheel along x" : "wheel along y";
+  Vec3<Real> rotor_momentum_body(Real time) const {
+    return Vec3<Real>::Unit(axis) * (1 + time) / 8;
+  }
+};
+
+/// A motion of the user's own: whatever lies on it is carried along.
+struct Conveyor {
+  static constexpr std::string_view name = "conveyor";
+  static constexpr Phase phase = Phase::drift;
+  static constexpr Quantities reads = quantity::none, writes = quantity::position;
+  template <class Real>
+  void operator()(Particle<Real>& centre, const Real& time_step) const {
+    centre.position.x() += time_step / 4;
+  }
+};
+
 /// Where and how the user pushes in each step.
 template <class Real>
 const Vec3<Real> force = {1, Real(0.1), 0};
@@ -91,12 +111,25 @@ void fade_by_hand(RigidBody<Real>& body, const StepTime<Real>& step) {
 }
 
 template <class Real>
-void drift_by_hand(RigidBody<Real>& body, Real time_step) {
-  drift(body.centre, time_step);
-  if (is_gyroscopic(body.top))
-    turn_by_splitting(body.top, time_step);
+void drift_by_hand(RigidBody<Real>& body, const StepTime<Real>& at) {
+  auto& [centre, top] = body;
+  const Real h = at.time_step, end = at.time + h;
+  drift(centre, h);
+  Conveyor{}(centre, h);
+  const Wheel<Real, 0> first;
+  const Wheel<Real, 1> second;
+  act_on(top, RotorAct::join, first.rotor_momentum_body(at.time), h);
+  act_on(top, RotorAct::join, second.rotor_momentum_body(at.time), h);
+  act_on(top, RotorAct::turn_before, first.rotor_momentum_body(at.time), h);
+  act_on(top, RotorAct::turn_before, second.rotor_momentum_body(at.time), h);
+  if (is_gyroscopic(top))
+    turn_by_splitting(top, h);
   else
-    turn_steadily(body.top, time_step);
+    turn_steadily(top, h);
+  act_on(top, RotorAct::turn_after, second.rotor_momentum_body(end), h);
+  act_on(top, RotorAct::turn_after, first.rotor_momentum_body(end), h);
+  act_on(top, RotorAct::leave, second.rotor_momentum_body(end), h);
+  act_on(top, RotorAct::leave, first.rotor_momentum_body(end), h);
 }
 
 template <class Real>
@@ -115,28 +148,29 @@ void step_by_hand(RigidBody<Real>& body, Scheme scheme, const StepTime<Real>& st
   if (scheme == Scheme::semi_implicit_euler) {
     kick_by_hand(body, torque, part(0, 1));
     fade_by_hand(body, step);
-    drift_by_hand(body, step.time_step);
+    drift_by_hand(body, step);
   } else if (scheme == Scheme::verlet) {
-    drift_by_hand(body, part(0, 0.5).time_step);
+    drift_by_hand(body, part(0, 0.5));
     kick_by_hand(body, torque, part(0.5, 1));
     fade_by_hand(body, step);
-    drift_by_hand(body, part(0.5, 0.5).time_step);
+    drift_by_hand(body, part(0.5, 0.5));
   } else {
     const double p = 1 / (4 - std::cbrt(4.0));
     double begins = 0;
     for (const double length : {p, p, 1 - 4 * p, p, p}) {
-      drift_by_hand(body, part(begins, length / 2).time_step);
+      drift_by_hand(body, part(begins, length / 2));
       begins += length / 2;
       kick_by_hand(body, torque, part(begins, length));
       if (begins > 0.75) fade_by_hand(body, step);  // the last
-      drift_by_hand(body, part(begins, length / 2).time_step);
+      drift_by_hand(body, part(begins, length / 2));
       begins += length / 2;
     }
   }
   end_by_hand(body, step);
 }
 
-/// A box that tumbles and a ball that turns steadily, with an effect in each phase.
+/// A box that tumbles and a ball that turns steadily, with an effect in each phase, two wheels in
+/// each and one more motion.
 template <class Real>
 World<Real> world_of_all_phases(Scheme scheme) {
   World<Real> world(steps_per_second(16));
@@ -162,6 +196,9 @@ World<Real> world_of_all_phases(Scheme scheme) {
   world.add(SwirlOfSpin<Real, Phase::impulse, 1>{}, both);
   world.add(SwirlOfSpin<Real, Phase::kick, 0>{}, both);
   world.add(Twist<Real>{}, both);
+  world.add(Wheel<Real, 0>{}, both);
+  world.add(Wheel<Real, 1>{}, both);
+  world.add_motion(Conveyor{});
   return world;
 }
 
@@ -198,11 +235,35 @@ TEST_CASE_TEMPLATE(
         CHECK(same_bits(stepped.top.orientation.imaginary, by_hand[i].top.orientation.imaginary));
       }
     }
-    // Eight steps of at most sixty parts, each with four roundings of what is less than 128.
+    // Eight steps of at most 130 passes, each with four roundings of what is less than 128.
     const LedgerLine rest = books.rest(booked);
-    const double rounding = 8 * 60 * 4 * 128 * double(unit_roundoff<Real>);
+    const double rounding = 8 * 130 * 4 * 128 * double(unit_roundoff<Real>);
     CHECK(std::abs(rest.energy) <= rounding);
     CHECK(rest.momentum.norm() <= rounding);
     CHECK(rest.angular_momentum.norm() <= rounding);
   }
+}
+
+TEST_CASE_TEMPLATE(
+    "A motion of the user's own has a line in the plan, in the books and in the change log", Real,
+    EVERY_PRECISION) {
+  World<Real> world(steps_per_second(16));
+  world.add("crate", make_particle<Real>(2));
+  world.step();
+  world.add_motion(Conveyor{});
+  Ledger<Real> books(world);
+  books.step(world);
+  CHECK(world.body(world.find("crate")).centre.position.x() == Real(1) / 64);
+  const std::vector<PlanRow> rows = world.plan().rows;
+  const auto row = std::find_if(rows.begin(), rows.end(),
+                                [](const PlanRow& one) { return one.effect == "conveyor"; });
+  REQUIRE(row != rows.end());
+  CHECK(row->visited == 1);
+  CHECK(row->reason == "every body calls for it");
+  CHECK(world.plan().accuracy.order == 1);
+  CHECK(books.lines().back().name == "conveyor");
+  CHECK(world.change_log().back() == "step 1: conveyor visits 1 of 1, before 0 ('conveyor' came)");
+  world.step_by(Scheme::verlet);
+  CHECK(text_of(world.plan().accuracy) ==
+        "order 1 in place of 2 (Verlet): 'conveyor' does not say its order");
 }

@@ -53,7 +53,8 @@ Top<Real> top_in(const World<Real>& world) {
 template <class Real>
 Vec3<Real> wheels_in(const World<Real>& world, Real time) {
   Vec3<Real> sum = Vec3<Real>::Zero();
-  for (const EffectInstance<Real>& entry : world.effects()) sum += entry.effect->rotor_momentum_body(time);
+  for (const EffectInstance<Real>& entry : world.effects())
+    sum += entry.effect->rotor_momentum_body(time);
   return sum;
 }
 

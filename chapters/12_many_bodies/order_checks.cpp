@@ -36,6 +36,17 @@ struct Wheels {
   }
 };
 
+/// A motion of the user's own.
+struct Conveyor {
+  static constexpr std::string_view name = "conveyor";
+  static constexpr Phase phase = Phase::drift;
+  static constexpr Quantities reads = quantity::none, writes = quantity::position;
+  template <class Real>
+  void operator()(Particle<Real>& centre, const Real& time_step) const {
+    centre.position.x() += time_step / 4;
+  }
+};
+
 /// Finds those that are near each other now.
 template <class Real>
 struct Neighbours {
@@ -121,6 +132,7 @@ TEST_CASE_TEMPLATE(
     world.add(SwirlOfSpin<Real, Phase::force, 1>{}, tops);
     world.add(Wheels<Real, 0>{}, tops);
     world.add(Wheels<Real, 1>{}, tops);
+    world.add_motion(Conveyor{});
   };
   const auto push = [](auto& world, int) {
     for (BodyIndex i = 0; i < world.body_count(); i += 3)

@@ -1,6 +1,6 @@
 #include <set>
 #include <support/checks.hpp>
-#include <support/dice.hpp>
+#include <support/random_generator.hpp>
 #include <tumble/pack_colouring.hpp>
 
 using namespace tumble;

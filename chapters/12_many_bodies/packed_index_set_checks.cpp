@@ -1,6 +1,6 @@
 #include <numeric>
 #include <support/checks.hpp>
-#include <support/dice.hpp>
+#include <support/random_generator.hpp>
 #include <tumble/packed_visits.hpp>
 
 using namespace tumble;

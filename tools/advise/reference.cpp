@@ -30,7 +30,7 @@ std::vector<Snapshot> run_in_pieces(const SceneWith& scene_with, const Frames& f
       const double time = begin + static_cast<double>(n) * h;
       if (const auto lost = kept.step(world.step_plan(), {time, h}))
         throw failure<double>(world.name_of(world.handle_at(*lost)), *lost, kept.bodies(),
-                              world.step_plan(), std::lround(time / h), h);
+                              world.step_plan(), std::lround(time / h), {time, h});
     }
   };
   std::vector<Snapshot> snapshots;

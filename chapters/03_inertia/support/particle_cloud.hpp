@@ -2,7 +2,7 @@
 /// Bodies made of particles: strewn at random or set up in rows.
 #pragma once
 
-#include <support/dice.hpp>
+#include <support/random_generator.hpp>
 #include <tumble/mass_properties.hpp>
 
 namespace tumble::support {
@@ -10,7 +10,7 @@ namespace tumble::support {
 /// `count` equal particles anywhere in a box about the origin, 1 kg in all.
 template <class Real>
 std::vector<Particle<Real>> random_particles(const Vec3<Real>& size, int count, unsigned seed) {
-  Dice dice(seed);
+  RandomGenerator dice(seed);
   std::vector<Particle<Real>> particles(static_cast<std::size_t>(count));
   for (Particle<Real>& particle : particles)
     particle = {.position = size.cwiseProduct(dice.vector<Real>()) / 2,
@@ -43,7 +43,7 @@ Real relative_error(const Mat3<Real>& inertia, const Mat3<Same<Real>>& truth) {
 
 /// Any turn, from four random numbers.
 template <class Real>
-Mat3<Real> random_turn(Dice& dice) {
+Mat3<Real> random_turn(RandomGenerator& dice) {
   const Vec3<Real> v = dice.vector<Real>();
   return Eigen::Quaternion<Real>(Real(dice.both_ways()), v.x(), v.y(), v.z())
       .normalized()

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <cmath>
-#include <support/dice.hpp>
+#include <support/random_generator.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/solids.hpp>
