@@ -48,6 +48,10 @@ StepTime<Real> step_time_of(const Substep<Real>& substep, const StepTime<Real>& 
   return {step.time + substep.begins * step.time_step, substep.lasts * step.time_step};
 }
 
+/// Suzuki's p = 1/(4 − ∛4): since p³ + p³ + (1 − 4p)³ + p³ + p³ = 0, the errors of third order of
+/// five steps that last p, p, 1 − 4p, p and p cancel.
+inline constexpr long double suzuki_length = 0.41449077179437573714L;
+
 /// The substeps of a scheme's step, in their order. Blows and damping, which are given for whole
 /// steps, come once, before the last drift; and so does what acts at the end, for all of it too.
 //! [substeps_of]
@@ -63,8 +67,7 @@ std::vector<Substep<Real>> substeps_of(Scheme scheme) {
     add(SubstepKind::kick, 1);
     add(SubstepKind::drift, 1);
   } else {
-    // p³ + p³ + (1 − 4p)³ + p³ + p³ = 0, so that the errors of third order cancel: p = 1/(4 − ∛4).
-    constexpr double p = 0.41449077179437573714;
+    constexpr auto p = static_cast<double>(suzuki_length);
     const std::vector<double> lengths =
         scheme == Scheme::verlet ? std::vector{1.0} : std::vector{p, p, 1 - 4 * p, p, p};
     for (const double length : lengths) {

@@ -6,7 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
-#include <tumble/real.hpp>
+#include <tumble/scheme.hpp>
 
 namespace tumble {
 
@@ -53,11 +53,9 @@ struct Verlet {
   static constexpr auto row = composed<1>({1});
 };
 
-/// p, p, 1 − 4p, p, p with p = 1/(4 − ∛4): Suzuki (1990). Order 4 for any symmetric step of order
-/// 2, since 4 p³ + (1 − 4p)³ = 0.
+/// p, p, 1 − 4p, p, p: Suzuki (1990). Order 4 for any symmetric step of order 2.
 struct Suzuki {
-  static constexpr auto row = composed<3>(
-      {0.41449077179437573714L, 0.41449077179437573714L, 1 - 4 * 0.41449077179437573714L});
+  static constexpr auto row = composed<3>({suzuki_length, suzuki_length, 1 - 4 * suzuki_length});
 };
 //! [rows]
 
