@@ -64,9 +64,9 @@ TEST_CASE_TEMPLATE(
     "The errors of a particle's position and of its velocity count each in what is allowed of it",
     Real, EVERY_PRECISION) {
   const Real e = std::numeric_limits<Real>::epsilon();
-  const Numbers<Real, 6> nowhere = {};
+  const StateVector<Real, 6> nowhere = {};
   // Five metres and thirteen metres a second, where one and a half are allowed.
-  const Numbers<Real, 6> error = {3, 4, 0, 3, 4, 12};
+  const StateVector<Real, 6> error = {3, 4, 0, 3, 4, 12};
   const auto is = [](Real found, double expected) {
     CHECK(std::abs(double(found) / expected - 1) <= 32 * unit_roundoff<Real>);
   };
@@ -74,8 +74,8 @@ TEST_CASE_TEMPLATE(
   is(square_of_error<Real>(error, nowhere, nowhere, {Real(0.5), Real(0.25)}, 4),
      (25 + 4 * 169) / 4.0);
   // Four epsilon of the size are always allowed: 28 epsilon for 7 m, 36 epsilon for 9 m/s.
-  const Numbers<Real, 6> start = {2, 3, 6, 1, 4, 8};
-  const Numbers<Real, 6> small = {4 * e, 13 * e, 16 * e, 8 * e, 16 * e, 11 * e};  // 21 and 21
+  const StateVector<Real, 6> start = {2, 3, 6, 1, 4, 8};
+  const StateVector<Real, 6> small = {4 * e, 13 * e, 16 * e, 8 * e, 16 * e, 11 * e};  // 21 and 21
   is(square_of_error<Real>(small, start, nowhere, {e * e, e * e}, 1),
      21 * 21 / 784.0 + 21 * 21 / 1296.0);
   // Both together add up as squares: 21² + 28² = 35², 27² + 36² = 45².
@@ -92,8 +92,8 @@ TEST_CASE_TEMPLATE("The error of a top is the angle that it is off by, and the p
     CHECK(std::abs(double(found) / expected - 1) <= 64 * unit_roundoff<Real>);
   };
   // |Im(q* d)|² = |d|² - (q·d)² for a unit quaternion q; here q·d = 1.5 and |d|² = 39.
-  const Numbers<Real, 7> start = {1, 0, 0, 0, 2, 3, 6},
-                         end = {Real(0.1), Real(0.5), Real(0.7), Real(0.5), 1, 4, 8};
+  const StateVector<Real, 7> start = {1, 0, 0, 0, 2, 3, 6},
+                             end = {Real(0.1), Real(0.5), Real(0.7), Real(0.5), 1, 4, 8};
   const double angle = 4 * (39 - 2.25);
   is(square_of_error<Real>({1, 2, -3, 5, 3, 4, 12}, start, end, Real(0.5), 2), angle + 169 / 49.0);
   is(square_of_error<Real>({1, 2, -3, 5, 3, 4, 12}, start, end, Real(0.5), 4),
@@ -172,22 +172,22 @@ TEST_CASE("The first step is that of an oscillation, where rates and their chang
 }
 
 TEST_CASE_TEMPLATE(
-    "A journey leaves the push of the moment that it reaches, and refuses what is none", Pair,
+    "An integration leaves the push of the moment that it reaches, and refuses what is none", Pair,
     DormandPrince54, DormandPrince853) {
   const PushInTime push{2};
   auto body = at(push, 1);
-  const Journey journey = carry<Pair>(body, push, 1.0, 2, {1e-6, 1e-6});
-  CHECK(journey.steps > 0);
+  const StepCounts counts = integrate<Pair>(body, push, 1.0, 2, {1e-6, 1e-6});
+  CHECK(counts.steps > 0);
   check_is(body, at(push, 3), 20);
   CHECK(body.force.x() == 9);
   CHECK(complaint_of([&] {
-          carry<Pair>(body, push, 0.0, -1, {1e-6, 1e-6});
+          integrate<Pair>(body, push, 0.0, -1, {1e-6, 1e-6});
         }) == "time is -1 s; it must be 0 or more");
   CHECK(complaint_of([&] {
-          carry<Pair>(body, push, 0.0, 1, {-1e-6, 1e-6});
+          integrate<Pair>(body, push, 0.0, 1, {-1e-6, 1e-6});
         }) == "tolerance of the position is -1e-06 m a second; it must be greater than 0");
   CHECK(complaint_of([&] {
-          carry<Pair>(body, push, 0.0, 1, {1e-6, 0});
+          integrate<Pair>(body, push, 0.0, 1, {1e-6, 0});
         }) == "tolerance of the velocity is 0 m/s a second; it must be greater than 0");
 }
 
@@ -202,7 +202,7 @@ TEST_CASE("Within a step of a top the fourth order holds too, and the quaternion
       const Topd within = steps.within(part);
       CHECK(std::abs(norm(within.orientation) - 1) <= 4 * unit_roundoff<double>);
       Topd there = top;
-      carry<DormandPrince853>(there, twist, 0.0, part * h, 1e-14);
+      integrate<DormandPrince853>(there, twist, 0.0, part * h, 1e-14);
       worst = std::max({worst, angle_between(within.orientation, there.orientation),
                         distance(within.angular_momentum_body, there.angular_momentum_body)});
     }

@@ -78,18 +78,19 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "A Nyström journey leaves the push of the moment that it reaches, and refuses what is none") {
+    "A Nyström integration leaves the push of the moment that it reaches, and refuses what is "
+    "none") {
   const PointPushInTime push{2};
   auto body = at(push, 1);
-  const Journey journey = carry_by_nystrom<Pair>(body, push, 1.0, 2, {1e-6, 1e-6});
-  CHECK(journey.steps > 0);
+  const StepCounts counts = integrate_by_nystrom<Pair>(body, push, 1.0, 2, {1e-6, 1e-6});
+  CHECK(counts.steps > 0);
   check_is(body, at(push, 3));
   CHECK(body.force.x() == 9);
   CHECK(complaint_of([&] {
-          carry_by_nystrom<Pair>(body, push, 0.0, -1, {1e-6, 1e-6});
+          integrate_by_nystrom<Pair>(body, push, 0.0, -1, {1e-6, 1e-6});
         }) == "time is -1 s; it must be 0 or more");
   CHECK(complaint_of([&] {
-          carry_by_nystrom<Pair>(body, push, 0.0, 1, {1e-6, -1e-6});
+          integrate_by_nystrom<Pair>(body, push, 0.0, 1, {1e-6, -1e-6});
         }).find("tolerance of the velocity is -1e-06 m/s a second") == 0);
 }
 

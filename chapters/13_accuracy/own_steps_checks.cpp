@@ -43,7 +43,7 @@ TEST_CASE_TEMPLATE("A free top loses no more in a second than the tolerance, tim
     const auto by = [&]<class Pair>(Pair) {
       check_tolerances<Real>(problem.seconds, 1 + spread, 100 * rounding, [&](Real tolerance) {
         Top<Real> top = problem.start;
-        carry_freely<Pair>(top, Real(problem.seconds), tolerance);
+        integrate_free_top<Pair>(top, Real(problem.seconds), tolerance);
         return double(angle_error(top, truth));
       });
     };
@@ -64,8 +64,8 @@ TEST_CASE_TEMPLATE(
     Top<Real> mine = problem.start, other = problem.start;
     other.angular_momentum_body *= scale;
     other.inverse_moments /= scale;
-    const Journey a = carry_freely<DormandPrince54>(mine, 10, Real(1e-3)),
-                  b = carry_freely<DormandPrince54>(other, 10, Real(1e-3));
+    const StepCounts a = integrate_free_top<DormandPrince54>(mine, 10, Real(1e-3)),
+                     b = integrate_free_top<DormandPrince54>(other, 10, Real(1e-3));
     CHECK(a.steps > 5);
     CHECK(a.steps == b.steps);
     CHECK(mine.orientation.real == other.orientation.real);
@@ -79,7 +79,7 @@ TEST_CASE("With a tolerance a hundred times smaller a pair needs as many more st
   const auto problem = free_problems<double>()[0];
   const auto steps = [&]<class Pair>(Pair, double tolerance) {
     Topd top = problem.start;
-    return double(carry_freely<Pair>(top, problem.seconds, tolerance).steps);
+    return double(integrate_free_top<Pair>(top, problem.seconds, tolerance).steps);
   };
   const double fifth = steps(DormandPrince54(), 1e-9) / steps(DormandPrince54(), 1e-7),
                eighth = steps(DormandPrince853(), 1e-11) / steps(DormandPrince853(), 1e-9);
@@ -94,7 +94,7 @@ TEST_CASE_TEMPLATE("With L apart a free top keeps it in the world, whatever the 
       CAPTURE(problem.name);
       CAPTURE(tolerance);
       Top<Real> top = problem.start;
-      carry_freely<DormandPrince54>(top, Real(problem.seconds), tolerance);
+      integrate_free_top<DormandPrince54>(top, Real(problem.seconds), tolerance);
       const Vec3<Wide> L = angular_momentum_world(exactly(problem.start)),
                        there = angular_momentum_world(exactly(top));
       // The three turns of top_at(), 20 roundings each, there and at the start.
@@ -141,15 +141,19 @@ TEST_CASE_TEMPLATE(
     auto scaled = problem;
     scaled.start.angular_momentum_body *= scale;
     scaled.start.inverse_moments /= scale;
-    scaled.gather.weight_times_arm *= scale;
+    scaled.right_hand_side.weight_times_arm *= scale;
     Top<Real> mine = problem.start, other = scaled.start;
-    const Journey a = carry<DormandPrince853>(mine, problem.gather, Real(0), 5, Real(1e-3)),
-                  b = carry<DormandPrince853>(other, scaled.gather, Real(0), 5, Real(1e-3));
+    const StepCounts a = integrate<DormandPrince853>(mine, problem.right_hand_side, Real(0), 5,
+                                                     Real(1e-3)),
+                     b = integrate<DormandPrince853>(other, scaled.right_hand_side, Real(0), 5,
+                                                     Real(1e-3));
     CHECK(a.steps == b.steps);
     CHECK(mine.orientation.real == other.orientation.real);
     CHECK(same_bits(mine.orientation.imaginary, other.orientation.imaginary));
-    const Journey c = carry_axis<DormandPrince853>(mine, problem.gather, Real(0), 5, Real(1e-3)),
-                  d = carry_axis<DormandPrince853>(other, scaled.gather, Real(0), 5, Real(1e-3));
+    const StepCounts c = integrate_axis<DormandPrince853>(mine, problem.right_hand_side, Real(0), 5,
+                                                          Real(1e-3)),
+                     d = integrate_axis<DormandPrince853>(other, scaled.right_hand_side, Real(0), 5,
+                                                          Real(1e-3));
     CHECK(c.steps == d.steps);
     CHECK(same_bits(mine.orientation.imaginary, other.orientation.imaginary));
   }
@@ -161,12 +165,12 @@ TEST_CASE_TEMPLATE("A pair leaves L of a locked axis at 0, and the top carries o
     auto driven = driven_top<Real>();
     lock_axis(driven.start, axis);
     Top<Real> top = driven.start;
-    carry<DormandPrince54>(top, driven.gather, Real(0), 4, Real(1e-4));
+    integrate<DormandPrince54>(top, driven.right_hand_side, Real(0), 4, Real(1e-4));
     CHECK(top.angular_momentum_body[axis] == 0);
     CHECK(top.angular_momentum_body.norm() > Real(0.1));
     Top<Real> free = driven.start;
-    const Journey journey = carry_freely<DormandPrince54>(free, 4, Real(1e-4));
-    CHECK(journey.steps == 1);  // with an axis locked a free top turns steadily
+    const StepCounts counts = integrate_free_top<DormandPrince54>(free, 4, Real(1e-4));
+    CHECK(counts.steps == 1);  // with an axis locked a free top turns steadily
     CHECK(free.angular_momentum_body[axis] == 0);
   }
 }
@@ -178,7 +182,8 @@ TEST_CASE_TEMPLATE("The axis of a heavy top moves as the exact solution says, an
     const auto problem = heavy_top<Real>("", spin);
     const auto truth = truth_of(problem);
     Top<Real> top = problem.start;
-    carry_axis<DormandPrince853>(top, problem.gather, Real(0), Real(problem.seconds), Real(1e-5));
+    integrate_axis<DormandPrince853>(top, problem.right_hand_side, Real(0), Real(problem.seconds),
+                                     Real(1e-5));
     // 1e-5 rad a second for ten seconds, in which the nutation may spread it by ten; and in float
     // some 60 steps of 60 roundings, on an L of which the spin makes up to 20 rad/s.
     const double rounding = 60 * 60 * 20 * double(unit_roundoff<Real>);
@@ -196,7 +201,7 @@ TEST_CASE("In steps of one length the axis of a heavy top has the order of the r
     const Top<Wide> truth = truth_of(problem);
     const auto error = [&]<class Rule>(Rule, long steps) {
       Top<Wide> top = problem.start;
-      carry_axis_evenly<Rule>(top, problem.gather, 0.0L, problem.seconds, steps);
+      integrate_axis_evenly<Rule>(top, problem.right_hand_side, 0.0L, problem.seconds, steps);
       CHECK(top.angular_momentum_body.z() == problem.start.angular_momentum_body.z());
       return angle_error(top, truth);
     };
@@ -216,13 +221,13 @@ TEST_CASE("A top that spins faster needs no shorter steps where its axis is apar
     problem.start.inverse_moments.z() = inverse_about_axis;
     problem.start.angular_momentum_body.z() = 1;
     Topd top = problem.start;
-    return carry_it(top, problem.gather).steps;
+    return carry_it(top, problem.right_hand_side).steps;
   };
   const auto apart = [](Topd& top, const Weight<double>& weight) {
-    return carry_axis<DormandPrince54>(top, weight, 0.0, 5, 1e-6);
+    return integrate_axis<DormandPrince54>(top, weight, 0.0, 5, 1e-6);
   };
   const auto whole = [](Topd& top, const Weight<double>& weight) {
-    return carry<DormandPrince54>(top, weight, 0.0, 5, 1e-6);
+    return integrate<DormandPrince54>(top, weight, 0.0, 5, 1e-6);
   };
   CHECK(steps(apart, 100) == steps(apart, 5));
   CHECK(steps(whole, 100) > 5 * steps(whole, 5));

@@ -22,10 +22,11 @@ double energy_of(const Particled& particle) {
 /// How long the steps are on their way around the star.
 void write_steps(const Notebook& notebook, const Orbit& orbit) {
   Table table = notebook.table("own_steps", {"time (s)", "step (s)", "distance (m)"});
-  EmbeddedSteps<DormandPrince54, Particled, Star<double>, double> steps(orbit.start, orbit.gather,
-                                                                        0, {1e-6, 1e-6});
-  travel(steps, orbit.seconds, 1e-3,
-         [&](double gone, double h) { table.row(gone, h, steps.body().position.norm()); });
+  EmbeddedSteps<DormandPrince54, Particled, Star<double>, double> steps(
+      orbit.start, orbit.right_hand_side, 0, {1e-6, 1e-6});
+  integrate_adaptively(steps, orbit.seconds, 1e-3, [&](double gone, double h) {
+    table.row(gone, h, steps.body().position.norm());
+  });
 }
 
 /// Energy along a hundred rounds: with steps of one length, with steps that are chosen at their
@@ -35,19 +36,19 @@ void write_energies(Notebook& notebook, const Orbit& orbit) {
   Table table = notebook.table("own_steps_energy", {"round", "one length", "chosen at the start",
                                                     "pair", "transformed time"});
   Particled even = orbit.start, chosen = orbit.start, pair = orbit.start;
-  orbit.gather(even, 0);
-  orbit.gather(chosen, 0);
-  TransformedTime<Star<double>, double> transformed(orbit.start, orbit.gather);
+  orbit.right_hand_side(even, 0);
+  orbit.right_hand_side(chosen, 0);
+  TransformedTime<Star<double>, double> transformed(orbit.start, orbit.right_hand_side);
   std::array<double, 4> worst{}, last{}, first{};
   for (int n = 1; n <= 100; ++n) {
     for (int step = 0; step < 1000; ++step)
-      step_by_row<Verlet>(even, orbit.gather, 0.0, round / 1000);
+      step_by_row<Verlet>(even, orbit.right_hand_side, 0.0, round / 1000);
     for (double gone = 0; gone < round;) {
       const double distance = chosen.position.norm(), h = 0.05 * distance * std::sqrt(distance);
-      step_by_row<Verlet>(chosen, orbit.gather, 0.0, h);
+      step_by_row<Verlet>(chosen, orbit.right_hand_side, 0.0, h);
       gone += h;
     }
-    carry<DormandPrince54>(pair, orbit.gather, 0.0, round, {1e-5, 1e-5});
+    integrate<DormandPrince54>(pair, orbit.right_hand_side, 0.0, round, {1e-5, 1e-5});
     while (transformed.time() < n * round) transformed.step<Verlet>(2 * round / 150);
     const std::array now = {even, chosen, pair, transformed.particle()};
     for (std::size_t m = 0; m < now.size(); ++m) {
@@ -76,13 +77,16 @@ void write_energies(Notebook& notebook, const Orbit& orbit) {
 void write_paces(Notebook& notebook) {
   const auto problem = heavy_top<double>("", 0.5);
   const auto error = [&](const Topd& top) {
-    const auto energy = [&](const Topd& of) { return problem.gather.kept(exactly(of)).energy; };
+    const auto energy = [&](const Topd& of) {
+      return problem.right_hand_side.kept(exactly(of)).energy;
+    };
     return std::abs(double(energy(top) / energy(problem.start) - 1));
   };
   constexpr double angle = 0.1, least = 1;
-  PacedSteps<Verlet, Weight<double>, double> paced(problem.start, problem.gather, 0, angle, least);
+  PacedSteps<Verlet, Weight<double>, double> paced(problem.start, problem.right_hand_side, 0, angle,
+                                                   least);
   Topd chosen = problem.start;
-  problem.gather(chosen, 0);
+  problem.right_hand_side(chosen, 0);
   Table table = notebook.table("own_steps_pace", {"step", "chosen at the start", "symmetric"});
   double shortest = 1, longest = 0, of_chosen = 0, of_paced = 0, at_first = 0;
   for (int n = 1; n <= 100'000; ++n) {
@@ -90,7 +94,7 @@ void write_paces(Notebook& notebook) {
     longest = std::max(longest, paced.next());
     paced.step();
     const double pace = std::sqrt(angular_velocity_body(chosen).squaredNorm() + least * least);
-    step_by_row<Verlet>(chosen, problem.gather, 0.0, angle / pace);
+    step_by_row<Verlet>(chosen, problem.right_hand_side, 0.0, angle / pace);
     of_chosen = std::max(of_chosen, error(chosen));
     of_paced = std::max(of_paced, error(paced.top()));
     if (n == 1000) at_first = of_paced;
@@ -117,11 +121,11 @@ void write_wandering(Notebook& notebook) {
   constexpr double angle = 0.05, least = 4, h = 0.01;  // s, about the mean of the paced ones
   Topd backwards = problem.start, even = problem.start;
   backwards.angular_momentum_body *= -1;
-  std::array paced = {Paced(problem.start, problem.gather, 0, angle, least),
-                      Paced(backwards, problem.gather, 0, angle, least)};
-  problem.gather(even, 0);
+  std::array paced = {Paced(problem.start, problem.right_hand_side, 0, angle, least),
+                      Paced(backwards, problem.right_hand_side, 0, angle, least)};
+  problem.right_hand_side(even, 0);
   const auto energy = [&](const Topd& of) {
-    return double(problem.gather.kept(exactly(of)).energy);
+    return double(problem.right_hand_side.kept(exactly(of)).energy);
   };
   Table table = notebook.table("own_steps_wander",
                                {"step", "following the pace", "turned around", "of one length"});
@@ -133,7 +137,7 @@ void write_wandering(Notebook& notebook) {
     mean = {};
     for (int look = 0; look < looks_a_row; ++look) {
       for (int n = 0; n < steps_between; ++n) {
-        step_by_row<Verlet>(even, problem.gather, 0.0, h);
+        step_by_row<Verlet>(even, problem.right_hand_side, 0.0, h);
         for (Paced& one : paced) one.step();
       }
       const std::array now = {energy(paced[0].top()), energy(paced[1].top()), energy(even)};
@@ -164,7 +168,7 @@ struct SevenNumbers {
     evaluate_stages<DormandPrinceFifth>(start, h, rates, [&](const auto& numbers, double, auto) {
       return rates_of(numbers, inverse);
     });
-    end = led<RowOfStep<DormandPrinceFifth>>(start, h, rates);
+    end = combine<RowOfStep<DormandPrinceFifth>>(start, h, rates);
     rates[6] = rates_of(end, inverse);
     double square = 0;
     for (const double off : weighed<RowOfError<DormandPrince54, 0>>(rates)) square += off * off;
@@ -177,8 +181,8 @@ struct SevenNumbers {
   }
   Vec3d inverse;
   double tolerance, step = 0;
-  Numbers<double, 7> start, end = {};
-  std::array<Numbers<double, 7>, 7> rates = {rates_of(start, inverse)};
+  StateVector<double, 7> start, end = {};
+  std::array<StateVector<double, 7>, 7> rates = {rates_of(start, inverse)};
 };
 
 /// How many steps a top takes whose moments are `scale` times those of problem A, by the right and
@@ -187,9 +191,9 @@ std::array<long, 2> steps_of_scaled(double scale) {
   Topd top = free_problems<double>()[0].start;
   top.inverse_moments /= scale;
   top.angular_momentum_body *= scale;
-  SevenNumbers steps{top.inverse_moments, 1e-6, 0, numbers_of(top)};
-  const Journey wrong = travel(steps, 1.0, 1e-3, [](double, double) {});
-  return {carry_freely<DormandPrince54>(top, 1, 1e-6).steps, wrong.steps};
+  SevenNumbers steps{top.inverse_moments, 1e-6, 0, state_of(top)};
+  const StepCounts wrong = integrate_adaptively(steps, 1.0, 1e-3, [](double, double) {});
+  return {integrate_free_top<DormandPrince54>(top, 1, 1e-6).steps, wrong.steps};
 }
 
 /// Steps of a pair with a tolerance in rad a step, where it should be rad a second.
@@ -215,14 +219,14 @@ std::array<double, 2> errors_of_spins(double faster) {
     Topd top = problem.start;
     if (n == 1) top.angular_momentum_body *= faster;
     Steps steps(Motion(top), 0, 1e-6);
-    const auto truth = exactly_after(exactly(problem.gather), exactly(top), 1.0L);
+    const auto truth = exactly_after(exactly(problem.right_hand_side), exactly(top), 1.0L);
     const auto pass = [](double, double) {};
     if constexpr (per_step) {
       PerStep<Steps> all{steps};
-      travel(all, 1.0, 1e-4, pass);
+      integrate_adaptively(all, 1.0, 1e-4, pass);
       top = all.steps.body();
     } else {
-      travel(steps, 1.0, 1e-4, pass);
+      integrate_adaptively(steps, 1.0, 1e-4, pass);
       top = steps.body();
     }
     errors[n] = static_cast<double>(angle_between(truth.orientation, exactly(top).orientation));
@@ -232,24 +236,24 @@ std::array<double, 2> errors_of_spins(double faster) {
 
 /// Rejected steps on a particle that a strong damper stops at once: what is left moves slowly, but
 /// a step may be no longer than the damper allows.
-Journey with_damper(bool remembers) {
+StepCounts with_damper(bool remembers) {
   const auto damper = [](Particled& particle, double time) {
     particle.force = -1000 * (particle.velocity - Vec3d(std::cos(time), 0, 0));
   };
   EmbeddedSteps<DormandPrince54, Particled, decltype(damper), double> steps(
       make_particle(1.0, {0, 0, 0}, {1, 0, 0}), damper, 0, {1e-2, 1e-2});
-  if (remembers) return travel(steps, 2.0, 1e-3, [](double, double) {});
-  Journey journey;
+  if (remembers) return integrate_adaptively(steps, 2.0, 1e-3, [](double, double) {});
+  StepCounts counts;
   for (double gone = 0, h = 1e-3; gone < 2;) {
     const double error = std::sqrt(steps.attempt(h));
     if (error <= 1) {
       steps.accept();
       gone += h;
     }
-    ++(error <= 1 ? journey.steps : journey.rejected);
+    ++(error <= 1 ? counts.steps : counts.rejected);
     h *= std::clamp(0.85 * std::pow(error, -1 / 4.0), 0.1, 6.0);
   }
-  return journey;
+  return counts;
 }
 
 /// A resting top that is struck after 5.3 s, for a twentieth of a second.
@@ -265,7 +269,7 @@ constexpr double moment = 3, turned = 20 * 0.05 / moment * (10 - 5.325);  // rad
 /// What the top is off by in the end, rad, and in how many steps.
 std::pair<double, long> off_after_blow(double tolerance, const Stops<double>& stops) {
   Topd top{.inverse_moments = {1, 0.5, 1 / moment}};
-  const long steps = carry<DormandPrince54>(top, Blow(), 0.0, 10, tolerance, stops).steps;
+  const long steps = integrate<DormandPrince54>(top, Blow(), 0.0, 10, tolerance, stops).steps;
   return {angle_between(top.orientation, quaternion_about<double>(Vec3d::UnitZ(), turned)), steps};
 }
 
@@ -302,24 +306,26 @@ int main(int argument_count, char** arguments) {
               "tolerance");
   for (int n = 0; n < 3; ++n) std::printf("%6s %6s %7s", "steps", "again", "error");
   std::puts("");
-  const Particled there = exactly_after(orbit.gather, orbit.start, orbit.seconds);
+  const Particled there = exactly_after(orbit.right_hand_side, orbit.start, orbit.seconds);
   for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
     std::printf("%-10.0e", tolerance);
     const auto go = [&](auto by) {
       Particled particle = orbit.start;
-      const Journey journey = by(particle);
-      std::printf("%6ld %6ld %7.0e", journey.steps, journey.rejected,
+      const StepCounts counts = by(particle);
+      std::printf("%6ld %6ld %7.0e", counts.steps, counts.rejected,
                   (particle.position - there.position).norm());
     };
     go([&](Particled& p) {
-      return carry<DormandPrince54>(p, orbit.gather, 0.0, orbit.seconds, {tolerance, tolerance});
+      return integrate<DormandPrince54>(p, orbit.right_hand_side, 0.0, orbit.seconds,
+                                        {tolerance, tolerance});
     });
     go([&](Particled& p) {
-      return carry<DormandPrince853>(p, orbit.gather, 0.0, orbit.seconds, {tolerance, tolerance});
+      return integrate<DormandPrince853>(p, orbit.right_hand_side, 0.0, orbit.seconds,
+                                         {tolerance, tolerance});
     });
     go([&](Particled& p) {
-      return carry_by_nystrom<DormandPrinceNystrom86>(p, orbit.gather, 0.0, orbit.seconds,
-                                                      {tolerance, tolerance});
+      return integrate_by_nystrom<DormandPrinceNystrom86>(p, orbit.right_hand_side, 0.0,
+                                                          orbit.seconds, {tolerance, tolerance});
     });
     std::puts("");
   }
@@ -352,7 +358,7 @@ int main(int argument_count, char** arguments) {
   expect(each_step[1] > 1e-5 && each_step[1] > 100 * each_step[0],
          "with a tolerance for each step a faster top errs by more, since it takes more of them");
 
-  const Journey remembering = with_damper(true), forgetful = with_damper(false);
+  const StepCounts remembering = with_damper(true), forgetful = with_damper(false);
   std::printf(
       "A strong damper: %ld steps and %ld rejected by the controller that remembers,\n%ld and "
       "%ld by one that does not.\n",
@@ -367,7 +373,7 @@ int main(int argument_count, char** arguments) {
 
   // Beyond the end: the loop stops after the step that has passed it.
   using Steps = EmbeddedSteps<DormandPrince54, Particled, Star<double>, double>;
-  Steps beyond(orbit.start, orbit.gather, 0, {1e-6, 1e-6});
+  Steps beyond(orbit.start, orbit.right_hand_side, 0, {1e-6, 1e-6});
   double gone = 0, h = 1e-3;
   StepControl control(Steps::power);
   while (gone < orbit.seconds) {

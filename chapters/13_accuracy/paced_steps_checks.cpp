@@ -18,7 +18,9 @@ Problem<Top<Real>, Weight<Real>> slow_top() {
 
 template <class Real>
 double energy_error(const Top<Real>& top, const Problem<Top<Real>, Weight<Real>>& problem) {
-  const auto energy = [&](const Top<Real>& of) { return problem.gather.kept(exactly(of)).energy; };
+  const auto energy = [&](const Top<Real>& of) {
+    return problem.right_hand_side.kept(exactly(of)).energy;
+  };
   return std::abs(static_cast<double>(energy(top) / energy(problem.start) - 1));
 }
 
@@ -31,10 +33,11 @@ TEST_CASE_TEMPLATE(
   const auto problem = slow_top<Real>();
   const Real angle = Real(0.1), least = 1;
   const int steps = 20'000;
-  PacedSteps<Verlet, Weight<Real>, Real> paced(problem.start, problem.gather, 0, angle, least);
+  PacedSteps<Verlet, Weight<Real>, Real> paced(problem.start, problem.right_hand_side, 0, angle,
+                                               least);
   Top<Real> chosen = problem.start;
-  problem.gather(chosen, 0);
-  // The worst of the first and of the second half of the journey.
+  problem.right_hand_side(chosen, 0);
+  // The worst of the first and of the second half of the integration.
   std::array<double, 2> symmetric{}, plain{};
   Real shortest = 1, longest = 0;
   for (int n = 0; n < steps; ++n) {
@@ -42,7 +45,7 @@ TEST_CASE_TEMPLATE(
     longest = std::max(longest, paced.next());
     paced.step();
     const Real pace = std::sqrt(angular_velocity_body(chosen).squaredNorm() + least * least);
-    step_by_row<Verlet>(chosen, problem.gather, Real(0), angle / pace);
+    step_by_row<Verlet>(chosen, problem.right_hand_side, Real(0), angle / pace);
     const std::size_t half = n < steps / 2 ? 0 : 1;
     symmetric[half] = std::max(symmetric[half], energy_error(paced.top(), problem));
     plain[half] = std::max(plain[half], energy_error(chosen, problem));
@@ -59,9 +62,9 @@ TEST_CASE_TEMPLATE(
 
 TEST_CASE_TEMPLATE("Steps that follow the pace are retraced when the top is turned around", Real,
                    EVERY_PRECISION) {
-  const auto check = [](const auto& start, const auto& gather, Real least) {
-    using Gather = std::decay_t<decltype(gather)>;
-    PacedSteps<Suzuki, Gather, Real> paced(start, gather, 0, Real(0.25), least);
+  const auto check = [](const auto& start, const auto& right_hand_side, Real least) {
+    using RightHandSide = std::decay_t<decltype(right_hand_side)>;
+    PacedSteps<Suzuki, RightHandSide, Real> paced(start, right_hand_side, 0, Real(0.25), least);
     const int steps = 40;
     for (int n = 0; n < steps; ++n) paced.step();
     CHECK(angle_between(paced.top().orientation, start.orientation) > Real(0.1));
@@ -73,9 +76,9 @@ TEST_CASE_TEMPLATE("Steps that follow the pace are retraced when the top is turn
     CHECK(std::abs(paced.next() * paced.pace() - Real(0.25)) <= Real(0.25) * Real(0.25));
   };
   const auto heavy = slow_top<Real>();
-  check(heavy.start, heavy.gather, Real(1));
+  check(heavy.start, heavy.right_hand_side, Real(1));
   const auto free = free_problems<Real>()[0];
-  check(free.start, free.gather, Real(0));
+  check(free.start, free.right_hand_side, Real(0));
 }
 
 TEST_CASE("Paced, each row has its order against the exact motion of a heavy top") {
@@ -85,9 +88,9 @@ TEST_CASE("Paced, each row has its order against the exact motion of a heavy top
   const auto order = [&]<class Row>(Row, Wide angle) {
     const auto error = [&](Wide of) {
       Top<Wide> top = problem.start;
-      const Journey journey =
-          carry_paced<Row>(top, problem.gather, 0.0L, problem.seconds, of, 1.0L);
-      return std::pair(angle_between(top.orientation, truth.orientation), Wide(journey.steps));
+      const StepCounts counts =
+          integrate_paced<Row>(top, problem.right_hand_side, 0.0L, problem.seconds, of, 1.0L);
+      return std::pair(angle_between(top.orientation, truth.orientation), Wide(counts.steps));
     };
     const auto [coarse, few] = error(angle);
     const auto [fine, many] = error(angle / 4);
@@ -103,20 +106,21 @@ TEST_CASE("Under a torque that changes with time paced steps keep the clock, whe
   const auto problem = driven_top<Wide>();
   for (const Wide begin : {0.0L, 3.0L, -1.0L}) {
     Top<Wide> staged = problem.start;
-    problem.gather(staged, begin);
+    problem.right_hand_side(staged, begin);
     for (int n = 0; n < 400; ++n)
-      step_by_runge_kutta<DormandPrinceEighth>(staged, problem.gather, begin + Wide(n) / 100,
-                                               0.01L);
+      step_by_runge_kutta<DormandPrinceEighth>(staged, problem.right_hand_side,
+                                               begin + Wide(n) / 100, 0.01L);
     const auto error = [&](Wide angle) {
       Top<Wide> paced = problem.start;
-      carry_paced<KahanLiEighth>(paced, problem.gather, begin, 4, angle, 1);
+      integrate_paced<KahanLiEighth>(paced, problem.right_hand_side, begin, 4, angle, 1);
       return angle_between(paced.orientation, staged.orientation);
     };
     const Wide fine = error(0.1L);
     CAPTURE(static_cast<double>(fine));
     CHECK(std::lround(std::log2(error(0.2L) / fine)) == 8);
 
-    PacedSteps<Verlet, Drive<Wide>, Wide> steps(problem.start, problem.gather, begin, 0.1L, 1);
+    PacedSteps<Verlet, Drive<Wide>, Wide> steps(problem.start, problem.right_hand_side, begin, 0.1L,
+                                                1);
     Wide now = begin;
     for (int n = 0; n < 20; ++n) {
       now += steps.next();
@@ -133,7 +137,8 @@ TEST_CASE_TEMPLATE("The pace that is carried along stays true to the pace of the
   // radian.
   const auto problem = slow_top<Real>();
   for (const Real angle : {Real(0.1), Real(0.05)}) {
-    PacedSteps<Verlet, Weight<Real>, Real> paced(problem.start, problem.gather, 0, angle, 1);
+    PacedSteps<Verlet, Weight<Real>, Real> paced(problem.start, problem.right_hand_side, 0, angle,
+                                                 1);
     Real worst = 0;
     for (int n = 0; n < 2000; ++n) {
       paced.step();
@@ -144,19 +149,20 @@ TEST_CASE_TEMPLATE("The pace that is carried along stays true to the pace of the
   }
 }
 
-TEST_CASE("A paced journey ends where it shall, and what it can't be asked for is refused") {
+TEST_CASE("A paced integration ends where it shall, and what it can't be asked for is refused") {
   const auto problem = slow_top<double>();
   const auto carried = [&](double seconds, double angle, double least = 1) {
     Topd top = problem.start;
-    const Journey journey = carry_paced<Verlet>(top, problem.gather, 0.0, seconds, angle, least);
-    return std::pair(top, journey.steps);
+    const StepCounts counts =
+        integrate_paced<Verlet>(top, problem.right_hand_side, 0.0, seconds, angle, least);
+    return std::pair(top, counts.steps);
   };
   CHECK(carried(0, 0.1).second == 0);
   CHECK(
       same_bits(carried(0, 0.1).first.orientation.imaginary, problem.start.orientation.imaginary));
   CHECK(carried(1e-3, 0.1).second == 1);
   // Steps of a hundredth of a radian, an error far below a hundredth: it lands at that moment.
-  const auto truth = exactly_after(problem.gather, problem.start, 7);
+  const auto truth = exactly_after(problem.right_hand_side, problem.start, 7);
   CHECK(angle_between(carried(7, 0.01).first.orientation, truth.orientation) < 1e-3);
   CHECK(complaint_of([&] { carried(-1, 0.1); }) == "time is -1 s; it must be 0 or more");
   CHECK(complaint_of([&] { carried(1, 0); }) == "angle is 0 rad a step; it must be greater than 0");
@@ -170,14 +176,14 @@ TEST_CASE("A paced journey ends where it shall, and what it can't be asked for i
     top.torque = {0, 1 / ((1 - time) * (1 - time)), 0};
   };
   Topd wound{.angular_momentum_body = {0, 1, 0}, .inverse_moments = {1, 1, 1}};
-  CHECK_THROWS_WITH_AS(carry_paced<Verlet>(wound, wind_up, 0.0, 2, 0.125, 0),
+  CHECK_THROWS_WITH_AS(integrate_paced<Verlet>(wound, wind_up, 0.0, 2, 0.125, 0),
                        doctest::Contains("s after the start; the top turns too fast for the clock"),
                        StepError);
   Topd still{.inverse_moments = {1, 2, 3}};
   const auto nothing = [](Topd& top, double) { top.torque.setZero(); };
-  CHECK(carry_paced<Verlet>(still, nothing, 0.0, 5, 0.125, 0.5).steps == 20);
+  CHECK(integrate_paced<Verlet>(still, nothing, 0.0, 5, 0.125, 0.5).steps == 20);
   CHECK(still.orientation.real == 1);
-  CHECK_THROWS_WITH_AS(carry_paced<Verlet>(still, nothing, 0.0, 5, 0.125, 0),
+  CHECK_THROWS_WITH_AS(integrate_paced<Verlet>(still, nothing, 0.0, 5, 0.125, 0),
                        doctest::Contains("the pace ρ is 0 1/s at 0 s"), StepError);
 }
 
@@ -195,10 +201,11 @@ TEST_CASE(
       const std::string pace = "the pace ρ is " + text_of(spin) +
                                " 1/s at 0 s, where the angular velocity of " + text_of(spin) +
                                " rad/s changes by 1.129";
-      CHECK_THROWS_WITH_AS(carry_paced<Verlet>(top, problem.gather, 0.0, seconds, angle, 0),
-                           doctest::Contains(pace.c_str()), StepError);
       CHECK_THROWS_WITH_AS(
-          carry_paced<Verlet>(top, problem.gather, 0.0, seconds, angle, 0),
+          integrate_paced<Verlet>(top, problem.right_hand_side, 0.0, seconds, angle, 0),
+          doctest::Contains(pace.c_str()), StepError);
+      CHECK_THROWS_WITH_AS(
+          integrate_paced<Verlet>(top, problem.right_hand_side, 0.0, seconds, angle, 0),
           doctest::Contains(" rad/s²: take a least pace greater than 0 rad/s, or a "
                             "smaller angle than 0.1 rad a step"),
           StepError);
@@ -209,8 +216,8 @@ TEST_CASE(
   // The weight accelerates it by 2 rad/s² at most, and so much is enough:
   const auto swinging = heavy_top<double>("", 0);
   const double acceleration = 2, enough = std::sqrt(angle * acceleration);
-  PacedSteps<Verlet, Weight<double>, double> paced(swinging.start, swinging.gather, 0, angle,
-                                                   enough);
+  PacedSteps<Verlet, Weight<double>, double> paced(swinging.start, swinging.right_hand_side, 0,
+                                                   angle, enough);
   // What ρ loses in half a step is (angle/2) α |ω|/P² at most, which is P times
   // (angle α/least²)/(3 √3), largest where |ω| = least/√2; and ρ itself is P within angle².
   const double longest = angle / enough / (1 - 1 / (3 * std::sqrt(3.0)) - angle * angle);
@@ -227,8 +234,8 @@ TEST_CASE(
       CAPTURE(of);
       CAPTURE(part);
       const double least = part * std::sqrt(of * acceleration);
-      PacedSteps<Verlet, Weight<double>, double> steps(swinging.start, swinging.gather, 0, of,
-                                                       least);
+      PacedSteps<Verlet, Weight<double>, double> steps(swinging.start, swinging.right_hand_side, 0,
+                                                       of, least);
       try {
         for (int n = 0; n < 1000; ++n) {
           const double before = steps.time(),

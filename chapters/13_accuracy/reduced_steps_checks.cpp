@@ -57,9 +57,9 @@ TEST_CASE(
     Topd whole = symmetric_top(), apart = whole, evenly = whole;
     const ChangingWeight weight{field};
     weight(whole, 2.0);
-    carry<DormandPrince853>(whole, weight, 2.0, 1.75, 1e-11);
-    carry_axis<DormandPrince853>(apart, weight, 2.0, 1.75, 1e-11);
-    carry_axis_evenly<DormandPrinceEighth>(evenly, weight, 2.0, 1.75, 256);
+    integrate<DormandPrince853>(whole, weight, 2.0, 1.75, 1e-11);
+    integrate_axis<DormandPrince853>(apart, weight, 2.0, 1.75, 1e-11);
+    integrate_axis_evenly<DormandPrinceEighth>(evenly, weight, 2.0, 1.75, 256);
     check_same(apart, whole, 1e-9);
     check_same(evenly, whole, 1e-9);
     Topd last = whole;
@@ -69,11 +69,11 @@ TEST_CASE(
 
   Topd top = symmetric_top();
   const ChangingWeight weight;
-  CHECK_NOTHROW(carry_axis_evenly<Kutta>(top, weight, 0.0, 1e-3, 1));
-  CHECK(complaint_of([&] { carry_axis<DormandPrince54>(top, weight, 0.0, -1, 1e-3); }) ==
+  CHECK_NOTHROW(integrate_axis_evenly<Kutta>(top, weight, 0.0, 1e-3, 1));
+  CHECK(complaint_of([&] { integrate_axis<DormandPrince54>(top, weight, 0.0, -1, 1e-3); }) ==
         "time is -1 s; it must be 0 or more");
   CHECK(complaint_of([&] {
-          carry_axis<DormandPrince54>(top, weight, 0.0, 1, 0);
+          integrate_axis<DormandPrince54>(top, weight, 0.0, 1, 0);
         }).find("tolerance is 0") == 0);
 }
 
@@ -86,14 +86,14 @@ TEST_CASE(
   Topd apart = whole, evenly = whole;
   const ChangingWeight weight;
   weight(whole, 0.0);
-  carry<DormandPrince853>(whole, weight, 0.0, 1.5, 1e-11);
-  carry_axis<DormandPrince853>(apart, weight, 0.0, 1.5, 1e-11);
-  carry_axis_evenly<DormandPrinceEighth>(evenly, weight, 0.0, 1.5, 512);
+  integrate<DormandPrince853>(whole, weight, 0.0, 1.5, 1e-11);
+  integrate_axis<DormandPrince853>(apart, weight, 0.0, 1.5, 1e-11);
+  integrate_axis_evenly<DormandPrinceEighth>(evenly, weight, 0.0, 1.5, 512);
   check_same(apart, whole, 1e-9);
   check_same(evenly, whole, 1e-9);
 }
 
-TEST_CASE("Once an axis has gone too far, the next step is the first of a new journey") {
+TEST_CASE("Once an axis has gone too far, the next step is the first of a new integration") {
   const ChangingWeight weight;
   const double h = 1.0 / 8;  // so that times are exact
   Topd start = symmetric_top();
@@ -118,12 +118,12 @@ TEST_CASE("Once an axis has gone too far, the next step is the first of a new jo
   CHECK(std::abs(std::sqrt(steps.attempt(h)) - std::sqrt(anew.attempt(h))) * h <=
         13 * 16 * unit_roundoff<double>);
 
-  // Even steps lead to the same place in one journey as in two, to 64 roundings as where one starts
-  // anew on the way, of which a step makes less than twice as many.
+  // Even steps lead to the same place in one integration as in two, to 64 roundings as where one
+  // starts anew on the way, of which a step makes less than twice as many.
   Topd in_one = start, in_two = start;
-  carry_axis_evenly<Kutta>(in_one, weight, 0.0, begin + h, count + 1);
-  carry_axis_evenly<Kutta>(in_two, weight, 0.0, begin, count);
-  carry_axis_evenly<Kutta>(in_two, weight, begin, h, 1);
+  integrate_axis_evenly<Kutta>(in_one, weight, 0.0, begin + h, count + 1);
+  integrate_axis_evenly<Kutta>(in_two, weight, 0.0, begin, count);
+  integrate_axis_evenly<Kutta>(in_two, weight, begin, h, 1);
   check_same(in_one, in_two, 2 * 64 * unit_roundoff<double>);
 }
 
@@ -133,7 +133,7 @@ TEST_CASE("Which axis is that of symmetry is found, and a top without one is ref
     top.inverse_moments = {1, 1, 1};
     top.inverse_moments[axis] = 2;
     const AxisTurn<ChangingWeight, double> motion(top, ChangingWeight{});
-    const auto y = motion.numbers();
+    const auto y = motion.state();
     const Vec3d c = rotate<double>(top.orientation, Vec3d::Unit(axis));
     CHECK(distance(Vec3d(y[0], y[1], y[2]), c) <= 8 * unit_roundoff<double>);
     CHECK(distance(Vec3d(y[3], y[4], y[5]), angular_momentum_world(top)) <=
@@ -160,7 +160,7 @@ TEST_CASE("L is measured from the axis that it goes around, on its own side") {
   // z.
   for (const double side : {1.0, -1.0}) {
     Topd top = lopsided_top();
-    const auto far = [&](const Vec3d& L, const Numbers<double, 3>& l) {
+    const auto far = [&](const Vec3d& L, const StateVector<double, 3>& l) {
       top.angular_momentum_body = side * L;
       return FreeTurn<double>(top).is_far({side * l[0], side * l[1], side * l[2]});
     };
@@ -190,11 +190,11 @@ TEST_CASE("L is measured from the axis that it goes around, on its own side") {
 
 TEST_CASE("To start anew on the way changes nothing of the motion") {
   FreeTurn<double> free(lopsided_top());
-  const Numbers<double, 3> l = {0.48, 0.6, 0.64};
+  const StateVector<double, 3> l = {0.48, 0.6, 0.64};
   const Topd before = free.top_at(l, 0.75);
-  free.fold(l, 0.75);
-  check_same(free.top_at(free.numbers(), 0), before, 64 * unit_roundoff<double>);
-  CHECK(distance(Vec3d(free.numbers()[0], free.numbers()[1], free.numbers()[2]),
+  free.change_chart(l, 0.75);
+  check_same(free.top_at(free.state(), 0), before, 64 * unit_roundoff<double>);
+  CHECK(distance(Vec3d(free.state()[0], free.state()[1], free.state()[2]),
                  Vec3d(l[0], l[1], l[2])) <= 8 * unit_roundoff<double>);
 }
 
@@ -219,7 +219,7 @@ TEST_CASE("Lie's Runge-Kutta rule follows a motor as the classical one does, whe
 TEST_CASE("The rates under a torque are Euler's equations in body axes") {
   Topd top = lopsided_top();
   top.torque = {3, -5, 7};
-  const auto rates = rates_of(numbers_of(top), top);
+  const auto rates = rates_of(state_of(top), top);
   const Vec3d expected = rotate_back<double>(top.orientation, top.torque) + gyroscopic_torque(top);
   CHECK(distance(Vec3d(rates[4], rates[5], rates[6]), expected) <=
         32 * unit_roundoff<double> * expected.norm());
@@ -227,21 +227,21 @@ TEST_CASE("The rates under a torque are Euler's equations in body axes") {
     Topd locked = top;
     locked.inverse_moments[axis] = 0;
     locked.angular_momentum_body[axis] = 0;
-    CHECK(rates_of(numbers_of(locked), locked)[static_cast<std::size_t>(4 + axis)] == 0);
+    CHECK(rates_of(state_of(locked), locked)[static_cast<std::size_t>(4 + axis)] == 0);
   }
 }
 
-TEST_CASE("Without torque the journeys of free tops turn as the steps do, steadily too") {
+TEST_CASE("Without torque the integrations of free tops turn as the steps do, steadily too") {
   Topd ball = lopsided_top();
   ball.inverse_moments = {1, 1, 1};
   Topd steady = ball;
-  CHECK(carry_freely<DormandPrince54>(ball, 1.5, 1e-3).steps == 1);
+  CHECK(integrate_free_top<DormandPrince54>(ball, 1.5, 1e-3).steps == 1);
   turn_steadily(steady, 1.5);
   check_same(ball, steady, 32 * unit_roundoff<double>);
   Topd spun = lopsided_top();
   spun.angular_momentum_body = {0, 0, 1};
   steady = spun;
-  carry_freely<DormandPrince54>(spun, 1.5, 1e-3);
+  integrate_free_top<DormandPrince54>(spun, 1.5, 1e-3);
   turn_steadily(steady, 1.5);
   check_same(spun, steady, 32 * unit_roundoff<double>);
 }

@@ -120,7 +120,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "A journey accepts what is allowed, counts both kinds of steps, and leaves no tiny last one") {
+    "An integration accepts what is allowed, counts both kinds of steps, and leaves no tiny last "
+    "one") {
   // Where it may: the error is that of a fifth order which 0.25 s just meets.
   const auto fifth_order = [](double h) { return std::pow(h / 0.25, 5); };
   for (double seconds = 0.3; seconds < 3; seconds += 0.0371) {
@@ -128,16 +129,17 @@ TEST_CASE(
     Scripted stepper{fifth_order};
     double told = 0;
     std::size_t count = 0;
-    const Journey journey = travel(stepper, seconds, 0.1, [&](double gone, double h) {
-      CHECK(gone == told);
-      CHECK(h == stepper.attempts.back());
-      CHECK(stepper.accepted.size() == count);  // before it counts
-      told += h;
-      ++count;
-    });
+    const StepCounts counts =
+        integrate_adaptively(stepper, seconds, 0.1, [&](double gone, double h) {
+          CHECK(gone == told);
+          CHECK(h == stepper.attempts.back());
+          CHECK(stepper.accepted.size() == count);  // before it counts
+          told += h;
+          ++count;
+        });
     CHECK(std::abs(told - seconds) <= 100 * unit_roundoff<double> * seconds);
-    CHECK(journey.steps == static_cast<long>(stepper.accepted.size()));
-    CHECK(journey.steps + journey.rejected == static_cast<long>(stepper.attempts.size()));
+    CHECK(counts.steps == static_cast<long>(stepper.accepted.size()));
+    CHECK(counts.steps + counts.rejected == static_cast<long>(stepper.attempts.size()));
     for (const double h : stepper.accepted) CHECK(h <= 0.25);
     if (stepper.accepted.size() > 1) {
       const double last = stepper.accepted.back(), before = *(stepper.accepted.end() - 2);
@@ -146,19 +148,19 @@ TEST_CASE(
   }
 
   Scripted just_allowed{[](double) { return 1.0; }};
-  const Journey one = travel(just_allowed, 2.0, 2, [](double, double) {});
+  const StepCounts one = integrate_adaptively(just_allowed, 2.0, 2, [](double, double) {});
   CHECK(one.steps == 1);
   CHECK(one.rejected == 0);
   CHECK(just_allowed.attempts == std::vector<double>{2});
 
   Scripted once_beyond{[](double h) { return h > 1.99 ? 1.1 : 0.01; }};
-  const Journey two = travel(once_beyond, 2.0, 2, [](double, double) {});
+  const StepCounts two = integrate_adaptively(once_beyond, 2.0, 2, [](double, double) {});
   CHECK(two.rejected == 1);
   CHECK(two.steps == 2);
 }
 
-TEST_CASE("A journey that two steps can make is made in two, however its length rounds") {
-  // Where the first step and what is left of the journey, each rounded, add up to less, a third
+TEST_CASE("An integration that two steps can make is made in two, however its length rounds") {
+  // Where the first step and what is left of the integration, each rounded, add up to less, a third
   // step of one rounding would be made.
   long falls_short = 0;
   for (int n = 0; n < 2000; ++n) {
@@ -166,41 +168,42 @@ TEST_CASE("A journey that two steps can make is made in two, however its length 
     CAPTURE(seconds);
     falls_short += first + (seconds - first) < seconds;
     Scripted easy{[](double) { return 0.0; }};
-    CHECK(travel(easy, seconds, first, [](double, double) {}).steps == 2);
+    CHECK(integrate_adaptively(easy, seconds, first, [](double, double) {}).steps == 2);
   }
   CHECK(falls_short > 0);
 }
 
-TEST_CASE("Where no step meets the tolerance, the journey fails with the time that it got to") {
+TEST_CASE("Where no step meets the tolerance, the integration fails with the time that it got to") {
   Scripted wall{[](double) { return 2.0; }};
   CHECK(failure_of([&] {
-          travel(wall, 1.0, 0.5, [](double, double) {});
+          integrate_adaptively(wall, 1.0, 0.5, [](double, double) {});
         }).find(" s, 0 s after the start; no step meets the tolerance there") != std::string::npos);
   double reached = 0;
   Scripted later{[&](double h) { return reached + h > 0.75 ? 2.0 : 0.5; }};
-  const std::string complaint = failure_of(
-      [&] { travel(later, 1.0, 0.25, [&](double gone, double h) { reached = gone + h; }); });
+  const std::string complaint = failure_of([&] {
+    integrate_adaptively(later, 1.0, 0.25, [&](double gone, double h) { reached = gone + h; });
+  });
   CHECK(complaint.find("no step meets the tolerance there") != std::string::npos);
   CHECK(reached > 0.74);
   CHECK(reached <= 0.75);
 }
 
-TEST_CASE("A journey's time and tolerance are refused by name") {
+TEST_CASE("An integration's time and tolerance are refused by name") {
   const double infinite = std::numeric_limits<double>::infinity(), none = std::nan("");
-  CHECK_NOTHROW(require_journey(1.0, 1e-3));
-  CHECK_NOTHROW(require_journey(0.0, 1e-3));
+  CHECK_NOTHROW(require_tolerance(1.0, 1e-3));
+  CHECK_NOTHROW(require_tolerance(0.0, 1e-3));
   for (const double seconds : {-1.0, infinite, none})
-    CHECK(complaint_of([&] { require_journey(seconds, 1e-3); }).find("time is ") == 0);
+    CHECK(complaint_of([&] { require_tolerance(seconds, 1e-3); }).find("time is ") == 0);
   for (const double tolerance : {0.0, -1.0, infinite, none})
-    CHECK(complaint_of([&] { require_journey(1.0, tolerance); }).find("tolerance is ") == 0);
-  CHECK_NOTHROW(require_journey(1.0, ParticleTolerance<double>{1e-3, 1e-6}));
+    CHECK(complaint_of([&] { require_tolerance(1.0, tolerance); }).find("tolerance is ") == 0);
+  CHECK_NOTHROW(require_tolerance(1.0, ParticleTolerance<double>{1e-3, 1e-6}));
   for (const double tolerance : {0.0, -1.0, infinite, none}) {
     const ParticleTolerance<double> place{tolerance, 1}, speed{1, tolerance};
     CHECK(complaint_of([&] {
-            require_journey(1.0, place);
+            require_tolerance(1.0, place);
           }).find("tolerance of the position is ") == 0);
     CHECK(complaint_of([&] {
-            require_journey(1.0, speed);
+            require_tolerance(1.0, speed);
           }).find("tolerance of the velocity is ") == 0);
   }
 }

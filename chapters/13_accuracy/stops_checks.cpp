@@ -41,26 +41,26 @@ TEST_CASE(
         Topd blind = resting, seeing = resting;
         CHECK(carried(blind, Stops<double>{}).steps == 1);
         CHECK(turned(blind) == 0);  // the blow was between two stages
-        const Journey counts = carried(seeing, blow.stops());
+        const StepCounts counts = carried(seeing, blow.stops());
         CHECK(std::abs(turned(seeing) - angle) <= allowed);
         CHECK(counts.rejected < counts.steps);
       };
       check([&](Topd& top, const Stops<double>& stops) {
-        return carry<DormandPrince54>(top, blow, 0.0, 10, tolerance, stops);
+        return integrate<DormandPrince54>(top, blow, 0.0, 10, tolerance, stops);
       });
       check([&](Topd& top, const Stops<double>& stops) {
-        return carry<DormandPrince853>(top, blow, 0.0, 10, tolerance, stops);
+        return integrate<DormandPrince853>(top, blow, 0.0, 10, tolerance, stops);
       });
       check([&](Topd& top, const Stops<double>& stops) {
-        return carry_axis<DormandPrince54>(top, blow, 0.0, 10, tolerance, stops);
+        return integrate_axis<DormandPrince54>(top, blow, 0.0, 10, tolerance, stops);
       });
       for (const bool by_nystrom : {false, true}) {
         Particled pushed = at_rest;
         if (by_nystrom)
-          carry_by_nystrom<DormandPrinceNystrom86>(pushed, blow, 0.0, 10, {tolerance, tolerance},
-                                                   blow.stops());
+          integrate_by_nystrom<DormandPrinceNystrom86>(pushed, blow, 0.0, 10,
+                                                       {tolerance, tolerance}, blow.stops());
         else
-          carry<DormandPrince54>(pushed, blow, 0.0, 10, {tolerance, tolerance}, blow.stops());
+          integrate<DormandPrince54>(pushed, blow, 0.0, 10, {tolerance, tolerance}, blow.stops());
         CHECK(std::abs(pushed.position.x() - blow.reached()) <= allowed);
         CHECK(std::abs(pushed.velocity.x() - 1) <= allowed);
         CHECK(pushed.force.x() == 0);
@@ -76,22 +76,22 @@ TEST_CASE("No step is longer than the longest, and one that jumps asks for an ev
   };
   const auto start = make_particle<double>(1, {0, 0, 0}, {0, 0, 0});
   Particled blind = start, seeing = start;
-  CHECK(carry<DormandPrince54>(blind, swell, 0.0, 10, {1e-6, 1e-6}).steps == 1);
+  CHECK(integrate<DormandPrince54>(blind, swell, 0.0, 10, {1e-6, 1e-6}).steps == 1);
   CHECK(blind.velocity.x() == 0);
-  const Journey counts =
-      carry<DormandPrince54>(seeing, swell, 0.0, 10, {1e-6, 1e-6}, {.longest = 0.05});
+  const StepCounts counts =
+      integrate<DormandPrince54>(seeing, swell, 0.0, 10, {1e-6, 1e-6}, {.longest = 0.05});
   CHECK(counts.steps >= 200);
   CHECK(std::abs(seeing.velocity.x() - 1) <= 10 * 1e-6);
   CHECK(std::abs(seeing.position.x() - 4.65) <= 10 * 10 * 1e-6);  // what v lost, for ten seconds
 
   Particled jumping = start;
   CHECK_THROWS_WITH_AS(
-      carry<DormandPrince54>(jumping, Blow{0.1}, 0.0, 10, {1e-6, 1e-6}, {.longest = 0.05}),
+      integrate<DormandPrince54>(jumping, Blow{0.1}, 0.0, 10, {1e-6, 1e-6}, {.longest = 0.05}),
       doctest::Contains("no step meets the tolerance there; if a force jumps, name an event"),
       StepError);
 }
 
-TEST_CASE("A journey stops at events inside it alone, and refuses those that are none") {
+TEST_CASE("An integration stops at events inside it alone, and refuses those that are none") {
   std::vector<double> begins, lengths, lasts;
   const auto nothing = [](Topd&, double) {};
   const auto legs = [&](const Stops<double>& stops) {
@@ -103,17 +103,17 @@ TEST_CASE("A journey stops at events inside it alone, and refuses those that are
                      CHECK(leg.inside(begin + length / 2) == begin + length / 2);
                      begins.push_back(begin), lengths.push_back(length);
                      lasts.push_back(leg.inside(20));
-                     return Journey{.steps = 1, .rejected = 2};
+                     return StepCounts{.steps = 1, .rejected = 2};
                    });
   };
   using List = std::vector<double>;
   const auto before = [](double event) { return std::nextafter(event, 0.0); };
-  const Journey one = legs({});
+  const StepCounts one = legs({});
   CHECK(begins == List{2});
   CHECK(lengths == List{8});
   CHECK(lasts == List{10});
   CHECK(one.steps == 1);
-  const Journey three = legs({.events = {1, 2, 3, 7, 11}});
+  const StepCounts three = legs({.events = {1, 2, 3, 7, 11}});
   CHECK(begins == List{2, 3, 7});
   CHECK(lengths == List{1, 4, 3});
   CHECK(lasts == List{before(3), before(7), 10});
@@ -131,19 +131,19 @@ TEST_CASE("A journey stops at events inside it alone, and refuses those that are
         "longest step is nan s; it must be greater than 0");
 }
 
-TEST_CASE("A journey without events is as long as was said, however late it begins") {
+TEST_CASE("An integration without events is as long as was said, however late it begins") {
   const auto push = [](Particled& particle, double) { particle.force = {1, 0, 0}; };
   auto late = make_particle<double>(1, {0, 0, 0}, {1, 0, 0});
-  carry<DormandPrince54>(late, push, 1e9, 0.01, {1e-6, 1e-6});
+  integrate<DormandPrince54>(late, push, 1e9, 0.01, {1e-6, 1e-6});
   // The clock counts in 1.2e-7 s there; one step of some ten roundings.
   CHECK(std::abs(late.position.x() - (0.01 + 0.01 * 0.01 / 2)) <= 10 * unit_roundoff<double>);
 }
 
-TEST_CASE("A journey that fails after an event leaves its body where it was") {
+TEST_CASE("An integration that fails after an event leaves its body where it was") {
   const auto start = make_particle<double>(1, {0, 0, 0}, {1e-9, 0, 0});
   Particled body = start;
-  CHECK_THROWS_AS(carry<DormandPrince54>(body, Blow{0.1}, 0.0, 10, {1e-6, 1e-6},
-                                         {.events = {3}, .longest = 0.03}),
+  CHECK_THROWS_AS(integrate<DormandPrince54>(body, Blow{0.1}, 0.0, 10, {1e-6, 1e-6},
+                                             {.events = {3}, .longest = 0.03}),
                   StepError);
   CHECK(same_bits(body.position, start.position));
 }

@@ -28,7 +28,7 @@ struct ChangingPush {
 
 }  // namespace
 
-TEST_CASE("The rest of a journey is a drift, a kick of the middle's push, and a drift") {
+TEST_CASE("The rest of an integration is a drift, a kick of the middle's push, and a drift") {
   const auto start = make_particle<double>(2, {1, 2, 3}, {4, 5, 6});
   const ChangingPush push;
   TransformedTime<ChangingPush, double> motion(start, push);

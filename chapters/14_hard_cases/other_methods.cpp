@@ -10,10 +10,10 @@ namespace {
 /// state any more.
 template <std::size_t n, class Real>
 void turn_by_own_steps(Top<Real>& top, Same<Real> time_step) {
-  const FreeJourney<Real>& rung = free_journeys<Real>[n];
+  const FreeTopRung<Real>& rung = free_top_rungs<Real>[n];
   const double given = rung.given == Given::angle ? given_angle : given_tolerance;
   try {
-    rung.carry(top, time_step, static_cast<Real>(given));
+    rung.integrate(top, time_step, static_cast<Real>(given));
   } catch (const StepError&) {
     top.angular_momentum_body.setConstant(std::numeric_limits<Real>::quiet_NaN());
   }
@@ -22,12 +22,12 @@ void turn_by_own_steps(Top<Real>& top, Same<Real> time_step) {
 template <class Real>
 constexpr auto all_other_methods = [] {
   constexpr std::size_t of_one_length = 1 + even_momentum_ladder<Real>.size(),
-                        own = free_journeys<Real>.size();
+                        own = free_top_rungs<Real>.size();
   std::array<TurningRung<Real>, of_one_length + own + 1> all = {
       {{"splitting without a sine", {.order = 2}, turn_by_splitting_without_sine<Real>}}};
   std::copy(even_momentum_ladder<Real>.begin(), even_momentum_ladder<Real>.end(), all.begin() + 1);
   [&]<std::size_t... n>(std::index_sequence<n...>) {
-    ((all[of_one_length + n] = {free_journeys<Real>[n].name, free_journeys<Real>[n].claims,
+    ((all[of_one_length + n] = {free_top_rungs<Real>[n].name, free_top_rungs<Real>[n].claims,
                                 turn_by_own_steps<n, Real>}),
      ...);
   }

@@ -90,7 +90,7 @@ TEST_CASE(
   std::string steady, tumbling, own;
   for (const TurningRung<double>& rung : turning_ladder<double>)
     (rung.claims.order == 0 ? steady : tumbling) += std::string(rung.name) + ", ";
-  for (const FreeJourney<double>& rung : free_journeys<double>)
+  for (const FreeTopRung<double>& rung : free_top_rungs<double>)
     own += std::string(rung.name) + ", ";
   const FreeTopQuestion tumbles{{1, 2, 3}, {1, 2, 0.5}}, spins{{2, 2, 2}, {1, 2, 0.5}};
   CHECK(named(tumbles, {.even = true, .own = false}) == tumbling);

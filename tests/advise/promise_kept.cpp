@@ -2,8 +2,8 @@
 // precision and with the steps that it names, and holds the run against an exact solution, in code
 // that shares nothing with advise.
 #include <fstream>
+#include <tumble/adaptive_ladder.hpp>
 #include <tumble/exact/free_top.hpp>
-#include <tumble/journey_ladder.hpp>
 
 #include "kept.hpp"
 
@@ -48,15 +48,15 @@ double free_top_error(const Json& question, const Json& promise) {
       look(solution.at(static_cast<Real>(time_of(state))), state);
     return worst;
   }
-  for (const auto& rung : free_journeys<Real>) {
+  for (const auto& rung : free_top_rungs<Real>) {
     if (rung.name != promise["method"].get<std::string>()) continue;
     const char* key = rung.given == Given::angle ? "angle_per_step" : "tolerance_per_second";
     const auto given = static_cast<Real>(promise[key].get<double>());
-    Journey all;
+    StepCounts all;
     for (long state = 1; state <= states; ++state) {
-      const Journey journey = rung.carry(top, static_cast<Real>(time_of(1)), given);
-      all.steps += journey.steps;
-      all.rejected += journey.rejected;
+      const StepCounts counts = rung.integrate(top, static_cast<Real>(time_of(1)), given);
+      all.steps += counts.steps;
+      all.rejected += counts.rejected;
       look(top, state);
     }
     const auto steps = promise["steps"].get<long>(),

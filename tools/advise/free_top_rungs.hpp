@@ -5,7 +5,7 @@
 
 #include <memory>
 #include <support/contest.hpp>
-#include <tumble/journey_ladder.hpp>
+#include <tumble/adaptive_ladder.hpp>
 
 #include "free_top_trials.hpp"
 
@@ -60,7 +60,7 @@ inline constexpr double coarsest_angle = 1;        // rad a step
 
 /// A rung that chooses its own steps, from each state to the next. It lands on every one of them.
 template <class Real>
-Candidate own_steps(const FreeJourney<Real>& rung, const std::string& precision,
+Candidate own_steps(const FreeTopRung<Real>& rung, const std::string& precision,
                     const Frames& frames, double longest_run,
                     const std::shared_ptr<std::vector<Trial<Real>>>& list) {
   Candidate made;
@@ -81,16 +81,16 @@ Candidate own_steps(const FreeJourney<Real>& rung, const std::string& precision,
     return static_cast<Real>(made_of.given(fineness));
   };
   const Real frame_time = static_cast<Real>(1.0L / static_cast<long double>(frames.rate));
-  const auto carry = rung.carry;
+  const auto integrate = rung.integrate;
   made.errors = [=](long fineness, int trial) {
     const Real given = given_at(fineness);
-    Journey all;
+    StepCounts all;
     try {
       Errors errors =
           watched((*list)[static_cast<std::size_t>(trial)], frames, [&](Top<Real>& top, long) {
-            const Journey journey = carry(top, frame_time, given);
-            all.steps += journey.steps;
-            all.rejected += journey.rejected;
+            const StepCounts counts = integrate(top, frame_time, given);
+            all.steps += counts.steps;
+            all.rejected += counts.rejected;
           });
       errors.steps = all.steps;
       errors.rejected = all.rejected;
@@ -103,7 +103,7 @@ Candidate own_steps(const FreeJourney<Real>& rung, const std::string& precision,
     const Real given = given_at(fineness);
     const auto time_of = [&](long count, int times) {
       return time_of_run<Real>((*list)[0].start, times, [&](Top<Real>& top) {
-        for (long frame = 0; frame < count; ++frame) carry(top, frame_time, given);
+        for (long frame = 0; frame < count; ++frame) integrate(top, frame_time, given);
       });
     };
     try {
@@ -158,7 +158,7 @@ void append_free_top(std::vector<Candidate>& candidates, const FreeTopQuestion& 
                               }});
   }
   if (kinds.own && tumbles)
-    for (const FreeJourney<Real>& rung : free_journeys<Real>)
+    for (const FreeTopRung<Real>& rung : free_top_rungs<Real>)
       candidates.push_back(own_steps(rung, precision, frames, longest_run, list));
   if (!kinds.any()) return;
   const auto time_of_frame = [frames](long frame) {

@@ -32,7 +32,7 @@ void for_each_body(const Scene<Real, Backend>& scene, const Visit& visit) {
     }
 }
 
-inline std::array<double, 13> numbers_of(const BodyRecord& body) {
+inline std::array<double, 13> state_of(const BodyRecord& body) {
   const auto& [x, v, w, q] = body;
   return {x.x(),           x.y(),           x.z(), q.real, q.imaginary.x(),
           q.imaginary.y(), q.imaginary.z(), v.x(), v.y(),  v.z(),

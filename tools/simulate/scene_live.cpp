@@ -75,7 +75,7 @@ void tumble::support::run_live(Live& live) {
   live.column("stored", "J") = frames.stored;
   std::vector<double>& last = live.column("last", "");
   simulate::for_each_body(kept->scene(), [&](const std::string&, const auto& body) {
-    for (const double number : simulate::numbers_of(body)) last.push_back(number);
+    for (const double number : simulate::state_of(body)) last.push_back(number);
   });
   live.say("recording", drawn());
   live.say("plan", json_of(kept->scene().world.plan()));

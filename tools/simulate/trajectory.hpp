@@ -31,7 +31,7 @@ class CsvFile {
     std::string text;
     for_each_body(scene, [&](const std::string& name, const BodyRecord& body) {
       text.append(text_of(time)).append(",").append(cell(name));
-      for (const double number : numbers_of(body)) text.append(",").append(text_of(number));
+      for (const double number : state_of(body)) text.append(",").append(text_of(number));
       text += '\n';
     });
     file_.write(text);
@@ -50,7 +50,7 @@ class JsonLinesFile {
   void record(double time, const Scene<Real, Backend>& scene) {
     std::string text;
     for_each_body(scene, [&](const std::string& name, const BodyRecord& body) {
-      const std::array<double, 13> numbers = numbers_of(body);
+      const std::array<double, 13> numbers = state_of(body);
       text.append("{\"time\":").append(text_of(time));
       text.append(",\"body\":").append(nlohmann::json(name).dump());
       const auto list = [&](const char* key, std::size_t first, std::size_t last) {

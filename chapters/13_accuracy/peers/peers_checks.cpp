@@ -18,8 +18,8 @@ int order_of(const std::string& name) {
   return says("Verlet") ? 2 : 1;
 }
 
-template <class Gather, class Truth>
-void check_peers(const Problem<Topd, Gather>& problem, peers::Torque torque,
+template <class RightHandSide, class Truth>
+void check_peers(const Problem<Topd, RightHandSide>& problem, peers::Torque torque,
                  double weight_times_arm, const Truth& truth) {
   std::vector<Contestant<Topd>> list;
   append_peers(list, problem, torque, weight_times_arm);
@@ -70,13 +70,13 @@ TEST_CASE("Like with like Odeint meets all that step the numbers which it gets, 
   for (const auto& rung : turning_ladder<double>) check_alike(rung.name, true);
   for (const auto& rung : torque_ladder<double, Torque>) check_alike(rung.name, true);
   for (const auto& rung : motion_ladder<double, Star<double>>) check_alike(rung.name, true);
-  for (const auto& rung : journeys<Topd, double, Torque>) check_alike(rung.name, true);
+  for (const auto& rung : adaptive_rungs<Topd, double, Torque>) check_alike(rung.name, true);
   check_alike(nystrom_by_own_steps(orbit).name, true);
   // A pair keeps L only where L in the world is not among the numbers that it steps.
-  for (const auto& rung : free_journeys<double>)
+  for (const auto& rung : free_top_rungs<double>)
     check_alike(rung.name, rung.given == Given::angle || !rung.claims.momentum);
   for (const auto& rung : even_momentum_ladder<double>) check_alike(rung.name, false);
-  for (const auto& rung : axis_journeys<double, Torque>) check_alike(rung.name, false);
+  for (const auto& rung : axis_rungs<double, Torque>) check_alike(rung.name, false);
   for (const auto& contestant : axis_by_even_steps(heavy)) check_alike(contestant.name, false);
   for (const auto& contestant : in_transformed_time(orbit)) check_alike(contestant.name, false);
 }

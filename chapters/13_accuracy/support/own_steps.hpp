@@ -4,7 +4,7 @@
 #pragma once
 
 #include <support/contest.hpp>
-#include <tumble/journey_ladder.hpp>
+#include <tumble/adaptive_ladder.hpp>
 #include <tumble/transformed_time.hpp>
 
 namespace tumble::support {
@@ -31,17 +31,17 @@ ToleranceOf<Body> tolerance_of(Real tolerance) {
     return {tolerance, tolerance};
 }
 
-/// A contestant that `carry(body, tolerance)` takes through the whole problem. Where no step meets
-/// the tolerance the answer is NaN.
-template <class Body, class Gather, class Carry>
-Contestant<Body> own_steps(const std::string& name, const Problem<Body, Gather>& problem,
-                           const Carry& carry) {
+/// A contestant that `integrate(body, tolerance)` takes through the whole problem. Where no step
+/// meets the tolerance the answer is NaN.
+template <class Body, class RightHandSide, class Integrate>
+Contestant<Body> own_steps(const std::string& name, const Problem<Body, RightHandSide>& problem,
+                           const Integrate& integrate) {
   using Real = typename ScalarOf<Body>::Type;
-  return {name, "rung", true, [problem, carry](double knob) {
+  return {name, "rung", true, [problem, integrate](double knob) {
             Body body = problem.start;
             try {
-              carry(body, problem.gather, static_cast<Real>(problem.seconds),
-                    static_cast<Real>(knob));
+              integrate(body, problem.right_hand_side, static_cast<Real>(problem.seconds),
+                        static_cast<Real>(knob));
             } catch (const StepError&) {
               body = failed(body);
             }
@@ -59,46 +59,49 @@ constexpr std::array<TurningRung<Real>, 2> even_momentum_ladder = {
 template <class Real>
 std::vector<Contestant<Top<Real>>> free_tops_by_own_steps(const FreeProblem<Real>& problem) {
   std::vector<Contestant<Top<Real>>> list;
-  for (const FreeJourney<Real>& rung : free_journeys<Real>)
-    list.push_back(
-        own_steps(std::string(rung.name), problem,
-                  [carry = rung.carry](Top<Real>& top, const NoTorque<Real>&, Real seconds,
-                                       Real tolerance) { carry(top, seconds, tolerance); }));
+  for (const FreeTopRung<Real>& rung : free_top_rungs<Real>)
+    list.push_back(own_steps(
+        std::string(rung.name), problem,
+        [integrate = rung.integrate](Top<Real>& top, const NoTorque<Real>&, Real seconds,
+                                     Real tolerance) { integrate(top, seconds, tolerance); }));
   return list;
 }
 
 /// A body under force or torque by one rung that chooses its own steps.
-template <class Body, class Gather, class Real>
-Contestant<Body> by_own_steps(const Problem<Body, Gather>& problem,
-                              const JourneyRung<Body, Real, Gather>& rung) {
-  return own_steps(
-      std::string(rung.name), problem,
-      [carry = rung.carry](Body& body, const Gather& gather, Real seconds, Real tolerance) {
-        carry(body, gather, Real(0), seconds, tolerance_of<Body>(tolerance), {});
-      });
+template <class Body, class RightHandSide, class Real>
+Contestant<Body> by_own_steps(const Problem<Body, RightHandSide>& problem,
+                              const AdaptiveRung<Body, Real, RightHandSide>& rung) {
+  return own_steps(std::string(rung.name), problem,
+                   [integrate = rung.integrate](Body& body, const RightHandSide& right_hand_side,
+                                                Real seconds, Real tolerance) {
+                     integrate(body, right_hand_side, Real(0), seconds,
+                               tolerance_of<Body>(tolerance), {});
+                   });
 }
 
 /// A body under force or torque by each pair; a symmetric top by its axis as well.
-template <class Body, class Gather>
-std::vector<Contestant<Body>> by_own_steps(const Problem<Body, Gather>& problem) {
+template <class Body, class RightHandSide>
+std::vector<Contestant<Body>> by_own_steps(const Problem<Body, RightHandSide>& problem) {
   using Real = typename ScalarOf<Body>::Type;
   std::vector<Contestant<Body>> list;
-  for (const auto& rung : journeys<Body, Real, Gather>) list.push_back(by_own_steps(problem, rung));
-  if constexpr (requires { problem.gather.torque_on_axis(Vec3<Real>(), Real(0)); })
-    for (const auto& rung : axis_journeys<Real, Gather>)
+  for (const auto& rung : adaptive_rungs<Body, Real, RightHandSide>)
+    list.push_back(by_own_steps(problem, rung));
+  if constexpr (requires { problem.right_hand_side.torque_on_axis(Vec3<Real>(), Real(0)); })
+    for (const auto& rung : axis_rungs<Real, RightHandSide>)
       list.push_back(by_own_steps(problem, rung));
   return list;
 }
 
 /// A symmetric top by its axis, by two rules in steps of one length.
-template <class Real, class Gather>
-std::vector<Contestant<Top<Real>>> axis_by_even_steps(const Problem<Top<Real>, Gather>& problem) {
+template <class Real, class RightHandSide>
+std::vector<Contestant<Top<Real>>> axis_by_even_steps(
+    const Problem<Top<Real>, RightHandSide>& problem) {
   const auto by = [&]<class Rule>(const char* name, Rule) {
     return Contestant<Top<Real>>{name, "rung", false, [problem](double knob) {
                                    Top<Real> top = problem.start;
-                                   carry_axis_evenly<Rule>(top, problem.gather, Real(0),
-                                                           static_cast<Real>(problem.seconds),
-                                                           static_cast<long>(knob));
+                                   integrate_axis_evenly<Rule>(
+                                       top, problem.right_hand_side, Real(0),
+                                       static_cast<Real>(problem.seconds), static_cast<long>(knob));
                                    return top;
                                  }};
   };
@@ -107,20 +110,21 @@ std::vector<Contestant<Top<Real>>> axis_by_even_steps(const Problem<Top<Real>, G
 }
 
 /// A particle under a force of place and time alone, by the Nyström pair.
-template <class Real, class Gather>
-Contestant<Particle<Real>> nystrom_by_own_steps(const Problem<Particle<Real>, Gather>& problem) {
-  return by_own_steps(problem, nystrom_journey<Real, Gather>);
+template <class Real, class RightHandSide>
+Contestant<Particle<Real>> nystrom_by_own_steps(
+    const Problem<Particle<Real>, RightHandSide>& problem) {
+  return by_own_steps(problem, nystrom_rung<Real, RightHandSide>);
 }
 
 /// An orbit in transformed time, by rows of several orders. The knob is about how many steps.
-template <class Real, class Gather>
+template <class Real, class RightHandSide>
 std::vector<Contestant<Particle<Real>>> in_transformed_time(
-    const Problem<Particle<Real>, Gather>& problem) {
+    const Problem<Particle<Real>, RightHandSide>& problem) {
   const auto by = [&]<class Row>(const char* name, Row) {
     return Contestant<Particle<Real>>{name, "rung", false, [problem](double knob) {
                                         Particle<Real> particle = problem.start;
                                         carry_in_transformed_time<Row>(
-                                            particle, problem.gather,
+                                            particle, problem.right_hand_side,
                                             static_cast<Real>(problem.seconds),
                                             static_cast<long>(knob));
                                         return particle;

@@ -160,11 +160,11 @@ Particle<long double> exactly(const Particle<Real>& particle) {
 }
 
 /// One problem: where it starts, what acts, and after what time its state is asked for.
-template <class Body, class Gather>
+template <class Body, class RightHandSide>
 struct Problem {
   std::string name;
   Body start;
-  Gather gather;
+  RightHandSide right_hand_side;
   double seconds;
 };
 

@@ -22,10 +22,11 @@ namespace tumble {
 /// is in k. We take n along the z axis, up or down, where c is nearer; see fold() for when it is
 /// not any more.
 //! [axis_turn]
-template <class Gather, class Real>
+template <class RightHandSide, class Real>
 class AxisTurn {
  public:
-  AxisTurn(const Top<Real>& top, const Gather& gather) : gather_(&gather), top_(top) {
+  AxisTurn(const Top<Real>& top, const RightHandSide& right_hand_side)
+      : gather_(&right_hand_side), top_(top) {
     const Vec3<Real>& i = top.inverse_moments;
     for (axis_ = 0; axis_ < 3 && i[(axis_ + 1) % 3] != i[(axis_ + 2) % 3]; ++axis_) continue;
     if (axis_ == 3 || (i.array() == 0).any())
@@ -37,23 +38,24 @@ class AxisTurn {
   }
 
   /// c' and Λ', 1/s and rad/s².
-  [[gnu::always_inline]] Numbers<Real, 6> rates(const Numbers<Real, 6>& y, Real time) const {
+  [[gnu::always_inline]] StateVector<Real, 6> rates(const StateVector<Real, 6>& y,
+                                                    Real time) const {
     const Vec3<Real> torque = gather_->torque_on_axis(Vec3<Real>(y[0], y[1], y[2]), time);
     return {y[4] * y[2] - y[5] * y[1], y[5] * y[0] - y[3] * y[2], y[3] * y[1] - y[4] * y[0],
             inverse_ * torque[0],      inverse_ * torque[1],      inverse_ * torque[2]};
   }
 
   /// ψ', rad/s.
-  [[gnu::always_inline]] Real twist_rate(const Numbers<Real, 6>& y) const {
+  [[gnu::always_inline]] Real twist_rate(const StateVector<Real, 6>& y) const {
     return excess_ + (y[3] * y[0] + y[4] * y[1] + y[5] * y[2] + side_ * y[5]) / (1 + side_ * y[2]);
   }
   //! [axis_turn]
 
   /// Whether c has gone so far from n that it is time to fold().
-  bool is_far(const Numbers<Real, 6>& y) const { return side_ * y[2] < Real(-0.5); }
+  bool is_far(const StateVector<Real, 6>& y) const { return side_ * y[2] < Real(-0.5); }
 
   /// The top with these numbers and the angle ψ = `twist`, rad.
-  Top<Real> top_at(const Numbers<Real, 6>& y, Real twist) const {
+  Top<Real> top_at(const StateVector<Real, 6>& y, Real twist) const {
     const Vec3<Real> c = Vec3<Real>(y[0], y[1], y[2]).normalized(), momentum(y[3], y[4], y[5]);
     const Quaternion<Real> a = quaternion_of_rotation_vector<Real>(twist * n());
     Top<Real> top = top_;
@@ -65,20 +67,21 @@ class AxisTurn {
   }
 
   /// Starts anew from where the top is now.
-  void fold(const Numbers<Real, 6>& y, Real twist) {
+  void change_chart(const StateVector<Real, 6>& y, Real twist) {
     top_ = top_at(y, twist);
     begin();
   }
 
   /// The square of the angle that an error of c is, and of the part of |L| that one of Λ is.
-  [[gnu::always_inline]] Real square(const Numbers<Real, 6>& off, const Numbers<Real, 6>& y) const {
+  [[gnu::always_inline]] Real square(const StateVector<Real, 6>& off,
+                                     const StateVector<Real, 6>& y) const {
     const Real all = y[3] * y[3] + y[4] * y[4] + y[5] * y[5],
                part = off[3] * off[3] + off[4] * off[4] + off[5] * off[5];
     return off[0] * off[0] + off[1] * off[1] + off[2] * off[2] + (part == 0 ? Real(0) : part / all);
   }
 
   /// c and Λ at the start.
-  Numbers<Real, 6> numbers() const { return start_; }
+  StateVector<Real, 6> state() const { return start_; }
 
  private:
   void begin() {
@@ -96,14 +99,14 @@ class AxisTurn {
     return {.real = 1 + dot(c, n()), .imaginary = c.cross(n())};
   }
 
-  const Gather* gather_;
+  const RightHandSide* gather_;
   Top<Real> top_;
   Quaternion<Real> b_;
   int axis_ = 0;      // of the body, that is c
   Real side_ = 1;     // n is this times the z axis
   Real inverse_ = 0;  // i, 1/(kg m²)
   Real excess_ = 0;   // k, rad/s
-  Numbers<Real, 6> start_ = {};
+  StateVector<Real, 6> start_ = {};
 };
 
 }  // namespace tumble

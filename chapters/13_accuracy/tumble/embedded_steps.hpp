@@ -38,9 +38,9 @@ using ToleranceOf = decltype(detail::tolerance_for(std::declval<const Body&>()))
 /// position and velocity for each second of the step, and a few roundings on top, for no step can
 /// be better.
 template <class Real>
-[[gnu::always_inline]] inline Real square_of_error(const Numbers<Real, 6>& error,
-                                                   const Numbers<Real, 6>& start,
-                                                   const Numbers<Real, 6>&,
+[[gnu::always_inline]] inline Real square_of_error(const StateVector<Real, 6>& error,
+                                                   const StateVector<Real, 6>& start,
+                                                   const StateVector<Real, 6>&,
                                                    const ParticleTolerance<Same<Real>>& tolerance,
                                                    Same<Real> time_step) {
   const Real rounding = 4 * std::numeric_limits<Real>::epsilon();
@@ -58,14 +58,14 @@ template <class Real>
 /// start, since an L that a bad step has blown up would excuse its own error.
 //! [error_of_top]
 template <class Real>
-[[gnu::always_inline]] inline Real square_of_error(const Numbers<Real, 7>& error,
-                                                   const Numbers<Real, 7>& start,
-                                                   const Numbers<Real, 7>& end,
+[[gnu::always_inline]] inline Real square_of_error(const StateVector<Real, 7>& error,
+                                                   const StateVector<Real, 7>& start,
+                                                   const StateVector<Real, 7>& end,
                                                    Same<Real> tolerance, Same<Real> time_step) {
   const Quaternion<Real> q = {end[0], {end[1], end[2], end[3]}},
                          off = {error[0], {error[1], error[2], error[3]}};
-  const auto momentum = [](const Numbers<Real, 7>& numbers) {
-    return Vec3<Real>(numbers[4], numbers[5], numbers[6]).squaredNorm();
+  const auto momentum = [](const StateVector<Real, 7>& state) {
+    return Vec3<Real>(state[4], state[5], state[6]).squaredNorm();
   };
   const Real angle = 4 * (conjugate(q) * off).imaginary.squaredNorm();
   const Real size = momentum(start) == 0 ? momentum(end) : momentum(start);
@@ -83,18 +83,19 @@ template <class Real, std::size_t count>
   return squares[0] == 0 ? Real(0) : squares[0] * squares[0] / (squares[0] + squares[1] / 100);
 }
 
-/// Steps of a body by an embedded pair, for travel().
-template <class Pair, class Body, class Gather, class Real>
+/// Steps of a body by an embedded pair, for integrate_adaptively().
+template <class Pair, class Body, class RightHandSide, class Real>
 class EmbeddedSteps {
  public:
   static constexpr int power = Pair::power - 1;  ///< of the error per second
 
-  EmbeddedSteps(const Body& body, const Gather& gather, Real time, ToleranceOf<Body> tolerance)
-      : gather_(gather),
+  EmbeddedSteps(const Body& body, const RightHandSide& right_hand_side, Real time,
+                ToleranceOf<Body> tolerance)
+      : gather_(right_hand_side),
         there_(body),
         time_(time),
         tolerance_(tolerance),
-        start_(numbers_of(body)) {
+        start_(state_of(body)) {
     rates_[0] = rates_under(gather_, start_, time_, there_);
   }
 
@@ -102,10 +103,10 @@ class EmbeddedSteps {
   [[gnu::flatten]] Real attempt(Real h) {
     step_ = h;
     evaluate_stages<typename Pair::Rule>(
-        start_, h, rates_, [&](const auto& numbers, Real ahead, auto) {
-          return rates_under(gather_, numbers, time_ + ahead, there_);
+        start_, h, rates_, [&](const auto& state, Real ahead, auto) {
+          return rates_under(gather_, state, time_ + ahead, there_);
         });
-    end_ = led<RowOfStep<typename Pair::Rule>>(start_, h, rates_);
+    end_ = combine<RowOfStep<typename Pair::Rule>>(start_, h, rates_);
     if constexpr (count == 7) {
       const Real factor = 1 / std::sqrt(end_[0] * end_[0] + end_[1] * end_[1] + end_[2] * end_[2] +
                                         end_[3] * end_[3]);
@@ -142,7 +143,7 @@ class EmbeddedSteps {
   /// The body where the last step that was accepted ends.
   Body body() const {
     Body body = there_;
-    set_numbers(body, start_);
+    set_state(body, start_);
     if constexpr (requires { body.orientation; }) body.orientation = normalized(body.orientation);
     return body;
   }
@@ -170,7 +171,7 @@ class EmbeddedSteps {
           start_[n] + part * (change + rest * (first + part * (last + rest * (step_ * more))));
     }
     Body body = there_;
-    set_numbers(body, state);
+    set_state(body, state);
     if constexpr (requires { body.orientation; }) body.orientation = normalized(body.orientation);
     return body;
   }
@@ -178,7 +179,7 @@ class EmbeddedSteps {
 
  private:
   using Rule = typename Pair::Rule;
-  using State = decltype(numbers_of(std::declval<const Body&>()));
+  using State = decltype(state_of(std::declval<const Body&>()));
   static constexpr std::size_t stage_count = Rule::rule.nodes.size(),
                                count = std::tuple_size_v<State>;
   static constexpr bool error_sees_end = Pair::errors[0][stage_count] != 0;
@@ -187,9 +188,9 @@ class EmbeddedSteps {
 
   void evaluate_more_stages() {
     const auto one = [&]<std::size_t i>() {
-      const auto numbers = led<RowOfMoreStages<Pair, i>>(start_, step_, rates_);
+      const auto state = combine<RowOfMoreStages<Pair, i>>(start_, step_, rates_);
       const Real ahead = static_cast<Real>(Pair::more_nodes[i]) * step_;
-      rates_[stage_count + 1 + i] = rates_under(gather_, numbers, time_ + ahead, there_);
+      rates_[stage_count + 1 + i] = rates_under(gather_, state, time_ + ahead, there_);
     };
     [&]<std::size_t... i>(std::index_sequence<i...>) {
       (one.template operator()<i>(), ...);
@@ -204,26 +205,27 @@ class EmbeddedSteps {
     return square_of_error(off, start_, end_, tolerance_, step_);
   }
 
-  const Gather& gather_;
-  Body there_;  // to gather into
+  const RightHandSide& gather_;
+  Body there_;  // to ask for its force or torque
   Real time_, step_ = 0;
   ToleranceOf<Body> tolerance_;
   State start_, end_ = {};
   std::array<State, stage_count + 1 + Pair::more_nodes.size()> rates_ = {};
 };
 
-/// Takes a particle or a top from `time` (s) through `seconds`. `gather` as in kicked_steps.hpp.
-/// `tolerance` is what may be lost in a second: of a particle {m, m/s}; of a top rad, and as large
-/// a part of |L|. The squares of |L| and of the part of it that may be lost must be normal numbers:
-/// of a smaller error the choice of the step sees nothing, and a larger |L| has no such part. No
-/// step passes over one of the `stops`.
+/// Takes a particle or a top from `time` (s) through `seconds`. `right_hand_side` as in
+/// kicked_steps.hpp. `tolerance` is what may be lost in a second: of a particle {m, m/s}; of a top
+/// rad, and as large a part of |L|. The squares of |L| and of the part of it that may be lost must
+/// be normal numbers: of a smaller error the choice of the step sees nothing, and a larger |L| has
+/// no such part. No step passes over one of the `stops`.
 /// @throws std::invalid_argument unless the time is 0 or more and the tolerance more than 0, both
 /// finite, and as require_stops(). @throws StepError if no step meets the tolerance.
-template <class Pair, class Body, class Gather, class Real>
-Journey carry(Body& body, const Gather& gather, Real time, Same<Real> seconds,
-              ToleranceOf<Body> tolerance, const Stops<Same<Real>>& stops = {}) {
-  require_journey<Real>(seconds, tolerance);
-  return in_legs(body, gather, time, seconds, stops,
+template <class Pair, class Body, class RightHandSide, class Real>
+StepCounts integrate(Body& body, const RightHandSide& right_hand_side, Real time,
+                     Same<Real> seconds, ToleranceOf<Body> tolerance,
+                     const Stops<Same<Real>>& stops = {}) {
+  require_tolerance<Real>(seconds, tolerance);
+  return in_legs(body, right_hand_side, time, seconds, stops,
                  [&](auto& there, const auto& within, Real begin, Real length) {
                    EmbeddedSteps<Pair, Body, std::decay_t<decltype(within)>, Real> steps(
                        there, within, begin, tolerance);

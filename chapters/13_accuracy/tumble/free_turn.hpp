@@ -35,24 +35,24 @@ class FreeTurn {
   }
 
   /// l', 1/s.
-  [[gnu::always_inline]] Numbers<Real, 3> rates(const Numbers<Real, 3>& l, Real = 0) const {
+  [[gnu::always_inline]] StateVector<Real, 3> rates(const StateVector<Real, 3>& l, Real = 0) const {
     return {differences_[0] * (l[1] * l[2]), differences_[1] * (l[2] * l[0]),
             differences_[2] * (l[0] * l[1])};
   }
 
   /// ψ', rad/s. Written with what l has along e.
-  [[gnu::always_inline]] Real twist_rate(const Numbers<Real, 3>& l) const {
+  [[gnu::always_inline]] Real twist_rate(const StateVector<Real, 3>& l) const {
     const Real along = side_ * l[axis_];
     return (twice_energy_ + inverse_along_ * along) / (1 + along);
   }
   //! [free_turn]
 
   /// Whether errors have led l to the far side of e: time to fold().
-  bool is_far(const Numbers<Real, 3>& l) const { return side_ * l[axis_] < Real(-0.5); }
+  bool is_far(const StateVector<Real, 3>& l) const { return side_ * l[axis_] < Real(-0.5); }
 
   /// The top whose L points along l, with the angle ψ = `twist`, rad.
-  Top<Real> top_at(const Numbers<Real, 3>& numbers, Real twist) const {
-    const Vec3<Real> l = Vec3<Real>(numbers[0], numbers[1], numbers[2]).normalized();
+  Top<Real> top_at(const StateVector<Real, 3>& state, Real twist) const {
+    const Vec3<Real> l = Vec3<Real>(state[0], state[1], state[2]).normalized();
     const Quaternion<Real> a = quaternion_of_rotation_vector<Real>(twist * e());
     Top<Real> top = top_;
     top.angular_momentum_body = size_ * l;
@@ -61,18 +61,19 @@ class FreeTurn {
   }
 
   /// Starts anew from where the top is now.
-  void fold(const Numbers<Real, 3>& l, Real twist) {
+  void change_chart(const StateVector<Real, 3>& l, Real twist) {
     top_ = top_at(l, twist);
     begin_at(top_.angular_momentum_body / size_);
   }
 
   /// The square of the angle to which an error of l amounts.
-  [[gnu::always_inline]] Real square(const Numbers<Real, 3>& off, const Numbers<Real, 3>&) const {
+  [[gnu::always_inline]] Real square(const StateVector<Real, 3>& off,
+                                     const StateVector<Real, 3>&) const {
     return off[0] * off[0] + off[1] * off[1] + off[2] * off[2];
   }
 
   /// l at the start.
-  Numbers<Real, 3> numbers() const { return {first_[0], first_[1], first_[2]}; }
+  StateVector<Real, 3> state() const { return {first_[0], first_[1], first_[2]}; }
 
  private:
   void begin_at(const Vec3<Real>& l) {
@@ -115,10 +116,10 @@ template <class Rule, class Real>
   if (!is_gyroscopic(top) || (top.angular_momentum_body.array() == 0).all())
     return turn_steadily(top, time_step);
   const FreeTurn<Real> free(top);
-  Numbers<Real, 3> numbers = free.numbers();
+  StateVector<Real, 3> state = free.state();
   Real twist = 0;
-  lead_reduced<Rule>(free, numbers, twist, 0, time_step);
-  top = free.top_at(numbers, twist);
+  lead_reduced<Rule>(free, state, twist, 0, time_step);
+  top = free.top_at(state, twist);
 }
 
 }  // namespace tumble

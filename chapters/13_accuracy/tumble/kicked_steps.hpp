@@ -2,9 +2,10 @@
 /// Steps under forces and torques that depend on time and place: Euler's two, and splittings into
 /// kicks and drifts.
 ///
-/// Every step here takes `gather(body, time)`, which must leave in the body the sum of what acts on
-/// it at that time (s): particle.force, top.torque. The sum of now is there when a step begins, and
-/// that of then when it ends, so gather once before the first. That saves each step an evaluation.
+/// Every step here takes `right_hand_side(body, time)`, which must leave in the body the sum of
+/// what acts on it at that time (s): particle.force, top.torque. The sum of now is there when a
+/// step begins, and that of then when it ends, so call it once before the first. That saves
+/// each step an evaluation.
 #pragma once
 
 #include <tumble/alternation.hpp>
@@ -14,19 +15,20 @@
 namespace tumble {
 
 /// Chapter 6's explicit Euler.
-template <class Real, class Gather>
-void step_explicitly(Particle<Real>& particle, const Gather& gather, Same<Real> time,
-                     Same<Real> time_step) {
+template <class Real, class RightHandSide>
+void step_explicitly(Particle<Real>& particle, const RightHandSide& right_hand_side,
+                     Same<Real> time, Same<Real> time_step) {
   explicit_step(particle, time_step);
-  gather(particle, time + time_step);
+  right_hand_side(particle, time + time_step);
 }
 
 /// Kick, then drift: chapter 1's step, and that of the world.
-template <class Body, class Gather, class Real>
-void step_by_kick_and_drift(Body& body, const Gather& gather, Real time, Real time_step) {
+template <class Body, class RightHandSide, class Real>
+void step_by_kick_and_drift(Body& body, const RightHandSide& right_hand_side, Real time,
+                            Real time_step) {
   kick(body, time_step);
   drift(body, time_step);
-  gather(body, time + time_step);
+  right_hand_side(body, time + time_step);
 }
 
 /// Kicks and drifts in the portions of a row. Time passes with the drifts, and a kick takes what
@@ -36,23 +38,23 @@ void step_by_kick_and_drift(Body& body, const Gather& gather, Real time, Real ti
 /// other top drifts by a rule of second order that is symmetric in time: then it is that of the row
 /// if the row is made of whole steps, see composed().
 ///
-/// A `gather` that has a drift(body, h) of its own drifts by that: in thick air, say, where
-/// coasting to a stop is an exact motion too.
+/// A `right_hand_side` that has a drift(body, h) of its own drifts by that: in thick air, say,
+/// where coasting to a stop is an exact motion too.
 ///
 /// Where force depends on velocity, the order falls to 1: the last kick of a step uses what
-/// was gathered before it.
+/// was evaluated before it.
 //! [step_by_row]
-template <class Row, class Body, class Gather, class Real>
-void step_by_row(Body& body, const Gather& gather, Real time, Real time_step) {
+template <class Row, class Body, class RightHandSide, class Real>
+void step_by_row(Body& body, const RightHandSide& right_hand_side, Real time, Real time_step) {
   alternate<Row>(
       time_step, [&](Real h) { kick(body, h); },
       [&](Real h) {
-        if constexpr (requires { gather.drift(body, h); })
-          gather.drift(body, h);
+        if constexpr (requires { right_hand_side.drift(body, h); })
+          right_hand_side.drift(body, h);
         else
           drift(body, h);
         time += h;
-        gather(body, time);
+        right_hand_side(body, time);
       });
 }
 //! [step_by_row]

@@ -25,17 +25,17 @@ struct RowOfErrorsOfVelocities {
   static constexpr auto& row = Pair::rule.errors_of_velocities;
 };
 
-/// Steps of a particle by a Nyström pair, for travel(). Velocities take no part in a stage, so each
-/// stage weighs three numbers instead of six, and eight of them reach the order for which a rule
-/// that does not tell positions from velocities needs at least eleven (Butcher 1985).
-template <class Pair, class Gather, class Real>
+/// Steps of a particle by a Nyström pair, for integrate_adaptively(). Velocities take no part in a
+/// stage, so each stage weighs three numbers instead of six, and eight of them reach the order for
+/// which a rule that does not tell positions from velocities needs at least eleven (Butcher 1985).
+template <class Pair, class RightHandSide, class Real>
 class NystromSteps {
  public:
   static constexpr int power = Pair::power - 1;  ///< of the error per second
 
-  NystromSteps(const Particle<Real>& particle, const Gather& gather, Real time,
+  NystromSteps(const Particle<Real>& particle, const RightHandSide& right_hand_side, Real time,
                const ParticleTolerance<Real>& tolerance)
-      : gather_(gather), there_(particle), time_(time), tolerance_(tolerance) {
+      : gather_(right_hand_side), there_(particle), time_(time), tolerance_(tolerance) {
     const Vec3<Real>&x = particle.position, &v = particle.velocity;
     place_ = {x[0], x[1], x[2]};
     velocity_ = {v[0], v[1], v[2]};
@@ -54,7 +54,7 @@ class NystromSteps {
       (one.template operator()<i + 1>(), ...);
     }
     (std::make_index_sequence<stage_count - 1>());
-    end_velocity_ = led<RowOfVelocities<Pair>>(velocity_, h, rates_);
+    end_velocity_ = combine<RowOfVelocities<Pair>>(velocity_, h, rates_);
     return error();
   }
   //! [attempt_nystrom]
@@ -83,15 +83,15 @@ class NystromSteps {
   /// The particle where the last step that was accepted ends.
   Particle<Real> body() const {
     Particle<Real> body = there_;
-    set_numbers(body, joined(place_, velocity_));
+    set_state(body, joined(place_, velocity_));
     return body;
   }
 
  private:
-  using Three = Numbers<Real, 3>;
+  using Three = StateVector<Real, 3>;
   static constexpr std::size_t stage_count = Pair::rule.nodes.size();
 
-  static Numbers<Real, 6> joined(const Three& a, const Three& b) {
+  static StateVector<Real, 6> joined(const Three& a, const Three& b) {
     return {a[0], a[1], a[2], b[0], b[1], b[2]};
   }
 
@@ -111,7 +111,7 @@ class NystromSteps {
   }
 
   [[gnu::always_inline]] Real error() const {
-    const Numbers<Real, 6> off = each<Real, 6>([&](auto n) {
+    const StateVector<Real, 6> off = each<Real, 6>([&](auto n) {
       if constexpr (n < 3)
         return step_ * step_ * weighed_number<RowOfErrorsOfPlaces<Pair>, n>(rates_);
       else
@@ -121,21 +121,22 @@ class NystromSteps {
                            tolerance_, step_);
   }
 
-  const Gather& gather_;
-  Particle<Real> there_;  // to gather into
+  const RightHandSide& gather_;
+  Particle<Real> there_;  // to ask for its force or torque
   Real time_, step_ = 0;
   ParticleTolerance<Real> tolerance_;
   Three place_ = {}, velocity_ = {}, end_place_ = {}, end_velocity_ = {};
   std::array<Three, stage_count> rates_ = {};
 };
 
-/// Like carry(), by a Nyström pair, where the force depends on time and place alone.
-template <class Pair, class Gather, class Real>
-Journey carry_by_nystrom(Particle<Real>& particle, const Gather& gather, Real time,
-                         Same<Real> seconds, ParticleTolerance<Same<Real>> tolerance,
-                         const Stops<Same<Real>>& stops = {}) {
-  require_journey<Real>(seconds, tolerance);
-  return in_legs(particle, gather, time, seconds, stops,
+/// Like integrate(), by a Nyström pair, where the force depends on time and place alone.
+template <class Pair, class RightHandSide, class Real>
+StepCounts integrate_by_nystrom(Particle<Real>& particle, const RightHandSide& right_hand_side,
+                                Real time, Same<Real> seconds,
+                                ParticleTolerance<Same<Real>> tolerance,
+                                const Stops<Same<Real>>& stops = {}) {
+  require_tolerance<Real>(seconds, tolerance);
+  return in_legs(particle, right_hand_side, time, seconds, stops,
                  [&](auto& there, const auto& within, Real begin, Real length) {
                    NystromSteps<Pair, std::decay_t<decltype(within)>, Real> steps(there, within,
                                                                                   begin, tolerance);

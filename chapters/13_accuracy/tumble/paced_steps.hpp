@@ -26,13 +26,14 @@ namespace tumble {
 /// more than P in it, or where ρ is less than P/2 nevertheless. So each is positive, and no longer
 /// than 2 angle/P.
 //! [paced_steps]
-template <class Row, class Gather, class Real>
+template <class Row, class RightHandSide, class Real>
 class PacedSteps {
  public:
   /// `angle` (rad) is that of a step; `least` (rad/s) the pace of a top at rest. It may be 0 where
   /// the top never comes to rest, as without torque.
-  PacedSteps(const Top<Real>& top, const Gather& gather, Real time, Real angle, Real least)
-      : gather_(gather), top_(top), time_(time), angle_(angle), least_(least) {
+  PacedSteps(const Top<Real>& top, const RightHandSide& right_hand_side, Real time, Real angle,
+             Real least)
+      : gather_(right_hand_side), top_(top), time_(time), angle_(angle), least_(least) {
     gather_(top_, time_);
     pace_ = std::sqrt(square_of_pace());
   }
@@ -92,30 +93,30 @@ class PacedSteps {
     return square == 0 ? Real(0) : dot(angular_velocity_body(top_), acceleration()) / square;
   }
 
-  const Gather& gather_;
+  const RightHandSide& gather_;
   Top<Real> top_;  // with the torque of now
   Real time_, angle_, least_, pace_ = 0;
 };
 
 /// Takes a top from `time` (s) through `seconds` in steps that turn it by about `angle` (rad) each,
 /// where the pace is its angular velocity and `least` (rad/s) together, as of PacedSteps. The last
-/// step is cut so that it ends where the journey does.
+/// step is cut so that it ends where the integration does.
 /// @throws std::invalid_argument unless the time and the least pace are 0 or more and the angle is
 /// more than 0, all finite. @throws StepError if PacedSteps refuses a step, which a larger least
 /// pace prevents, or if steps fall below what the clock can show.
-template <class Row, class Gather, class Real>
-Journey carry_paced(Top<Real>& top, const Gather& gather, Real time, Same<Real> seconds,
-                    Same<Real> angle, Same<Real> least) {
+template <class Row, class RightHandSide, class Real>
+StepCounts integrate_paced(Top<Real>& top, const RightHandSide& right_hand_side, Real time,
+                           Same<Real> seconds, Same<Real> angle, Same<Real> least) {
   require_not_negative("time", seconds, "s");
   require_not_negative("least pace", least, "rad/s");
   require_finite("angle", angle, "rad a step");
   if (!(angle > 0)) reject("angle", angle, "rad a step", "it must be greater than 0");
-  PacedSteps<Row, Gather, Real> steps(top, gather, time, angle, least);
-  Journey journey;
+  PacedSteps<Row, RightHandSide, Real> steps(top, right_hand_side, time, angle, least);
+  StepCounts counts;
   Real gone = 0;
   while (gone < seconds) {
     const Real h = steps.next(), left = seconds - gone;
-    ++journey.steps;
+    ++counts.steps;
     if (!(h < left)) {
       steps.move(left);
       break;
@@ -125,7 +126,7 @@ Journey carry_paced(Top<Real>& top, const Gather& gather, Real time, Same<Real> 
     gone += h;
   }
   top = steps.top();
-  return journey;
+  return counts;
 }
 
 }  // namespace tumble

@@ -9,29 +9,29 @@
 
 namespace tumble {
 
-/// Steps by an embedded pair, for travel(), of a top that a few numbers and the integral ψ describe
-/// completely: FreeTurn or AxisTurn. The error of a step is that of the numbers, as the motion
-/// counts it, and that of ψ, an angle: two turns about perpendicular axes, so that their squares
-/// add. `tolerance` rad are allowed a second, and as large a fraction of |L|.
+/// Steps by an embedded pair, for integrate_adaptively(), of a top that a few numbers and the
+/// integral ψ describe completely: FreeTurn or AxisTurn. The error of a step is that of the
+/// numbers, as the motion counts it, and that of ψ, an angle: two turns about perpendicular axes,
+/// so that their squares add. `tolerance` rad are allowed a second, and as large a fraction of |L|.
 template <class Pair, class Motion, class Real>
 class ReducedSteps {
  public:
   static constexpr int power = Pair::power - 1;  ///< of the error per second
 
   ReducedSteps(const Motion& motion, Real time, Real tolerance)
-      : motion_(motion), time_(time), tolerance_(tolerance), start_(motion_.numbers()) {
+      : motion_(motion), time_(time), tolerance_(tolerance), start_(motion_.state()) {
     evaluate_start();
   }
 
   [[gnu::flatten]] Real attempt(Real h) {
     step_ = h;
     evaluate_stages<Rule>(start_, h, rates_,
-                          [&]<std::size_t i>(const State& numbers, Real ahead, StageNumber<i>) {
+                          [&]<std::size_t i>(const State& state, Real ahead, StageNumber<i>) {
                             if constexpr (is_asked_for<i>)
-                              twists_[i][0] = motion_.twist_rate(numbers);
-                            return motion_.rates(numbers, time_ + ahead);
+                              twists_[i][0] = motion_.twist_rate(state);
+                            return motion_.rates(state, time_ + ahead);
                           });
-    end_ = led<RowOfStep<Rule>>(start_, h, rates_);
+    end_ = combine<RowOfStep<Rule>>(start_, h, rates_);
     if constexpr (error_sees_end) evaluate_end();
     return [&]<std::size_t... i>(std::index_sequence<i...>) {
       return together(std::array{square<i>()...});
@@ -44,8 +44,8 @@ class ReducedSteps {
     twist_ += step_ * weighed_number<RowOfStep<Rule>, 0>(twists_);
     start_ = end_;
     if (motion_.is_far(start_)) {
-      motion_.fold(start_, twist_);
-      start_ = motion_.numbers();
+      motion_.change_chart(start_, twist_);
+      start_ = motion_.state();
       twist_ = 0;
     }
     evaluate_start();
@@ -68,7 +68,7 @@ class ReducedSteps {
 
  private:
   using Rule = typename Pair::Rule;
-  using State = decltype(std::declval<const Motion&>().numbers());
+  using State = decltype(std::declval<const Motion&>().state());
   static constexpr std::size_t stage_count = Rule::rule.nodes.size(),
                                count = std::tuple_size_v<State>;
   static constexpr bool error_sees_end = Pair::errors[0][stage_count] != 0;
@@ -102,14 +102,14 @@ class ReducedSteps {
   Real time_, tolerance_, step_ = 0, twist_ = 0;  // twist: ψ at the start of the step, rad
   State start_, end_ = {};
   std::array<State, stage_count + 1> rates_ = {};
-  std::array<Numbers<Real, 1>, stage_count + 1> twists_ = {};
+  std::array<StateVector<Real, 1>, stage_count + 1> twists_ = {};
 };
 
-/// The journey of such steps, none longer than `longest` (s).
+/// The integration of such steps, none longer than `longest` (s).
 template <class Pair, class Real, class Motion>
-Journey carry_reduced(Top<Real>& top, const Motion& motion, Same<Real> time, Same<Real> seconds,
-                      Same<Real> tolerance,
-                      Same<Real> longest = std::numeric_limits<Real>::infinity()) {
+StepCounts integrate_reduced(Top<Real>& top, const Motion& motion, Same<Real> time,
+                             Same<Real> seconds, Same<Real> tolerance,
+                             Same<Real> longest = std::numeric_limits<Real>::infinity()) {
   ReducedSteps<Pair, Motion, Real> steps(motion, time, tolerance);
   return arrive(top, steps, seconds, longest);
 }
@@ -119,59 +119,60 @@ Journey carry_reduced(Top<Real>& top, const Motion& motion, Same<Real> time, Sam
 /// @throws std::invalid_argument unless the time is 0 or more and the tolerance more than 0, both
 /// finite. @throws StepError if no step meets the tolerance.
 template <class Pair, class Real>
-Journey carry_freely(Top<Real>& top, Same<Real> seconds, Same<Real> tolerance) {
-  require_journey<Real>(seconds, tolerance);
+StepCounts integrate_free_top(Top<Real>& top, Same<Real> seconds, Same<Real> tolerance) {
+  require_tolerance<Real>(seconds, tolerance);
   const auto is_zero = [](Real number) { return number == 0; };
   if (is_gyroscopic(top) && !top.angular_momentum_body.isZero(0)) {
     const FreeTurn<Real> motion(top);
-    const auto rates = motion.rates(motion.numbers());
+    const auto rates = motion.rates(motion.state());
     if (!std::all_of(rates.begin(), rates.end(), is_zero))
-      return carry_reduced<Pair, Real>(top, motion, 0, seconds, tolerance);
+      return integrate_reduced<Pair, Real>(top, motion, 0, seconds, tolerance);
   }
   turn_steadily(top, seconds);
   return {.steps = 1};
 }
 
 /// Takes a symmetric top from `time` (s) through `seconds`, where the torque depends on time and on
-/// where the axis points, and has no part along it: `gather` returns it (N m, world axes) by
-/// torque_on_axis(axis, time). `tolerance`: rad, and parts of |L|, that may be lost in a second. No
-/// step passes over one of the `stops`.
+/// where the axis points, and has no part along it: `right_hand_side` returns it (N m, world axes)
+/// by torque_on_axis(axis, time). `tolerance`: rad, and parts of |L|, that may be lost in a second.
+/// No step passes over one of the `stops`.
 /// @throws std::invalid_argument unless two moments are equal and none is locked, and as
-/// carry(). @throws StepError if no step meets the tolerance.
-template <class Pair, class Gather, class Real>
-Journey carry_axis(Top<Real>& top, const Gather& gather, Real time, Same<Real> seconds,
-                   Same<Real> tolerance, const Stops<Same<Real>>& stops = {}) {
-  require_journey<Real>(seconds, tolerance);
-  return in_legs(top, gather, time, seconds, stops,
+/// integrate(). @throws StepError if no step meets the tolerance.
+template <class Pair, class RightHandSide, class Real>
+StepCounts integrate_axis(Top<Real>& top, const RightHandSide& right_hand_side, Real time,
+                          Same<Real> seconds, Same<Real> tolerance,
+                          const Stops<Same<Real>>& stops = {}) {
+  require_tolerance<Real>(seconds, tolerance);
+  return in_legs(top, right_hand_side, time, seconds, stops,
                  [&](auto& there, const auto& within, Real begin, Real length) {
                    const AxisTurn<std::decay_t<decltype(within)>, Real> motion(there, within);
-                   return carry_reduced<Pair, Real>(there, motion, begin, length, tolerance,
-                                                    stops.longest);
+                   return integrate_reduced<Pair, Real>(there, motion, begin, length, tolerance,
+                                                        stops.longest);
                  });
 }
 
 /// The same in so many steps of one length.
 /// @throws std::invalid_argument unless the time is 0 or more and finite, there is at least one
 /// step, and two moments are equal and none is locked.
-template <class Rule, class Gather, class Real>
-[[gnu::flatten]] void carry_axis_evenly(Top<Real>& top, const Gather& gather, Real time,
-                                        Same<Real> seconds, long steps) {
+template <class Rule, class RightHandSide, class Real>
+[[gnu::flatten]] void integrate_axis_evenly(Top<Real>& top, const RightHandSide& right_hand_side,
+                                            Real time, Same<Real> seconds, long steps) {
   require_not_negative("time", seconds, "s");
   if (steps < 1) reject("number of steps", steps, "", "it must be 1 or more");
-  AxisTurn<Gather, Real> motion(top, gather);
-  Numbers<Real, 6> numbers = motion.numbers();
+  AxisTurn<RightHandSide, Real> motion(top, right_hand_side);
+  StateVector<Real, 6> state = motion.state();
   Real twist = 0;
   const Real h = seconds / static_cast<Real>(steps);
   for (long n = 0; n < steps; ++n) {
-    lead_reduced<Rule>(motion, numbers, twist, time + static_cast<Real>(n) * h, h);
-    if (motion.is_far(numbers)) {
-      motion.fold(numbers, twist);
-      numbers = motion.numbers();
+    lead_reduced<Rule>(motion, state, twist, time + static_cast<Real>(n) * h, h);
+    if (motion.is_far(state)) {
+      motion.change_chart(state, twist);
+      state = motion.state();
       twist = 0;
     }
   }
-  top = motion.top_at(numbers, twist);
-  gather(top, time + seconds);
+  top = motion.top_at(state, twist);
+  right_hand_side(top, time + seconds);
 }
 
 }  // namespace tumble

@@ -12,48 +12,48 @@ namespace tumble {
 /// All that changes in a body, as numbers in a row, so that a rule can weigh them alike: the
 /// position and the velocity of a particle, the orientation and L of a top.
 template <class Real, std::size_t count>
-using Numbers = std::array<Real, count>;
+using StateVector = std::array<Real, count>;
 
 template <class Real>
-Numbers<Real, 6> numbers_of(const Particle<Real>& particle) {
+StateVector<Real, 6> state_of(const Particle<Real>& particle) {
   const Vec3<Real>&x = particle.position, &v = particle.velocity;
   return {x[0], x[1], x[2], v[0], v[1], v[2]};
 }
 
 template <class Real>
-void set_numbers(Particle<Real>& particle, const Numbers<Real, 6>& numbers) {
-  particle.position = {numbers[0], numbers[1], numbers[2]};
-  particle.velocity = {numbers[3], numbers[4], numbers[5]};
+void set_state(Particle<Real>& particle, const StateVector<Real, 6>& state) {
+  particle.position = {state[0], state[1], state[2]};
+  particle.velocity = {state[3], state[4], state[5]};
 }
 
-/// How they change: the velocity, m/s, and the acceleration by the force gathered, m/s².
+/// How they change: the velocity, m/s, and the acceleration by the force of now, m/s².
 template <class Real>
-[[gnu::always_inline]] inline Numbers<Real, 6> rates_of(const Numbers<Real, 6>& numbers,
-                                                        const Particle<Real>& particle) {
+[[gnu::always_inline]] inline StateVector<Real, 6> rates_of(const StateVector<Real, 6>& state,
+                                                            const Particle<Real>& particle) {
   const Vec3<Real>& F = particle.force;
   const Real i = particle.inverse_mass;
-  return {numbers[3], numbers[4], numbers[5], i * F[0], i * F[1], i * F[2]};
+  return {state[3], state[4], state[5], i * F[0], i * F[1], i * F[2]};
 }
 
 template <class Real>
-Numbers<Real, 7> numbers_of(const Top<Real>& top) {
+StateVector<Real, 7> state_of(const Top<Real>& top) {
   const Vec3<Real>&u = top.orientation.imaginary, &L = top.angular_momentum_body;
   return {top.orientation.real, u[0], u[1], u[2], L[0], L[1], L[2]};
 }
 
 template <class Real>
-void set_numbers(Top<Real>& top, const Numbers<Real, 7>& numbers) {
-  top.orientation = {numbers[0], {numbers[1], numbers[2], numbers[3]}};
-  top.angular_momentum_body = {numbers[4], numbers[5], numbers[6]};
+void set_state(Top<Real>& top, const StateVector<Real, 7>& state) {
+  top.orientation = {state[0], {state[1], state[2], state[3]}};
+  top.angular_momentum_body = {state[4], state[5], state[6]};
 }
 
 /// Chapter 7's rate of the orientation, ½ q ω, and L × ω. Number by number, and inlined before all
 /// else, so that the numbers stay in registers: a vector made on the way costs more than the sums.
 template <class Real>
-[[gnu::always_inline]] inline Numbers<Real, 7> rates_of(const Numbers<Real, 7>& numbers,
-                                                        const Vec3<Same<Real>>& inverse) {
-  const Real w = numbers[0], x = numbers[1], y = numbers[2], z = numbers[3];
-  const Real L0 = numbers[4], L1 = numbers[5], L2 = numbers[6];
+[[gnu::always_inline]] inline StateVector<Real, 7> rates_of(const StateVector<Real, 7>& state,
+                                                            const Vec3<Same<Real>>& inverse) {
+  const Real w = state[0], x = state[1], y = state[2], z = state[3];
+  const Real L0 = state[4], L1 = state[5], L2 = state[6];
   const Real w0 = inverse[0] * L0, w1 = inverse[1] * L1, w2 = inverse[2] * L2;
   return {-(x * w0 + y * w1 + z * w2) / 2,
           (w * w0 + y * w2 - z * w1) / 2,
@@ -67,9 +67,8 @@ template <class Real>
 /// The rates of a free top, and `torque` (N m, body axes). About a locked axis L stays 0: whatever
 /// locks it bears the torque and L × ω.
 template <class Real>
-[[gnu::always_inline]] inline Numbers<Real, 7> with_torque_body(const Numbers<Real, 7>& rates,
-                                                                const Top<Real>& top,
-                                                                const Vec3<Same<Real>>& torque) {
+[[gnu::always_inline]] inline StateVector<Real, 7> with_torque_body(
+    const StateVector<Real, 7>& rates, const Top<Real>& top, const Vec3<Same<Real>>& torque) {
   const auto free = [&](int axis) { return select(top.inverse_moments[axis] == 0, Real(0), 1); };
   return {rates[0],
           rates[1],
@@ -80,12 +79,12 @@ template <class Real>
           free(2) * (rates[6] + torque[2])};
 }
 
-/// The same with the torque gathered, which is given in world axes.
+/// The same with the torque of now, which is given in world axes.
 template <class Real>
-[[gnu::always_inline]] inline Numbers<Real, 7> rates_of(const Numbers<Real, 7>& numbers,
-                                                        const Top<Real>& top) {
+[[gnu::always_inline]] inline StateVector<Real, 7> rates_of(const StateVector<Real, 7>& state,
+                                                            const Top<Real>& top) {
   const Vec3<Real> torque = rotate_back(top.orientation, top.torque);
-  return with_torque_body<Real>(rates_of(numbers, top.inverse_moments), top, torque);
+  return with_torque_body<Real>(rates_of(state, top.inverse_moments), top, torque);
 }
 
 /// Σ weight_j rate_j for number n, with the weights that Row::row lists. They are known when the
@@ -93,7 +92,7 @@ template <class Real>
 /// comes last, so that the processor adds up the others while it waits for it.
 template <class Row, std::size_t n, class Real, std::size_t count, std::size_t s>
 [[gnu::always_inline]] inline Real weighed_number(
-    const std::array<Numbers<Real, count>, s>& rates) {
+    const std::array<StateVector<Real, count>, s>& rates) {
   Real sum = 0;
   bool is_begun = false;  // known to the compiler too: nothing is added to the 0
   [&]<std::size_t... j>(std::index_sequence<j...>) {
@@ -116,9 +115,9 @@ template <class Row, std::size_t n, class Real, std::size_t count, std::size_t s
 /// arrived in memory, which made a step take twice as long.
 //! [each]
 template <class Real, std::size_t count, class Of>
-[[gnu::always_inline]] inline Numbers<Real, count> each(const Of& of) {
+[[gnu::always_inline]] inline StateVector<Real, count> each(const Of& of) {
   return [&]<std::size_t... n>(std::index_sequence<n...>) {
-    return Numbers<Real, count>{of(std::integral_constant<std::size_t, n>())...};
+    return StateVector<Real, count>{of(std::integral_constant<std::size_t, n>())...};
   }
   (std::make_index_sequence<count>());
 }
@@ -126,8 +125,8 @@ template <class Real, std::size_t count, class Of>
 
 /// Σ weight_j rate_j.
 template <class Row, class Real, std::size_t count, std::size_t s>
-[[gnu::always_inline]] inline Numbers<Real, count> weighed(
-    const std::array<Numbers<Real, count>, s>& rates) {
+[[gnu::always_inline]] inline StateVector<Real, count> weighed(
+    const std::array<StateVector<Real, count>, s>& rates) {
   return each<Real, count>([&](auto n) { return weighed_number<Row, n>(rates); });
 }
 
@@ -147,9 +146,9 @@ struct RowOfStep {
 
 /// start + h Σ weight_j rate_j.
 template <class Row, class Real, std::size_t count, std::size_t s>
-[[gnu::always_inline]] inline Numbers<Real, count> led(
-    const Numbers<Real, count>& start, Same<Real> time_step,
-    const std::array<Numbers<Real, count>, s>& rates) {
+[[gnu::always_inline]] inline StateVector<Real, count> combine(
+    const StateVector<Real, count>& start, Same<Real> time_step,
+    const std::array<StateVector<Real, count>, s>& rates) {
   return each<Real, count>(
       [&](auto n) { return start[n] + time_step * weighed_number<Row, n>(rates); });
 }
@@ -158,9 +157,9 @@ template <class Row, class Real, std::size_t count, std::size_t s>
 /// is one product and one sum away from the stage before. This rounds a little more than the step
 /// itself may.
 template <class Row, class Real, std::size_t count, std::size_t s>
-[[gnu::always_inline]] inline Numbers<Real, count> led_to_stage(
-    const Numbers<Real, count>& start, Same<Real> time_step,
-    const std::array<Numbers<Real, count>, s>& rates) {
+[[gnu::always_inline]] inline StateVector<Real, count> combine_for_stage(
+    const StateVector<Real, count>& start, Same<Real> time_step,
+    const std::array<StateVector<Real, count>, s>& rates) {
   return each<Real, count>([&](auto n) {
     Real sum = start[n];
     [&]<std::size_t... j>(std::index_sequence<j...>) {
@@ -183,13 +182,12 @@ using StageNumber = std::integral_constant<std::size_t, i>;
 /// ahead, StageNumber<i>())` gives the rates of a state `ahead` seconds after the start. `rates`
 /// may have room for more.
 template <class Rule, class Real, std::size_t count, std::size_t room, class RatesAt>
-[[gnu::always_inline]] inline void evaluate_stages(const Numbers<Real, count>& start,
-                                                   Same<Real> time_step,
-                                                   std::array<Numbers<Real, count>, room>& rates,
-                                                   const RatesAt& rates_at) {
+[[gnu::always_inline]] inline void evaluate_stages(
+    const StateVector<Real, count>& start, Same<Real> time_step,
+    std::array<StateVector<Real, count>, room>& rates, const RatesAt& rates_at) {
   static constexpr auto& rule = Rule::rule;
   const auto one = [&]<std::size_t i>() {
-    const auto there = led_to_stage<RowOfStage<Rule, i>>(start, time_step, rates);
+    const auto there = combine_for_stage<RowOfStage<Rule, i>>(start, time_step, rates);
     rates[i] = rates_at(there, static_cast<Real>(rule.nodes[i]) * time_step, StageNumber<i>());
   };
   [&]<std::size_t... i>(std::index_sequence<i...>) {
@@ -202,13 +200,13 @@ template <class Rule, class Real, std::size_t count, std::size_t room, class Rat
 /// rates_at() would return for the start.
 //! [after_step]
 template <class Rule, class Real, std::size_t count, class RatesAt>
-Numbers<Real, count> after_step(const Numbers<Real, count>& start,
-                                const Numbers<Real, count>& first, Same<Real> time_step,
-                                const RatesAt& rates_at) {
-  std::array<Numbers<Real, count>, Rule::rule.nodes.size()> rates;
+StateVector<Real, count> after_step(const StateVector<Real, count>& start,
+                                    const StateVector<Real, count>& first, Same<Real> time_step,
+                                    const RatesAt& rates_at) {
+  std::array<StateVector<Real, count>, Rule::rule.nodes.size()> rates;
   rates[0] = first;
   evaluate_stages<Rule>(start, time_step, rates, rates_at);
-  return led<RowOfStep<Rule>>(start, time_step, rates);
+  return combine<RowOfStep<Rule>>(start, time_step, rates);
 }
 //! [after_step]
 
@@ -217,11 +215,11 @@ Numbers<Real, count> after_step(const Numbers<Real, count>& start,
 template <class Rule, class Real>
 [[gnu::flatten]] void turn_by_runge_kutta(Top<Real>& top, Same<Real> time_step) {
   const Vec3<Real> inverse = top.inverse_moments;
-  const auto rates_at = [inverse](const Numbers<Real, 7>& numbers, Real, auto) {
-    return rates_of(numbers, inverse);
+  const auto rates_at = [inverse](const StateVector<Real, 7>& state, Real, auto) {
+    return rates_of(state, inverse);
   };
-  const Numbers<Real, 7> start = numbers_of(top);
-  set_numbers(top, after_step<Rule>(start, rates_of(start, inverse), time_step, rates_at));
+  const StateVector<Real, 7> start = state_of(top);
+  set_state(top, after_step<Rule>(start, rates_of(start, inverse), time_step, rates_at));
   top.orientation = renormalized(top.orientation);
 }
 
@@ -229,73 +227,75 @@ template <class Rule, class Real>
 /// FreeTurn or AxisTurn. It leads on the `numbers` of `time` (s), and ψ = `twist` (rad).
 //! [lead_reduced]
 template <class Rule, class Motion, class Real, std::size_t count>
-[[gnu::always_inline]] inline void lead_reduced(const Motion& motion, Numbers<Real, count>& numbers,
-                                                Real& twist, Same<Real> time,
-                                                Same<Real> time_step) {
-  std::array<Numbers<Real, count>, Rule::rule.nodes.size()> rates;
-  rates[0] = motion.rates(numbers, time);
-  Real twist_rate = static_cast<Real>(Rule::rule.weights[0]) * motion.twist_rate(numbers);
+[[gnu::always_inline]] inline void lead_reduced(const Motion& motion,
+                                                StateVector<Real, count>& state, Real& twist,
+                                                Same<Real> time, Same<Real> time_step) {
+  std::array<StateVector<Real, count>, Rule::rule.nodes.size()> rates;
+  rates[0] = motion.rates(state, time);
+  Real twist_rate = static_cast<Real>(Rule::rule.weights[0]) * motion.twist_rate(state);
   const auto rates_at = [&]<std::size_t i>(const auto& there, Real ahead, StageNumber<i>) {
     constexpr auto weight = static_cast<Real>(Rule::rule.weights[i]);
     if constexpr (weight != 0) twist_rate += weight * motion.twist_rate(there);
     return motion.rates(there, time + ahead);
   };
-  evaluate_stages<Rule>(numbers, time_step, rates, rates_at);
-  numbers = led<RowOfStep<Rule>>(numbers, time_step, rates);
+  evaluate_stages<Rule>(state, time_step, rates, rates_at);
+  state = combine<RowOfStep<Rule>>(state, time_step, rates);
   twist += time_step * twist_rate;
 }
 //! [lead_reduced]
 
-/// What a particle or a top changes by at `time` (s), with `numbers` for its state; `there` is a
-/// body to gather into. A `gather` that drifts by a law of its own says by in_full(body, time) what
-/// acts together with that, and one that knows its torque (N m) in body axes by
-/// torque_body(orientation, time).
-template <class Real, class Gather>
-[[gnu::always_inline]] inline Numbers<Real, 6> rates_under(const Gather& gather,
-                                                           const Numbers<Real, 6>& numbers,
-                                                           Same<Real> time, Particle<Real>& there) {
-  set_numbers(there, numbers);
-  if constexpr (requires { gather.in_full(there, time); })
-    gather.in_full(there, time);
+/// What a particle or a top changes by at `time` (s), with `state` for its numbers; `there` is a
+/// body that the force or the torque may be left in. A `right_hand_side` that drifts by a law of
+/// its own says by in_full(body, time) what acts together with that, and one that knows its torque
+/// (N m) in body axes by torque_body(orientation, time).
+template <class Real, class RightHandSide>
+[[gnu::always_inline]] inline StateVector<Real, 6> rates_under(const RightHandSide& right_hand_side,
+                                                               const StateVector<Real, 6>& state,
+                                                               Same<Real> time,
+                                                               Particle<Real>& there) {
+  set_state(there, state);
+  if constexpr (requires { right_hand_side.in_full(there, time); })
+    right_hand_side.in_full(there, time);
   else
-    gather(there, time);
-  return rates_of(numbers, there);
+    right_hand_side(there, time);
+  return rates_of(state, there);
 }
 
-template <class Real, class Gather>
-[[gnu::always_inline]] inline Numbers<Real, 7> rates_under(const Gather& gather,
-                                                           const Numbers<Real, 7>& numbers,
-                                                           Same<Real> time, Top<Real>& there) {
-  if constexpr (requires { gather.torque_body(there.orientation, time); }) {
-    const Quaternion<Real> q = {numbers[0], {numbers[1], numbers[2], numbers[3]}};
-    return with_torque_body(rates_of(numbers, there.inverse_moments), there,
-                            gather.torque_body(q, time));
+template <class Real, class RightHandSide>
+[[gnu::always_inline]] inline StateVector<Real, 7> rates_under(const RightHandSide& right_hand_side,
+                                                               const StateVector<Real, 7>& state,
+                                                               Same<Real> time, Top<Real>& there) {
+  if constexpr (requires { right_hand_side.torque_body(there.orientation, time); }) {
+    const Quaternion<Real> q = {state[0], {state[1], state[2], state[3]}};
+    return with_torque_body(rates_of(state, there.inverse_moments), there,
+                            right_hand_side.torque_body(q, time));
   } else {
-    set_numbers(there, numbers);
-    gather(there, time);
-    return rates_of(numbers, there);
+    set_state(there, state);
+    right_hand_side(there, time);
+    return rates_of(state, there);
   }
 }
 
-/// A particle or a top under force or torque. `gather(body, time)` must leave in the body the sum
-/// of what acts on it at that time (s). It has done so when the step begins, and when it ends.
-template <class Rule, class Body, class Gather, class Real>
-[[gnu::flatten]] void step_by_runge_kutta(Body& body, const Gather& gather, Real time,
-                                          Real time_step) {
+/// A particle or a top under force or torque. `right_hand_side(body, time)` must leave in the body
+/// the sum of what acts on it at that time (s). It has done so when the step begins, and when it
+/// ends.
+template <class Rule, class Body, class RightHandSide, class Real>
+[[gnu::flatten]] void step_by_runge_kutta(Body& body, const RightHandSide& right_hand_side,
+                                          Real time, Real time_step) {
   Body there = body;
-  const auto rates_at = [&](const auto& numbers, Real ahead, auto) {
-    return rates_under(gather, numbers, time + ahead, there);
+  const auto rates_at = [&](const auto& state, Real ahead, auto) {
+    return rates_under(right_hand_side, state, time + ahead, there);
   };
-  const auto start = numbers_of(body);
+  const auto start = state_of(body);
   const auto first = [&] {
-    if constexpr (requires { gather.in_full(body, time); })
-      return rates_under(gather, start, time, there);
+    if constexpr (requires { right_hand_side.in_full(body, time); })
+      return rates_under(right_hand_side, start, time, there);
     else
-      return rates_of(start, body);  // gathered when the step before ended
+      return rates_of(start, body);  // evaluated when the step before ended
   }();
-  set_numbers(body, after_step<Rule>(start, first, time_step, rates_at));
+  set_state(body, after_step<Rule>(start, first, time_step, rates_at));
   if constexpr (requires { body.orientation; }) body.orientation = renormalized(body.orientation);
-  gather(body, time + time_step);
+  right_hand_side(body, time + time_step);
 }
 
 }  // namespace tumble

@@ -1,6 +1,6 @@
 /// @file
-/// How long the next step may be, from the errors of the last ones, and the journey that is made of
-/// such steps.
+/// How long the next step may be, from the errors of the last ones, and the integration that is
+/// made of such steps.
 #pragma once
 
 #include <algorithm>
@@ -58,12 +58,12 @@ class StepControl {
 };
 //! [step_control]
 
-/// Checks on entry what a journey is asked for; the tolerance is in `unit`.
+/// Checks on entry what an integration is asked for; the tolerance is in `unit`.
 /// @throws std::invalid_argument unless the time is 0 or more and the tolerance more than 0, both
 /// finite.
 template <class Real>
-void require_journey(Real seconds, Same<Real> tolerance, const char* name = "tolerance",
-                     const char* unit = "a second") {
+void require_tolerance(Real seconds, Same<Real> tolerance, const char* name = "tolerance",
+                       const char* unit = "a second") {
   require_not_negative("time", seconds, "s");
   require_finite(name, tolerance, unit);
   if (!(tolerance > 0)) reject(name, tolerance, unit, "it must be greater than 0");
@@ -81,13 +81,13 @@ struct ParticleTolerance {
 
 /// The same for both tolerances of a particle.
 template <class Real>
-void require_journey(Real seconds, const ParticleTolerance<Same<Real>>& tolerance) {
-  require_journey(seconds, tolerance.position, "tolerance of the position", "m a second");
-  require_journey(seconds, tolerance.velocity, "tolerance of the velocity", "m/s a second");
+void require_tolerance(Real seconds, const ParticleTolerance<Same<Real>>& tolerance) {
+  require_tolerance(seconds, tolerance.position, "tolerance of the position", "m a second");
+  require_tolerance(seconds, tolerance.velocity, "tolerance of the velocity", "m/s a second");
 }
 
-/// What a journey took.
-struct Journey {
+/// What an integration took.
+struct StepCounts {
   long steps = 0, rejected = 0;
 };
 
@@ -118,15 +118,16 @@ Real first_step_of(Real rate, Same<Real> changes, int power, Same<Real> seconds)
 /// A step that is not accepted is repeated, shorter. `when_stepped(gone, h)` is called for each
 /// accepted step before it counts.
 ///
-/// The last step is what is left of the journey, to a rounding, and shares the remaining time with
-/// the one before it, lest a tiny step be left. No step is longer than `longest` (s).
+/// The last step is what is left of the integration, to a rounding, and shares the remaining time
+/// with the one before it, lest a tiny step be left. No step is longer than `longest` (s).
 /// @throws StepError if steps fall below what the clock can show.
-//! [travel]
+//! [integrate_adaptively]
 template <class Real, class Stepper, class WhenStepped>
-Journey travel(Stepper& stepper, Real seconds, Same<Real> first, const WhenStepped& when_stepped,
-               Same<Real> longest = std::numeric_limits<Real>::infinity()) {
+StepCounts integrate_adaptively(Stepper& stepper, Real seconds, Same<Real> first,
+                                const WhenStepped& when_stepped,
+                                Same<Real> longest = std::numeric_limits<Real>::infinity()) {
   StepControl control(Stepper::power);
-  Journey journey;
+  StepCounts counts;
   Real gone = 0, h = first;
   while (gone < seconds) {
     const Real left = seconds - gone;
@@ -141,9 +142,9 @@ Journey travel(Stepper& stepper, Real seconds, Same<Real> first, const WhenStepp
       when_stepped(gone, h);
       stepper.accept();
       gone = is_last ? seconds : gone + h;
-      ++journey.steps;
+      ++counts.steps;
     } else {
-      ++journey.rejected;
+      ++counts.rejected;
     }
     h *= static_cast<Real>(control.factor(square));
     // Near the start any step moves the clock, but the shortest of all is not made shorter by
@@ -152,8 +153,8 @@ Journey travel(Stepper& stepper, Real seconds, Same<Real> first, const WhenStepp
     if (gone < seconds && !is_shown)
       fail_at(h, gone, "no step meets the tolerance there; if a force jumps, name an event");
   }
-  return journey;
+  return counts;
 }
-//! [travel]
+//! [integrate_adaptively]
 
 }  // namespace tumble

@@ -12,7 +12,8 @@ namespace tumble {
 //! [stops]
 template <class Real>
 struct Stops {
-  std::vector<Real> events = {};  ///< s, by the clock of `gather`, each later than the one before
+  std::vector<Real> events =
+      {};  ///< s, by the clock of `right_hand_side`, each later than the one before
   Real longest = std::numeric_limits<Real>::infinity();  ///< of a step, s
 };
 //! [stops]
@@ -29,13 +30,13 @@ void require_stops(const Stops<Real>& stops) {
   }
 }
 
-/// A force or a torque as one leg of a journey sees it: `gather`, never asked for a time outside.
-/// At an event `gather` says what acts from then on; the leg that ends there takes what it says
-/// just before.
-template <class Gather, class Real>
+/// A force or a torque as one leg of an integration sees it: `right_hand_side`, never asked for a
+/// time outside. At an event `right_hand_side` says what acts from then on; the leg that ends there
+/// takes what it says just before.
+template <class RightHandSide, class Real>
 struct WithinLeg {
-  const Gather& gather;  ///< of the whole journey
-  Real first, last;      ///< s
+  const RightHandSide& right_hand_side;  ///< of the whole integration
+  Real first, last;                      ///< s
 
   /// `time`, or the nearer end of the leg, s.
   Real inside(Real time) const { return std::clamp(time, first, last); }
@@ -43,39 +44,40 @@ struct WithinLeg {
   /// Its force or torque on `body`, at `time` (s) or at the nearer end.
   template <class Body>
   void operator()(Body& body, Real time) const {
-    gather(body, inside(time));
+    right_hand_side(body, inside(time));
   }
   /// @cond What only some have, see rates_under() and AxisTurn.
   template <class Body>
   void in_full(Body& body, Real time) const requires requires {
-    gather.in_full(body, time);
+    right_hand_side.in_full(body, time);
   }
-  { gather.in_full(body, inside(time)); }
+  { right_hand_side.in_full(body, inside(time)); }
   template <class Orientation>
   auto torque_body(const Orientation& q, Real time) const requires requires {
-    gather.torque_body(q, time);
+    right_hand_side.torque_body(q, time);
   }
-  { return gather.torque_body(q, inside(time)); }
+  { return right_hand_side.torque_body(q, inside(time)); }
   template <class Axis>
   auto torque_on_axis(const Axis& axis, Real time) const {
-    return gather.torque_on_axis(axis, inside(time));
+    return right_hand_side.torque_on_axis(axis, inside(time));
   }
   /// @endcond
 };
 
-/// Takes a body from `time` through `seconds` in legs from event to event. `leg(body, gather,
-/// begin, length)` makes one of them, in s, and returns what it took. What acts at the end is left
-/// in the body. If a leg fails the body is where it was at the start.
+/// Takes a body from `time` through `seconds` in legs from event to event. `leg(body,
+/// right_hand_side, begin, length)` makes one of them, in s, and returns what it took. What acts at
+/// the end is left in the body. If a leg fails the body is where it was at the start.
 /// @throws std::invalid_argument as require_stops().
 //! [in_legs]
-template <class Body, class Real, class Gather, class Leg>
-Journey in_legs(Body& body, const Gather& gather, Real time, Same<Real> seconds,
-                const Stops<Real>& stops, const Leg& leg) {
+template <class Body, class Real, class RightHandSide, class Leg>
+StepCounts in_legs(Body& body, const RightHandSide& right_hand_side, Real time, Same<Real> seconds,
+                   const Stops<Real>& stops, const Leg& leg) {
   require_stops(stops);
   Body there = body;
-  Journey all;
+  StepCounts all;
   const auto go = [&](Real begin, Real length, Real last) {
-    const Journey one = leg(there, WithinLeg<Gather, Real>{gather, begin, last}, begin, length);
+    const StepCounts one =
+        leg(there, WithinLeg<RightHandSide, Real>{right_hand_side, begin, last}, begin, length);
     all.steps += one.steps;
     all.rejected += one.rejected;
   };
@@ -91,7 +93,7 @@ Journey in_legs(Body& body, const Gather& gather, Real time, Same<Real> seconds,
     }
   }
   go(begin, seconds - (begin - time), last);
-  gather(there, end);
+  right_hand_side(there, end);
   body = there;
   return all;
 }
@@ -99,11 +101,11 @@ Journey in_legs(Body& body, const Gather& gather, Real time, Same<Real> seconds,
 
 /// Takes the body of a stepper through one leg of so many `seconds`.
 template <class Body, class Stepper, class Real>
-Journey arrive(Body& body, Stepper& steps, Real seconds, Real longest) {
-  const Journey journey = travel(
+StepCounts arrive(Body& body, Stepper& steps, Real seconds, Real longest) {
+  const StepCounts counts = integrate_adaptively(
       steps, seconds, steps.first_step(seconds), [](Real, Real) {}, longest);
   body = steps.body();
-  return journey;
+  return counts;
 }
 
 }  // namespace tumble

@@ -18,13 +18,14 @@ namespace tumble {
 /// true ellipse to another, however long the step: by Verlet's rule, and by a row that is made of
 /// its steps, only the time is wrong.
 //! [transformed_time]
-template <class Gather, class Real>
+template <class RightHandSide, class Real>
 class TransformedTime {
  public:
-  /// `gather` returns U (J) by pull_energy(particle), besides leaving the force in the particle.
-  TransformedTime(const Particle<Real>& particle, const Gather& gather)
-      : gather_(&gather), particle_(particle), mass_(mass_of(particle)) {
-    bound_ = gather.pull_energy(particle_) - kinetic_energy_of(particle_);
+  /// `right_hand_side` returns U (J) by pull_energy(particle), besides leaving the force in the
+  /// particle.
+  TransformedTime(const Particle<Real>& particle, const RightHandSide& right_hand_side)
+      : gather_(&right_hand_side), particle_(particle), mass_(mass_of(particle)) {
+    bound_ = right_hand_side.pull_energy(particle_) - kinetic_energy_of(particle_);
   }
 
   /// A step of ds (J s).
@@ -67,7 +68,7 @@ class TransformedTime {
     return mass_ / 2 * particle.velocity.squaredNorm();
   }
 
-  const Gather* gather_;
+  const RightHandSide* gather_;
   Particle<Real> particle_;
   Real mass_, bound_ = 0, time_ = 0;
 };
@@ -76,12 +77,12 @@ class TransformedTime {
 /// How long the last one must be is found by shortening it, which needs a few trials.
 /// @throws std::invalid_argument unless the time is 0 or more and finite, there is at least one
 /// step, and the particle is bound: B greater than 0.
-template <class Row, class Gather, class Real>
-void carry_in_transformed_time(Particle<Real>& particle, const Gather& gather, Same<Real> seconds,
-                               long steps) {
+template <class Row, class RightHandSide, class Real>
+void carry_in_transformed_time(Particle<Real>& particle, const RightHandSide& right_hand_side,
+                               Same<Real> seconds, long steps) {
   require_not_negative("time", seconds, "s");
   if (steps < 1) reject("number of steps", steps, "", "it must be 1 or more");
-  TransformedTime<Gather, Real> motion(particle, gather), before = motion;
+  TransformedTime<RightHandSide, Real> motion(particle, right_hand_side), before = motion;
   if (!(motion.bound() > 0))
     reject("binding energy", motion.bound(), "J", "it must be greater than 0: the orbit is open");
   if (seconds == 0) return;

@@ -8,7 +8,7 @@
 
 namespace {
 
-std::vector<double> numbers_of(const char* text) {
+std::vector<double> state_of(const char* text) {
   std::vector<double> numbers;
   while (*text != '\0') {
     char* end = nullptr;
@@ -24,7 +24,7 @@ std::vector<double> numbers_of(const char* text) {
 int main(int argument_count, char** arguments) try {
   using namespace tumble;
   const auto given = [&](int n) {
-    return n < argument_count ? numbers_of(arguments[n]) : std::vector<double>();
+    return n < argument_count ? state_of(arguments[n]) : std::vector<double>();
   };
   std::string written;
   for (int n = 3; n < argument_count; ++n) {

@@ -4,8 +4,8 @@
 ///
 /// Their Claims are those of the other rungs. Only the order needs a time step to speak of, and it
 /// is the mean one: the time divided by the number of steps that were made. As the tolerance gets
-/// smaller, the error falls as this mean to the power of the order. A journey lands where it is
-/// told to, for which it cuts its last step, so that none retraces its steps.
+/// smaller, the error falls as this mean to the power of the order. An integration lands where it
+/// is told to, for which it cuts its last step, so that none retraces its steps.
 #pragma once
 
 #include <tumble/ladder.hpp>
@@ -23,104 +23,109 @@ enum class Given {
 
 /// A method that takes a top without torque through some seconds. With what it is `given` to the
 /// power 1/`power` its steps get shorter.
-//! [free_journey]
+//! [free_top_rung]
 template <class Real>
-struct FreeJourney {
+struct FreeTopRung {
   std::string_view name;
   Given given;
   int power;
   Claims claims;
-  Journey (*carry)(Top<Real>& top, Same<Real> seconds, Same<Real> given);
+  StepCounts (*integrate)(Top<Real>& top, Same<Real> seconds, Same<Real> given);
 };
-//! [free_journey]
+//! [free_top_rung]
 
 /// A pair on all seven numbers of a top without torque.
 template <class Pair, class Real>
-Journey carry_without_torque(Top<Real>& top, Same<Real> seconds, Same<Real> tolerance) {
+StepCounts integrate_without_torque(Top<Real>& top, Same<Real> seconds, Same<Real> tolerance) {
   const auto nothing = [](Top<Real>& there, Real) { there.torque.setZero(); };
-  return carry<Pair>(top, nothing, Real(0), seconds, tolerance);
+  return integrate<Pair>(top, nothing, Real(0), seconds, tolerance);
 }
 
 /// A splitting in the portions of a row, whose steps follow the pace of a top without torque: one
 /// that turns never comes to rest, and one at rest stays there.
 template <class Row, class Real>
-Journey carry_paced_without_torque(Top<Real>& top, Same<Real> seconds, Same<Real> angle) {
+StepCounts integrate_paced_without_torque(Top<Real>& top, Same<Real> seconds, Same<Real> angle) {
   const auto nothing = [](Top<Real>& there, Real) { there.torque.setZero(); };
   const Real least = top.angular_momentum_body.isZero(0) ? 1 : 0;  // at rest any pace will do
-  return carry_paced<Row>(top, nothing, Real(0), seconds, angle, least);
+  return integrate_paced<Row>(top, nothing, Real(0), seconds, angle, least);
 }
 
 /// Those for a free top.
-//! [free_journeys]
+//! [free_top_rungs]
 template <class Real>
-constexpr std::array<FreeJourney<Real>, 7> free_journeys = {{
+constexpr std::array<FreeTopRung<Real>, 7> free_top_rungs = {{
     {"5(4), own steps",
      Given::tolerance,
      4,
      {.order = 5},
-     carry_without_torque<DormandPrince54, Real>},
+     integrate_without_torque<DormandPrince54, Real>},
     {"8(5,3), own steps",
      Given::tolerance,
      7,
      {.order = 8},
-     carry_without_torque<DormandPrince853, Real>},
+     integrate_without_torque<DormandPrince853, Real>},
     {"L apart, 5(4), own steps",
      Given::tolerance,
      4,
      {.order = 5, .momentum = true},
-     carry_freely<DormandPrince54, Real>},
+     integrate_free_top<DormandPrince54, Real>},
     {"L apart, 8(5,3), own steps",
      Given::tolerance,
      7,
      {.order = 8, .momentum = true},
-     carry_freely<DormandPrince853, Real>},
+     integrate_free_top<DormandPrince853, Real>},
     {"splitting, own steps",
      Given::angle,
      1,
      {.order = 2, .momentum = true},
-     carry_paced_without_torque<Verlet, Real>},
+     integrate_paced_without_torque<Verlet, Real>},
     {"splitting, Suzuki, own steps",
      Given::angle,
      1,
      {.order = 4, .momentum = true},
-     carry_paced_without_torque<Suzuki, Real>},
+     integrate_paced_without_torque<Suzuki, Real>},
     {"splitting, Kahan-Li 8, own steps",
      Given::angle,
      1,
      {.order = 8, .momentum = true},
-     carry_paced_without_torque<KahanLiEighth, Real>},
+     integrate_paced_without_torque<KahanLiEighth, Real>},
 }};
-//! [free_journeys]
+//! [free_top_rungs]
 
 /// A method that takes a particle under force, or a top under torque, from `time` through
-/// `seconds`. `gather` as in kicked_steps.hpp; `tolerance` and `stops` as in carry().
-template <class Body, class Real, class Gather>
-struct JourneyRung {
+/// `seconds`. `right_hand_side` as in kicked_steps.hpp; `tolerance` and `stops` as in integrate().
+template <class Body, class Real, class RightHandSide>
+struct AdaptiveRung {
   std::string_view name;
   Claims claims;
-  Journey (*carry)(Body& body, const Gather& gather, Real time, Same<Real> seconds,
-                   ToleranceOf<Body> tolerance, const Stops<Same<Real>>& stops);
+  StepCounts (*integrate)(Body& body, const RightHandSide& right_hand_side, Real time,
+                          Same<Real> seconds, ToleranceOf<Body> tolerance,
+                          const Stops<Same<Real>>& stops);
 };
 
 /// Those for a body under any force or torque.
-template <class Body, class Real, class Gather>
-constexpr std::array<JourneyRung<Body, Real, Gather>, 2> journeys = {{
-    {"5(4), own steps", {.order = 5}, carry<DormandPrince54, Body, Gather, Real>},
-    {"8(5,3), own steps", {.order = 8}, carry<DormandPrince853, Body, Gather, Real>},
+template <class Body, class Real, class RightHandSide>
+constexpr std::array<AdaptiveRung<Body, Real, RightHandSide>, 2> adaptive_rungs = {{
+    {"5(4), own steps", {.order = 5}, integrate<DormandPrince54, Body, RightHandSide, Real>},
+    {"8(5,3), own steps", {.order = 8}, integrate<DormandPrince853, Body, RightHandSide, Real>},
 }};
 
 /// That for a particle where the force depends on time and place alone.
-template <class Real, class Gather>
-constexpr JourneyRung<Particle<Real>, Real, Gather> nystrom_journey = {
+template <class Real, class RightHandSide>
+constexpr AdaptiveRung<Particle<Real>, Real, RightHandSide> nystrom_rung = {
     "Nystrom 8(6), own steps",
     {.order = 8},
-    carry_by_nystrom<DormandPrinceNystrom86, Gather, Real>};
+    integrate_by_nystrom<DormandPrinceNystrom86, RightHandSide, Real>};
 
 /// Those for a symmetric top whose torque depends on time and on where its axis points.
-template <class Real, class Gather>
-constexpr std::array<JourneyRung<Top<Real>, Real, Gather>, 2> axis_journeys = {{
-    {"axis apart, 5(4), own steps", {.order = 5}, carry_axis<DormandPrince54, Gather, Real>},
-    {"axis apart, 8(5,3), own steps", {.order = 8}, carry_axis<DormandPrince853, Gather, Real>},
+template <class Real, class RightHandSide>
+constexpr std::array<AdaptiveRung<Top<Real>, Real, RightHandSide>, 2> axis_rungs = {{
+    {"axis apart, 5(4), own steps",
+     {.order = 5},
+     integrate_axis<DormandPrince54, RightHandSide, Real>},
+    {"axis apart, 8(5,3), own steps",
+     {.order = 8},
+     integrate_axis<DormandPrince853, RightHandSide, Real>},
 }};
 
 }  // namespace tumble

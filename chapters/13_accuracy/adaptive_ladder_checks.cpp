@@ -2,7 +2,7 @@
 #include <support/contest.hpp>
 #include <support/exact_motion.hpp>
 #include <support/problems.hpp>
-#include <tumble/journey_ladder.hpp>
+#include <tumble/adaptive_ladder.hpp>
 #include <vector>
 
 using namespace tumble;
@@ -10,7 +10,7 @@ using namespace tumble::support;
 
 namespace {
 
-/// Errors of journeys, and how many steps a journey took.
+/// Errors of integrations, and how many steps an integration took.
 struct Seen {
   double error = 0, steps = 0;
 };
@@ -35,7 +35,7 @@ double order_of(const See& seen, int first, double rounding_of_a_step) {
   return std::log(coarse.error / fine.error) / std::log(fine.steps / coarse.steps);
 }
 
-/// The root mean square of the errors after several times, of journeys from the start to each.
+/// The root mean square of the errors after several times, of integrations from the start to each.
 template <class Error>
 Seen over_several_ends(double seconds, const Error& error) {
   constexpr int ends = 8;
@@ -54,7 +54,7 @@ template <class Real>
 const double rounding_of_a_step = std::sqrt(40 * 12 / 3.0) * double(unit_roundoff<Real>);
 
 template <class Real>
-double mean_order_of(const FreeJourney<Real>& rung, int first) {
+double mean_order_of(const FreeTopRung<Real>& rung, int first) {
   const Top<Real> start = free_problems<Real>()[0].start;
   const exact::FreeTop<long double> exact(exactly(start));
   // The pair 8(5,3) combines two estimates. Which of them counts changes with the tolerance, and
@@ -65,10 +65,10 @@ double mean_order_of(const FreeJourney<Real>& rung, int first) {
         const auto given = static_cast<Real>(coarsest * std::pow(fineness, -rung.power));
         return over_several_ends(5, [&](double seconds) {
           Top<Real> top = start;
-          const Journey journey = rung.carry(top, Real(seconds), given);
+          const StepCounts counts = rung.integrate(top, Real(seconds), given);
           return Seen{
               double(angle_between(exact.at(Real(seconds)).orientation, exactly(top).orientation)),
-              double(journey.steps)};
+              double(counts.steps)};
         });
       },
       first, rounding_of_a_step<Real>);
@@ -82,7 +82,8 @@ double order_in_proportion(const Stepper& start, long double seconds, const Erro
   Stepper chosen = start;
   std::vector<long double> steps;
   const long double first = chosen.first_step(seconds);
-  travel(chosen, seconds, first, [&](long double, long double h) { steps.push_back(h); });
+  integrate_adaptively(chosen, seconds, first,
+                       [&](long double, long double h) { steps.push_back(h); });
   const auto divided = [&](int parts) {
     Stepper stepper = start;
     for (const long double h : steps)
@@ -93,8 +94,8 @@ double order_in_proportion(const Stepper& start, long double seconds, const Erro
 }
 
 /// How far a problem's body is off in the end, by a stepper that has taken it there.
-template <class Body, class Gather>
-auto error_in(const Problem<Body, Gather>& problem) {
+template <class Body, class RightHandSide>
+auto error_in(const Problem<Body, RightHandSide>& problem) {
   return [truth = truth_of(problem)]<class Stepper>(const Stepper& stepper) -> long double {
     if constexpr (!requires(const Body& body) { body.orientation; })
       return (stepper.body().position - truth.position).norm();
@@ -110,7 +111,7 @@ TEST_CASE_TEMPLATE(
     "claims",
     Real, EVERY_PRECISION) {
   int shown = 0;
-  for (const FreeJourney<Real>& rung : free_journeys<Real>) {
+  for (const FreeTopRung<Real>& rung : free_top_rungs<Real>) {
     CAPTURE(std::string(rung.name));
     if (rung.power == 7) continue;  // in proportion alone, see below
     const double order = mean_order_of(rung, rung.given == Given::angle ? 2 : 8);
@@ -124,7 +125,7 @@ TEST_CASE_TEMPLATE(
   CHECK(shown >= (std::is_same_v<Real, float> ? 1 : 5));
 }
 
-TEST_CASE("Where a journey's steps are divided in proportion, each pair shows its order") {
+TEST_CASE("Where an integration's steps are divided in proportion, each pair shows its order") {
   using Wide = long double;
   const auto check = [](const auto& stepper, const auto& problem, int order) {
     CAPTURE(problem.name);
@@ -137,25 +138,25 @@ TEST_CASE("Where a journey's steps are divided in proportion, each pair shows it
   const auto heavy = heavy_top<Wide>("heavy top", 3);
   const auto check_pair = [&]<class Pair>(Pair, int order, Wide tolerance) {
     CAPTURE(order);
-    check(
-        EmbeddedSteps<Pair, Top<Wide>, NoTorque<Wide>, Wide>(free.start, free.gather, 0, tolerance),
-        free, order);
+    check(EmbeddedSteps<Pair, Top<Wide>, NoTorque<Wide>, Wide>(free.start, free.right_hand_side, 0,
+                                                               tolerance),
+          free, order);
     check(ReducedSteps<Pair, FreeTurn<Wide>, Wide>(FreeTurn<Wide>(free.start), 0, tolerance), free,
           order);
-    check(EmbeddedSteps<Pair, Particle<Wide>, Star<Wide>, Wide>(orbit.start, orbit.gather, 0,
-                                                                {tolerance, tolerance}),
+    check(EmbeddedSteps<Pair, Particle<Wide>, Star<Wide>, Wide>(orbit.start, orbit.right_hand_side,
+                                                                0, {tolerance, tolerance}),
           orbit, order);
-    check(
-        EmbeddedSteps<Pair, Top<Wide>, Weight<Wide>, Wide>(heavy.start, heavy.gather, 0, tolerance),
-        heavy, order);
+    check(EmbeddedSteps<Pair, Top<Wide>, Weight<Wide>, Wide>(heavy.start, heavy.right_hand_side, 0,
+                                                             tolerance),
+          heavy, order);
     using Axis = AxisTurn<Weight<Wide>, Wide>;
-    check(ReducedSteps<Pair, Axis, Wide>(Axis(heavy.start, heavy.gather), 0, tolerance), heavy,
-          order);
+    check(ReducedSteps<Pair, Axis, Wide>(Axis(heavy.start, heavy.right_hand_side), 0, tolerance),
+          heavy, order);
   };
   check_pair(DormandPrince54(), 5, 1e-6L);
   check_pair(DormandPrince853(), 8, 1e-7L);
-  check(NystromSteps<DormandPrinceNystrom86, Star<Wide>, Wide>(orbit.start, orbit.gather, 0,
-                                                               {1e-7L, 1e-7L}),
+  check(NystromSteps<DormandPrinceNystrom86, Star<Wide>, Wide>(orbit.start, orbit.right_hand_side,
+                                                               0, {1e-7L, 1e-7L}),
         orbit, 8);
 }
 
@@ -164,14 +165,14 @@ TEST_CASE_TEMPLATE(
     Real, EVERY_PRECISION) {
   const Top<Real> start = free_problems<Real>()[0].start;
   const Vec3<long double> L = angular_momentum_world(exactly(start));
-  for (const FreeJourney<Real>& rung : free_journeys<Real>) {
+  for (const FreeTopRung<Real>& rung : free_top_rungs<Real>) {
     CAPTURE(std::string(rung.name));
     const Real given = rung.given == Given::angle ? Real(1) : Real(0.1);
     Top<Real> top = start;
-    const Journey journey = rung.carry(top, 10, given);
+    const StepCounts counts = rung.integrate(top, 10, given);
     // Forty roundings a stage, of which a step has no more than 17; a loss is worth showing from
     // ten times as much on. Suzuki's five and Kahan and Li's seventeen steps count as one.
-    const double kept = 40 * 17 * double(journey.steps + 1) * unit_roundoff<Real>;
+    const double kept = 40 * 17 * double(counts.steps + 1) * unit_roundoff<Real>;
     const double off = double((angular_momentum_world(exactly(top)) - L).norm() / L.norm());
     CHECK(rung.claims.momentum == (off <= kept));
     // No rung claims the energy, or that it retraces its steps. In float the eighth order of a
@@ -181,11 +182,11 @@ TEST_CASE_TEMPLATE(
     CHECK(!rung.claims.bounded);
     if (std::is_same_v<Real, float> && rung.given == Given::angle && rung.claims.order > 2)
       continue;
-    const double rounding = 40 * double(journey.steps + 1) * unit_roundoff<Real>;
+    const double rounding = 40 * double(counts.steps + 1) * unit_roundoff<Real>;
     CHECK(std::abs(double(kinetic_energy(exactly(top)) / kinetic_energy(exactly(start))) - 1) >
           rounding);
     top.angular_momentum_body *= -1;
-    rung.carry(top, 10, given);
+    rung.integrate(top, 10, given);
     CHECK(double(angle_between(exactly(top).orientation, exactly(start).orientation)) > rounding);
   }
 }
