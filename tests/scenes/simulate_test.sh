@@ -182,12 +182,16 @@ run rain --until 0.1 --csv one.csv --threads 1 --no-ledger --every 6
 run rain --until 0.1 --csv two.csv --threads 2 --no-ledger --every 6
 verify "the number of threads changes no number" same_numbers one.csv two.csv
 cat >name.json <<'SCENE'
-{"title": "", "description": "", "duration": 0.05, "bodies": [{"name": "a \"b\", c", "mass": 1}, {"name": "two\nlines", "mass": 1}]}
+{"title": "", "description": "", "duration": 0.05, "bodies": [{"name": "a \"b\", c", "mass": 1}, {"name": "two\nlines", "mass": 1},
+  {"name": "5\" rod", "mass": 1}, {"name": "left, right", "mass": 1}, {"name": "a; b'\\", "mass": 1}]}
 SCENE
 run ./name.json --csv name.csv --jsonl name.jsonl
 verify "a name with commas and quotes is one cell" grep -qF '0,"a ""b"", c",0,0,0,1,0,0,0,0' name.csv
 verify "and so is one with the end of a line" grep -qx '0,"two' name.csv
+verify "or with a quote alone" grep -qF '0,"5"" rod",0,0,0,1,0,0,0,0' name.csv
+verify "or with a comma alone" grep -qF '0,"left, right",0,0,0,1,0,0,0,0' name.csv
 verify "and one text of JSON" grep -qF '"body":"a \"b\", c"' name.jsonl
+verify "a name with none of these stands in CSV as it is" grep -qF "0,a; b'\\,0,0,0,1,0,0,0,0" name.csv
 printf '{"duration": 0.05, "bodies": [{"name": "a", "mass": 1}]}' >untitled.json
 run untitled.json
 verify "a scene runs without a title and a description" ends_with 0
