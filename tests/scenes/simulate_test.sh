@@ -364,11 +364,14 @@ for path in scene.json ./scene.json hard.json soft.json "$PWD/scene.json"; do
     verify "and ends with 2" ends_with 2
   done
 done
-run scene.json --csv a --jsonl ./a
-verify "two outputs into one file are refused" complains "that is where --csv goes"
 ln -s . linked
-run scene.json --csv a --jsonl linked/a
-verify "and so are they by a folder that is a link" complains "that is where --csv goes"
+for other in ./a linked/a "$PWD/a"; do
+  for two in "a|$other" "$other|a"; do
+    run scene.json --csv "${two%|*}" --jsonl "${two#*|}"
+    verify "two outputs into one file, ${two%|*} and ${two#*|}, are refused" complains "--jsonl is ${two#*|}; that is where --csv goes, and each needs a file of its own"
+    verify "and end with 2" ends_with 2
+  done
+done
 rm linked
 ln -s scene.json link.json
 run kept.json --view soft.json --books link.json
