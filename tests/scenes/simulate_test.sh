@@ -462,6 +462,18 @@ verify "a step that can't be taken ends with 1" ends_with 1
 verify "and names body and effect" complains "'comet' at 0.5 s (step 2): point gravity gives a force of"
 verify "and keeps what was computed" lines crash.csv 4
 verify "the books are printed" says "unexplained"
+for every in 2 3; do
+  run crash.json --csv crash.csv --every $every
+  verify "with --every $every the last moment before it is kept, and kept once" lines crash.csv 3
+done
+verify "and it is the last one" grep -q '^0.5,comet,0,0,0,' crash.csv
+sed 's/\[2, 0, 0\]/[0, 0, 0]/' crash.json >first.json
+run first.json --csv first.csv --jsonl first.jsonl
+verify "if the first step can't be taken it ends with 1 as well" ends_with 1
+verify "and says so" complains "'comet' at 0 s (step 0): point gravity gives a force of"
+verify "and the start is kept, and kept once" lines first.csv 2
+verify "in JSON Lines too" lines first.jsonl 1
+rm first.*
 run crash.json --check-plan
 verify "--check-plan tells of such a step once, and where both runs end" [ "$(grep -c "'comet' at 0.5 s" <<<"$output")" = 1 ]
 verify "and that they agree until there" says "2 steps by plan, and as many with nothing known of any body"
