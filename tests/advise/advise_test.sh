@@ -129,9 +129,21 @@ with subprocess.Popen(sys.argv[1:], stderr=its, stdout=subprocess.PIPE) as advis
   verify "and for what" says "a tenth of the error: trying exact solution in float, "
   verify "and takes that away again" [ "${output: -4}" = $'\r\e[K' ]
   verify "and the answer is free of it" [ "${output%% *}" = 0 ]
+  verify "and no other precision than the one that is asked for is tried" says_not " in double, "
+  on_terminal --inertia 1,2,3 --spin 1,2,0.5 --for 1 --angle 1e-4 --precision double --rate 1
+  verify "which may be double" says "what was asked for: trying exact solution in double, "
+  verify "alone" says_not " in float, "
+  on_terminal --inertia 1,2,3 --spin 1,2,0.5 --for 1 --angle 1e-4 --rate 1
+  for precision in double float; do
+    verify "of a free top whose precision nobody names it tries methods in $precision" says "what was asked for: trying exact solution in $precision, "
+  done
   on_terminal orbit --for 10 --place 1e6 --rate 1
   verify "a scene needs a reference first" says "computing the reference"
   verify "where nothing tumbles it tries one method by three schemes in two precisions" says ": trying splitting in double, 1 of 6"
+  printf '{"duration": 1, "bodies": [{"name": "a", "mass": 1}], "effects": [{"kind": "gravity", "acceleration": [0, 0, -9]},
+    {"kind": "linear_damping", "rate": 0.1}]}' >damped.txt
+  on_terminal damped.txt --for 1 --place 1e6 --rate 1
+  verify "where damping acts no scheme promises more than Euler's, and it alone is tried" says ": trying splitting in double, 1 of 2"
   on_terminal t_handle --for 1 --angle 1
   verify "and where nothing is kicked all methods by one scheme" says ": trying exact_solution in double, 1 of 30"
 fi

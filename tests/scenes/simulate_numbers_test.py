@@ -345,12 +345,14 @@ class Numbers(unittest.TestCase):
             self.assertIn(f"paths=1; across='{'xyz'[across]}'; up='{'xyz'[up]}'; scene='It''s here'",
                           (SCRATCH / "drawn" / "words").read_text())
 
-    def test_a_plot_of_many_bodies_shows_six_at_equal_distances(self):
-        bodies = [{"name": f'a\n"body"\t{n}', "mass": 1, "position": [n, 0, 0]} for n in range(13)]
-        run({"duration": 0.1, "bodies": bodies}, "--plot", "many.svg", path=SCRATCH / "fake")
-        for path, body in enumerate((0, 2, 4, 6, 8, 10), 1):
-            heading, first, *_ = table(f"path{path}.tsv")
-            self.assertEqual((heading[1], float(first[0])), (f"a  body  {body}", body))
+    def test_a_plot_of_few_bodies_shows_all_and_one_of_many_six_at_equal_distances(self):
+        for count, shown in (3, (0, 1, 2)), (6, (0, 1, 2, 3, 4, 5)), (13, (0, 2, 4, 6, 8, 10)), (17, (0, 2, 5, 8, 11, 14)):
+            bodies = [{"name": f'a\n"body"\t{n}', "mass": 1, "position": [n, 0, 0]} for n in range(count)]
+            run({"duration": 0.1, "bodies": bodies}, "--plot", "many.svg", path=SCRATCH / "fake")
+            self.assertIn(f"paths={len(shown)};", (SCRATCH / "drawn" / "words").read_text())
+            for path, body in enumerate(shown, 1):
+                heading, first, *_ = table(f"path{path}.tsv")
+                self.assertEqual((heading[1], float(first[0])), (f"a  body  {body}", body), f"{count} bodies")
 
     def test_a_terminal_shows_a_bar_which_no_failure_overwrites(self):
         ours, its = pty.openpty()

@@ -182,12 +182,16 @@ run rain --until 0.1 --csv one.csv --threads 1 --no-ledger --every 6
 run rain --until 0.1 --csv two.csv --threads 2 --no-ledger --every 6
 verify "the number of threads changes no number" same_numbers one.csv two.csv
 cat >name.json <<'SCENE'
-{"title": "", "description": "", "duration": 0.05, "bodies": [{"name": "a \"b\", c", "mass": 1}, {"name": "two\nlines", "mass": 1}]}
+{"title": "", "description": "", "duration": 0.05, "bodies": [{"name": "a \"b\", c", "mass": 1}, {"name": "two\nlines", "mass": 1},
+  {"name": "5\" rod", "mass": 1}, {"name": "left, right", "mass": 1}, {"name": "a; b'\\", "mass": 1}]}
 SCENE
 run ./name.json --csv name.csv --jsonl name.jsonl
 verify "a name with commas and quotes is one cell" grep -qF '0,"a ""b"", c",0,0,0,1,0,0,0,0' name.csv
 verify "and so is one with the end of a line" grep -qx '0,"two' name.csv
+verify "or with a quote alone" grep -qF '0,"5"" rod",0,0,0,1,0,0,0,0' name.csv
+verify "or with a comma alone" grep -qF '0,"left, right",0,0,0,1,0,0,0,0' name.csv
 verify "and one text of JSON" grep -qF '"body":"a \"b\", c"' name.jsonl
+verify "a name with none of these stands in CSV as it is" grep -qF "0,a; b'\\,0,0,0,1,0,0,0,0" name.csv
 printf '{"duration": 0.05, "bodies": [{"name": "a", "mass": 1}]}' >untitled.json
 run untitled.json
 verify "a scene runs without a title and a description" ends_with 0
@@ -360,11 +364,14 @@ for path in scene.json ./scene.json hard.json soft.json "$PWD/scene.json"; do
     verify "and ends with 2" ends_with 2
   done
 done
-run scene.json --csv a --jsonl ./a
-verify "two outputs into one file are refused" complains "that is where --csv goes"
 ln -s . linked
-run scene.json --csv a --jsonl linked/a
-verify "and so are they by a folder that is a link" complains "that is where --csv goes"
+for other in ./a linked/a "$PWD/a"; do
+  for two in "a|$other" "$other|a"; do
+    run scene.json --csv "${two%|*}" --jsonl "${two#*|}"
+    verify "two outputs into one file, ${two%|*} and ${two#*|}, are refused" complains "--jsonl is ${two#*|}; that is where --csv goes, and each needs a file of its own"
+    verify "and end with 2" ends_with 2
+  done
+done
 rm linked
 ln -s scene.json link.json
 run kept.json --view soft.json --books link.json
@@ -455,6 +462,18 @@ verify "a step that can't be taken ends with 1" ends_with 1
 verify "and names body and effect" complains "'comet' at 0.5 s (step 2): point gravity gives a force of"
 verify "and keeps what was computed" lines crash.csv 4
 verify "the books are printed" says "unexplained"
+for every in 2 3; do
+  run crash.json --csv crash.csv --every $every
+  verify "with --every $every the last moment before it is kept, and kept once" lines crash.csv 3
+done
+verify "and it is the last one" grep -q '^0.5,comet,0,0,0,' crash.csv
+sed 's/\[2, 0, 0\]/[0, 0, 0]/' crash.json >first.json
+run first.json --csv first.csv --jsonl first.jsonl
+verify "if the first step can't be taken it ends with 1 as well" ends_with 1
+verify "and says so" complains "'comet' at 0 s (step 0): point gravity gives a force of"
+verify "and the start is kept, and kept once" lines first.csv 2
+verify "in JSON Lines too" lines first.jsonl 1
+rm first.*
 run crash.json --check-plan
 verify "--check-plan tells of such a step once, and where both runs end" [ "$(grep -c "'comet' at 0.5 s" <<<"$output")" = 1 ]
 verify "and that they agree until there" says "2 steps by plan, and as many with nothing known of any body"
