@@ -68,6 +68,8 @@ run --inertia 1,2,3 --spin 1e4,9e3,5e3 --for 100 --angle 1e-3 --rate 1 --steps o
 verify "what can't be carried in the time that a run may take is refused" ends_with 1
 run --inertia 2,2,2 --spin 1,2,3 --for 5 --angle 1e-9 --steps own
 verify "a ball has no need of steps that are chosen" says "no method with such steps is needed"
+run tethered_box --for 1 --angle 0.1 --rate 1 --longest-run 60
+verify "no step that is tried, too long for a rope though it may be, warns of itself" [ -z "$errors" ]
 run magnus_ball --for 1 --place 0.1 --longest-run 60
 verify "a scene is answered" ends_with 0
 verify "against Richardson's extrapolation" says "Richardson's extrapolation of runs with"

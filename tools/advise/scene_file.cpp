@@ -23,8 +23,10 @@ struct Choice {
 template <class Real>
 Scene<Real> scene_with(const std::filesystem::path& file, const StepLength& step,
                        const Choice& choice) {
-  return read_scene_file<Real, OneByOne<Real>, support::SceneRules>(
+  Scene<Real> scene = read_scene_file<Real, OneByOne<Real>, support::SceneRules>(
       file, {.step = step, .turning_method = choice.method, .scheme = choice.scheme});
+  scene.world.on_warning([](const std::string&) {});  // nobody asked for the steps that are tried
+  return scene;
 }
 
 /// The whole run, a snapshot for each frame that is compared. @throws SimulationError.
