@@ -62,11 +62,11 @@ class EffectOf : public AnyEffect<Real> {
 
   void run(Bodies<Real>& bodies, const Members& members, const StepTime<Real>& at) const override {
     if constexpr (form.sees == Sees::centre) {
-      for_each_of(members.indices, bodies.centres,
-                  [&](Particle<Real>& centre) { give_to(centre, effect_, centre, at); });
+      members.indices.for_each(
+          [&](BodyIndex i) { give_to(bodies.centres[i], effect_, bodies.centres[i], at); });
     } else if constexpr (form.sees == Sees::top) {
-      for_each_of(members.indices, bodies.tops,
-                  [&](Top<Real>& top) { give_to(top, effect_, top, at); });
+      members.indices.for_each(
+          [&](BodyIndex i) { give_to(bodies.tops[i], effect_, bodies.tops[i], at); });
     } else if constexpr (form.sees == Sees::body) {
       members.indices.for_each([&](BodyIndex body) {
         Top<Real> none;

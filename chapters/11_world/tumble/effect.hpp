@@ -1,6 +1,5 @@
 /// @file
-/// What an effect is: a value with a name and one function. And which bodies need it, and why the
-/// others do not.
+/// Which bodies need an effect, and why the others do not.
 #pragma once
 
 #include <string>

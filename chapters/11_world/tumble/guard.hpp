@@ -1,5 +1,5 @@
 /// @file
-/// What keeps a world whole: a step that leads to an infinite number or to NaN is taken back.
+/// What keeps a world finite: a step that leads to an infinite number or to NaN is taken back.
 #pragma once
 
 #include <optional>
@@ -32,8 +32,8 @@ class UndoBuffer {
   std::vector<TopMotion<Real>> tops_;
 };
 
-/// True if the body is somewhere, or turned somehow: every number is finite. Zero times a finite
-/// number is zero; times an infinite one or NaN it is NaN, which equals nothing.
+/// True if every number of how it moves is finite; of packs, a mask. Zero times a finite number is
+/// zero; times an infinite one or NaN it is NaN, which equals nothing.
 //! [is_finite]
 template <class Real>
 auto is_finite(const Particle<Real>& centre) {
@@ -49,8 +49,8 @@ auto is_finite(const Top<Real>& top) {
 }
 //! [is_finite]
 
-/// The first body whose place or velocity is no longer whole, else the first whose top is not.
-/// `bodies` is a Bodies, or like one. @return nothing if all are whole
+/// The first body whose place or velocity is not finite, else the first whose top is not. `bodies`
+/// is a Bodies or a PackedBodies. @return nothing if all are finite
 template <class Real, class AnyBodies>
 std::optional<BodyIndex> first_diverged(const AnyBodies& bodies, const StepPlan<Real>& plan) {
   BodyIndex diverged = no_index;

@@ -66,7 +66,7 @@ void give_to_both(Particle<Real>& centre, Top<Real>& top, const Effect& effect,
   }
 }
 
-/// A body that is changed in place. A point has a top that is thrown away.
+/// A body that is changed in place. A point, which has no top, gets one that nobody keeps.
 template <class Real>
 struct BodyInPlace {
   Particle<Real>& centre;

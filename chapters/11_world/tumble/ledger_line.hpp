@@ -28,7 +28,7 @@ struct LedgerLine {
   }
 };
 
-/// What one body has.
+/// The kinetic energy and the momenta of one body.
 template <class Real>
 LedgerLine holdings_of(const BodyState<Real>& body) {
   const Particle<double> centre{.position = body.centre.position.template cast<double>(),
@@ -45,7 +45,7 @@ LedgerLine holdings_of(const BodyState<Real>& body) {
           centre.position.cross(p) + rotate(q, angular_momentum)};
 }
 
-/// What all bodies have.
+/// The same of all bodies together.
 template <class Real>
 LedgerLine holdings_of(const Bodies<Real>& bodies) {
   LedgerLine sum;

@@ -1,5 +1,5 @@
 /// @file
-/// Keeps the groups of a step right while the scene changes.
+/// Keeps the plan of a step right while the scene changes.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +9,8 @@
 
 namespace tumble {
 
-/// Keeps flags and groups. Each change touches the groups of the bodies that it concerns, and no
-/// others.
+/// Keeps what is known of each body, and from that whom each effect and each motion visits. A
+/// change touches the sets of the bodies that it concerns, and no others.
 template <class Real>
 class Planner {
  public:
@@ -124,7 +124,7 @@ class Planner {
     refresh_targets(everyone, targets, bodies);
   }
 
-  /// What was known of a body at another time is known again.
+  /// A body goes back to another time, and what was known of its motion then is known again.
   void restore_flags(BodyIndex body, bool moved, bool turned, const NamedBodies<Real>& bodies) {
     if (alone_[body].moves == moved && alone_[body].turns == turned) return;
     alone_[body].moves = moved;
@@ -162,7 +162,7 @@ class Planner {
   }
 
  private:
-  /// Finds what is known of a body, and puts it into the groups that it belongs to.
+  /// Finds what is known of a body, and puts it into the sets of those that visit it.
   //! [refresh]
   void refresh(BodyIndex body, const NamedBodies<Real>& bodies) {
     touched_.insert(body);

@@ -1,5 +1,5 @@
 /// @file
-/// Tops that are reduced to a few unknowns choose their own steps.
+/// Steps that choose themselves, for a top whose motion is reduced to a few unknowns.
 #pragma once
 
 #include <algorithm>
