@@ -16,10 +16,10 @@ TEST_CASE_TEMPLATE(
     "An integration ends where it shall, and no step goes beyond, but for two roundings", Real,
     EVERY_PRECISION) {
   const auto problem = heavy_top<Real>("", 3);
-  using RightHandSide = Weight<Real>;
+  using Forces = Weight<Real>;
   for (const Real seconds : {Real(0.1), Real(1) / 3, Real(7)}) {
-    EmbeddedSteps<DormandPrince54, Top<Real>, RightHandSide, Real> steps(
-        problem.start, problem.right_hand_side, Real(0), Real(1e-3));
+    EmbeddedSteps<DormandPrince54, Top<Real>, Forces, Real> steps(
+        problem.start, problem.evaluate_forces, Real(0), Real(1e-3));
     Real reached = 0, shortest = seconds;
     const StepCounts counts =
         integrate_adaptively(steps, seconds, Real(0.05), [&](Real gone, Real h) {
@@ -42,7 +42,7 @@ TEST_CASE_TEMPLATE(
 TEST_CASE_TEMPLATE("A step that is not accepted leaves no trace", Real, EVERY_PRECISION) {
   const auto orbit = eccentric_orbit<Real>();
   using Steps = EmbeddedSteps<DormandPrince54, Particle<Real>, Star<Real>, Real>;
-  Steps patient(orbit.start, orbit.right_hand_side, Real(0), {Real(1e-3), Real(1e-3)}),
+  Steps patient(orbit.start, orbit.evaluate_forces, Real(0), {Real(1e-3), Real(1e-3)}),
       hasty = patient;
   CHECK(hasty.attempt(Real(3)) > 1);
   hasty.attempt(Real(0.01));
@@ -57,12 +57,12 @@ TEST_CASE("Within a step the state errs by the order of the pair's curve, and me
   auto orbit = eccentric_orbit<Wide>();
   orbit.start = make_particle<Wide>(1, {0.8L, 0, 0}, {0, std::sqrt(1.5L), 0});  // e = 0.2
   const auto error = [&]<class Pair>(Pair, Wide h) {
-    EmbeddedSteps<Pair, Particle<Wide>, Star<Wide>, Wide> steps(orbit.start, orbit.right_hand_side,
+    EmbeddedSteps<Pair, Particle<Wide>, Star<Wide>, Wide> steps(orbit.start, orbit.evaluate_forces,
                                                                 0, {1, 1});
     steps.attempt(h);
     CHECK((steps.within(0).position - orbit.start.position).norm() <= 1e-18L);
     const Wide part = 0.4L;
-    const auto truth = exactly_after(orbit.right_hand_side, orbit.start, part * h);
+    const auto truth = exactly_after(orbit.evaluate_forces, orbit.start, part * h);
     const Wide within = (steps.within(part).position - truth.position).norm();
     const Particle<Wide> end = steps.within(1);
     steps.accept();
@@ -85,11 +85,11 @@ TEST_CASE_TEMPLATE(
     Real, EVERY_PRECISION) {
   const auto orbit = eccentric_orbit<Real>();
   Particle<Real> planet = orbit.start;
-  CHECK(integrate<DormandPrince54>(planet, orbit.right_hand_side, Real(0), 0,
+  CHECK(integrate<DormandPrince54>(planet, orbit.evaluate_forces, Real(0), 0,
                                    {Real(1e-3), Real(1e-3)})
             .steps == 0);
   CHECK(same_bits(planet.position, orbit.start.position));
-  carry_in_transformed_time<Verlet>(planet, orbit.right_hand_side, 0, 100);
+  carry_in_transformed_time<Verlet>(planet, orbit.evaluate_forces, 0, 100);
   CHECK(same_bits(planet.position, orbit.start.position));
   CHECK(same_bits(planet.velocity, orbit.start.velocity));
   const Top<Real> start = free_problems<Real>()[0].start;
@@ -117,10 +117,10 @@ TEST_CASE("What an integration can't be asked for is refused") {
   auto orbit = eccentric_orbit<double>();
   orbit.start.velocity *= 2;
   CHECK(complaint_of([&] {
-          carry_in_transformed_time<Verlet>(orbit.start, orbit.right_hand_side, 1, 10);
+          carry_in_transformed_time<Verlet>(orbit.start, orbit.evaluate_forces, 1, 10);
         }).find("the orbit is open") != std::string::npos);
   CHECK(complaint_of([&] {
-          carry_in_transformed_time<Verlet>(orbit.start, orbit.right_hand_side, 1, 0);
+          carry_in_transformed_time<Verlet>(orbit.start, orbit.evaluate_forces, 1, 0);
         }) == "number of steps is 0; it must be 1 or more");
 }
 

@@ -94,8 +94,8 @@ double order_in_proportion(const Stepper& start, long double seconds, const Erro
 }
 
 /// How far a problem's body is off in the end, by a stepper that has taken it there.
-template <class Body, class RightHandSide>
-auto error_in(const Problem<Body, RightHandSide>& problem) {
+template <class Body, class Forces>
+auto error_in(const Problem<Body, Forces>& problem) {
   return [truth = truth_of(problem)]<class Stepper>(const Stepper& stepper) -> long double {
     if constexpr (!requires(const Body& body) { body.orientation; })
       return (stepper.body().position - truth.position).norm();
@@ -138,24 +138,24 @@ TEST_CASE("Where an integration's steps are divided in proportion, each pair sho
   const auto heavy = heavy_top<Wide>("heavy top", 3);
   const auto check_pair = [&]<class Pair>(Pair, int order, Wide tolerance) {
     CAPTURE(order);
-    check(EmbeddedSteps<Pair, Top<Wide>, NoTorque<Wide>, Wide>(free.start, free.right_hand_side, 0,
+    check(EmbeddedSteps<Pair, Top<Wide>, NoTorque<Wide>, Wide>(free.start, free.evaluate_forces, 0,
                                                                tolerance),
           free, order);
     check(ReducedSteps<Pair, FreeTurn<Wide>, Wide>(FreeTurn<Wide>(free.start), 0, tolerance), free,
           order);
-    check(EmbeddedSteps<Pair, Particle<Wide>, Star<Wide>, Wide>(orbit.start, orbit.right_hand_side,
+    check(EmbeddedSteps<Pair, Particle<Wide>, Star<Wide>, Wide>(orbit.start, orbit.evaluate_forces,
                                                                 0, {tolerance, tolerance}),
           orbit, order);
-    check(EmbeddedSteps<Pair, Top<Wide>, Weight<Wide>, Wide>(heavy.start, heavy.right_hand_side, 0,
+    check(EmbeddedSteps<Pair, Top<Wide>, Weight<Wide>, Wide>(heavy.start, heavy.evaluate_forces, 0,
                                                              tolerance),
           heavy, order);
     using Axis = AxisTurn<Weight<Wide>, Wide>;
-    check(ReducedSteps<Pair, Axis, Wide>(Axis(heavy.start, heavy.right_hand_side), 0, tolerance),
+    check(ReducedSteps<Pair, Axis, Wide>(Axis(heavy.start, heavy.evaluate_forces), 0, tolerance),
           heavy, order);
   };
   check_pair(DormandPrince54(), 5, 1e-6L);
   check_pair(DormandPrince853(), 8, 1e-7L);
-  check(NystromSteps<DormandPrinceNystrom86, Star<Wide>, Wide>(orbit.start, orbit.right_hand_side,
+  check(NystromSteps<DormandPrinceNystrom86, Star<Wide>, Wide>(orbit.start, orbit.evaluate_forces,
                                                                0, {1e-7L, 1e-7L}),
         orbit, 8);
 }

@@ -7,13 +7,12 @@ namespace {
 
 template <class Real>
 void contest_moving_points_in(Contest& contest) {
-  const auto on = [&]<class RightHandSide>(const Problem<Particle<Real>, RightHandSide>& problem,
-                                           peers::Force force,
-                                           const std::array<double, 2>& parameters) {
-    auto list = contestants<motion_ladder<Real, RightHandSide>>(problem);
+  const auto on = [&]<class Forces>(const Problem<Particle<Real>, Forces>& problem,
+                                    peers::Force force, const std::array<double, 2>& parameters) {
+    auto list = contestants<motion_ladder<Real, Forces>>(problem);
     append(list, by_own_steps(problem));
     if (force != peers::Force::gravity_and_drag) list.push_back(nystrom_by_own_steps(problem));
-    if constexpr (requires { problem.right_hand_side.pull_energy(problem.start); })
+    if constexpr (requires { problem.evaluate_forces.pull_energy(problem.start); })
       append(list, in_transformed_time(problem));
     list.push_back(exact_contestant(problem));
     append_peers(list, problem, force, parameters);
@@ -24,7 +23,7 @@ void contest_moving_points_in(Contest& contest) {
   on(eccentric_orbit<Real>(), peers::Force::star, {1, 0});
   const auto flight = projectile<Real>();
   on(flight, peers::Force::gravity_and_drag,
-     {flight.right_hand_side.weight, flight.right_hand_side.drag_rate});
+     {flight.evaluate_forces.weight, flight.evaluate_forces.drag_rate});
 }
 
 }  // namespace

@@ -30,8 +30,8 @@ std::vector<Contestant<Top<Real>>> heavy_tops_by_own_steps(
     const Problem<Top<Real>, Weight<Real>>& problem);
 
 /// What a body measured with one precision goes through: its rungs, the exact solution, the peers.
-template <class Body, class RightHandSide, class Truth>
-void measure_all(Contest& contest, const Problem<Body, RightHandSide>& problem,
+template <class Body, class Forces, class Truth>
+void measure_all(Contest& contest, const Problem<Body, Forces>& problem,
                  const std::vector<Contestant<Body>>& contestants, const Truth& truth) {
   auto& names = contest.problems;
   if (std::find(names.begin(), names.end(), problem.name) == names.end())

@@ -8,8 +8,8 @@ TEST_CASE_TEMPLATE("Explicit Euler drifts with the velocity from before its kick
                    EVERY_PRECISION) {
   const auto orbit = eccentric_orbit<Real>();
   Particle<Real> particle = orbit.start;
-  orbit.right_hand_side(particle, 0);
-  step_explicitly(particle, orbit.right_hand_side, 0, Real(0.25));
+  orbit.evaluate_forces(particle, 0);
+  step_explicitly(particle, orbit.evaluate_forces, 0, Real(0.25));
   const Vec3<Real> there = orbit.start.position + Real(0.25) * orbit.start.velocity;
   CHECK(same_bits(particle.position, there));
   CHECK(particle.velocity != orbit.start.velocity);
@@ -21,10 +21,10 @@ TEST_CASE_TEMPLATE("Every step leaves the force and torque gathered for the time
   for (const auto& rung : motion_ladder<Real, Star<Real>>) {
     CAPTURE(std::string(rung.name));
     Particle<Real> particle = orbit.start;
-    orbit.right_hand_side(particle, 0);
-    rung.step(particle, orbit.right_hand_side, 0, Real(0.01));
+    orbit.evaluate_forces(particle, 0);
+    rung.step(particle, orbit.evaluate_forces, 0, Real(0.01));
     const Vec3<Real> left = particle.force;
-    orbit.right_hand_side(particle, Real(0.01));
+    orbit.evaluate_forces(particle, Real(0.01));
     CHECK(same_bits(left, particle.force));
   }
   // And for a push that changes with time alone.
@@ -43,10 +43,10 @@ TEST_CASE_TEMPLATE("Every step leaves the force and torque gathered for the time
   for (const auto& rung : torque_ladder<Real, Drive<Real>>) {
     CAPTURE(std::string(rung.name));
     Top<Real> top = driven.start;
-    driven.right_hand_side(top, 1);
-    rung.step(top, driven.right_hand_side, 1, Real(0.125));
+    driven.evaluate_forces(top, 1);
+    rung.step(top, driven.evaluate_forces, 1, Real(0.125));
     const Vec3<Real> left = top.torque;
-    driven.right_hand_side(top, Real(1.125));
+    driven.evaluate_forces(top, Real(1.125));
     CHECK(distance(left, top.torque) <=
           100 * unit_roundoff<Real>);  // the time is a sum of portions
   }
@@ -59,10 +59,10 @@ TEST_CASE_TEMPLATE("With its velocity turned around, a symmetric step retraces t
   for (const auto& rung : motion_ladder<Real, Star<Real>>) {
     CAPTURE(std::string(rung.name));
     Particle<Real> particle = orbit.start;
-    orbit.right_hand_side(particle, 0);
+    orbit.evaluate_forces(particle, 0);
     const auto go = [&] {
       for (int n = 0; n < steps; ++n)
-        rung.step(particle, orbit.right_hand_side, Real(n) / 50, Real(1) / 50);
+        rung.step(particle, orbit.evaluate_forces, Real(n) / 50, Real(1) / 50);
       particle.velocity = -particle.velocity;
     };
     go();
@@ -84,8 +84,8 @@ TEST_CASE_TEMPLATE("A heavy top that is kicked and drifted keeps L about the ver
   for (const auto& rung : torque_ladder<Real, Weight<Real>>) {
     if (rung.name.find("kick") != 0) continue;
     CAPTURE(std::string(rung.name));
-    const auto end = problem.right_hand_side.kept(exactly(after(problem, rung, 100)));
-    const auto start = problem.right_hand_side.kept(exactly(problem.start));
+    const auto end = problem.evaluate_forces.kept(exactly(after(problem, rung, 100)));
+    const auto start = problem.evaluate_forces.kept(exactly(problem.start));
     const Wide off = std::abs(end.momentum.z() - start.momentum.z());
     CHECK(off <= 100 * 35 * 20 * unit_roundoff<Real> * start.momentum.z());
   }

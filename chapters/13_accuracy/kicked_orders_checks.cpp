@@ -23,8 +23,8 @@ void turn_around(Top<Wide>& top) {
 
 /// There and back in as many steps, a rung that retraces them is off by roundings alone: 40 in each
 /// of 35 stages at most, spread tenfold by the motion. Another rung is off by ten times as much.
-template <class Body, class RightHandSide, class Ladder>
-void check_reversals(const Problem<Body, RightHandSide>& problem, int steps, const Ladder& ladder) {
+template <class Body, class Forces, class Ladder>
+void check_reversals(const Problem<Body, Forces>& problem, int steps, const Ladder& ladder) {
   const Wide rounding = 10 * 2 * steps * 35 * 40 * unit_roundoff<Wide>;
   for (const auto& rung : ladder) {
     CAPTURE(std::string(rung.name));
@@ -48,7 +48,7 @@ TEST_CASE("On an orbit each rung of the motion ladder has its order, against the
   Problem<Particle<Wide>, Star<Wide>> problem = eccentric_orbit<Wide>();
   problem.start = make_particle<Wide>(1, {0.8L, 0, 0}, {0, std::sqrt(1.5L), 0});  // e = 0.2
   problem.seconds = 7;
-  const auto truth = exactly_after(problem.right_hand_side, problem.start, problem.seconds);
+  const auto truth = exactly_after(problem.evaluate_forces, problem.start, problem.seconds);
   check_orders(problem, truth, motion_ladder<Wide, Star<Wide>>);
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("On a throw through thick air each rung that knows of the air has its 
       make_particle<Wide>(1, {0, 0, 0}, {1, 0, 1}),
       {.weight = 1, .drag = 2, .drag_rate = 2},
       4};
-  const auto truth = exactly_after(problem.right_hand_side, problem.start, problem.seconds);
+  const auto truth = exactly_after(problem.evaluate_forces, problem.start, problem.seconds);
   using Air = GravityInAir<Wide>;
   std::vector<Rung<Particle<Wide>, Wide, Air>> rungs;
   for (const auto& rung : motion_ladder<Wide, Air>)
@@ -81,7 +81,7 @@ TEST_CASE("On a throw through thick air each rung that knows of the air has its 
 TEST_CASE("On a heavy top each rung of the torque ladder has its order, against the exact motion") {
   auto problem = heavy_top<Wide>("", 8);
   problem.seconds = 4;
-  const auto truth = exactly_after(problem.right_hand_side, problem.start, problem.seconds);
+  const auto truth = exactly_after(problem.evaluate_forces, problem.start, problem.seconds);
   check_orders(problem, truth, torque_ladder<Wide, Weight<Wide>>);
 }
 
@@ -111,17 +111,17 @@ TEST_CASE(
     "With 64 steps and 128 Fehlberg's rule errs less than Dormand and Prince's on the slow heavy "
     "top and the driven one") {
   const auto compare = [](const auto& problem, const Top<Wide>& truth) {
-    using RightHandSide = std::decay_t<decltype(problem.right_hand_side)>;
+    using Forces = std::decay_t<decltype(problem.evaluate_forces)>;
     const auto error_of = [&]<class Rule>(Rule, int steps) {
-      const Rung<Top<Wide>, Wide, RightHandSide> rung{
-          "", {}, step_by_runge_kutta<Rule, Top<Wide>, RightHandSide, Wide>};
+      const Rung<Top<Wide>, Wide, Forces> rung{
+          "", {}, step_by_runge_kutta<Rule, Top<Wide>, Forces, Wide>};
       return difference(after(problem, rung, steps), truth);
     };
     for (const int steps : {64, 128})
       CHECK(error_of(FehlbergEighth(), steps) < error_of(DormandPrinceEighth(), steps));
   };
   const auto heavy = heavy_top<Wide>("", 3);
-  compare(heavy, exactly_after(heavy.right_hand_side, heavy.start, heavy.seconds));
+  compare(heavy, exactly_after(heavy.evaluate_forces, heavy.start, heavy.seconds));
   const auto driven = driven_top<Wide>();
   compare(driven, after(driven, torque_ladder<Wide, Drive<Wide>>.back(), 1000));
 }

@@ -9,11 +9,10 @@ namespace {
 /// Halves the step as check_orders() does. A motion about fewer axes may please a rung and fall
 /// faster than it claims; or the leading terms of its error may cancel at one length of a step, so
 /// that either the last halving or the mean of the last three shows the order.
-template <class RightHandSide>
-void check_orders_reached(const Problem<Top<Wide>, RightHandSide>& problem,
-                          const Top<Wide>& truth) {
+template <class Forces>
+void check_orders_reached(const Problem<Top<Wide>, Forces>& problem, const Top<Wide>& truth) {
   CAPTURE(problem.start.inverse_moments.template cast<float>().transpose());
-  for (const auto& rung : torque_ladder<Wide, RightHandSide>) {
+  for (const auto& rung : torque_ladder<Wide, Forces>) {
     CAPTURE(std::string(rung.name));
     std::vector<Wide> errors;
     for (int steps = 4; steps <= (1 << 13); steps *= 2) {
@@ -36,7 +35,7 @@ TEST_CASE(
     "Locked about one axis or two, under a weight, each rung of the torque ladder has its order") {
   for (const auto& locked : lockings) {
     Problem<Top<Wide>, CrookedWeight> problem{"", askew<Wide>(locked), {}, 2};
-    const CrookedWeight& weight = problem.right_hand_side;
+    const CrookedWeight& weight = problem.evaluate_forces;
     problem.start.angular_momentum_body = free_part<Wide>(problem.start, Vec3<Wide>(1, 2, 3));
     // What locks an axis adds to the change of L whatever keeps it at 0 there.
     const auto truth =

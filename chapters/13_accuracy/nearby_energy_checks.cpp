@@ -93,7 +93,7 @@ TEST_CASE(
   const auto drift = [&](double sense) {
     Topd start = problem.start;
     start.angular_momentum_body *= sense;
-    PacedAndEven steps(start, problem.right_hand_side);
+    PacedAndEven steps(start, problem.evaluate_forces);
     const auto first = steps.mean_energies(8'000);
     steps.mean_energies(48'000);
     const auto last = steps.mean_energies(8'000);
@@ -118,7 +118,7 @@ TEST_CASE(
   for (std::size_t n = 0; n < starts; ++n) {
     Topd start = problem.start;
     start.angular_momentum_body.x() += 1e-6 * double(n);
-    PacedAndEven steps(start, problem.right_hand_side);
+    PacedAndEven steps(start, problem.evaluate_forces);
     const auto first = steps.mean_energies(1'000);
     steps.mean_energies(15'000);
     const auto last = steps.mean_energies(8'000);

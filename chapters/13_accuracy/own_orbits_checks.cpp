@@ -63,14 +63,14 @@ TEST_CASE("The number of a particle's steps does not depend on the unit of time 
     auto orbit = eccentric_orbit<double>();
     orbit.start.position *= l;
     orbit.start.velocity *= l * t;
-    orbit.right_hand_side.strength *= l * l * l * t * t;
+    orbit.evaluate_forces.strength *= l * l * l * t * t;
     const ParticleTolerance<double> tolerance{1e-6 * l * t,
                                               with_its_unit ? 1e-6 * l * t * t : 1e-6 * l * t};
     Particled by_pair = orbit.start, by_nystrom = orbit.start;
     const double seconds = orbit.seconds / t;
     return std::pair(
-        integrate<DormandPrince54>(by_pair, orbit.right_hand_side, 0.0, seconds, tolerance).steps,
-        integrate_by_nystrom<DormandPrinceNystrom86>(by_nystrom, orbit.right_hand_side, 0.0,
+        integrate<DormandPrince54>(by_pair, orbit.evaluate_forces, 0.0, seconds, tolerance).steps,
+        integrate_by_nystrom<DormandPrinceNystrom86>(by_nystrom, orbit.evaluate_forces, 0.0,
                                                      seconds, tolerance)
             .steps);
   };
@@ -92,7 +92,7 @@ TEST_CASE_TEMPLATE("In transformed time a planet stays on its ellipse, however l
   // How far from its ellipse a row leads the planet, by its energy and its eccentricity vector.
   const int steps = 40;
   const auto off = [&]<class Row>(Row, Real length) {
-    TransformedTime<Star<Real>, Real> motion(orbit.start, orbit.right_hand_side);
+    TransformedTime<Star<Real>, Real> motion(orbit.start, orbit.evaluate_forces);
     Wide most = 0;
     for (int n = 0; n < steps; ++n) {
       motion.template step<Row>(length);
@@ -123,7 +123,7 @@ TEST_CASE("In transformed time each row has its order in time, against the exact
   const auto order = [&]<class Row>(Row, int steps) {
     const auto error = [&](int count) {
       Particle<Wide> particle = orbit.start;
-      carry_in_transformed_time<Row>(particle, orbit.right_hand_side, orbit.seconds, count);
+      carry_in_transformed_time<Row>(particle, orbit.evaluate_forces, orbit.seconds, count);
       return (particle.position - truth.position).norm();
     };
     return std::log2(error(steps) / error(2 * steps));

@@ -141,18 +141,18 @@ TEST_CASE_TEMPLATE(
     auto scaled = problem;
     scaled.start.angular_momentum_body *= scale;
     scaled.start.inverse_moments /= scale;
-    scaled.right_hand_side.weight_times_arm *= scale;
+    scaled.evaluate_forces.weight_times_arm *= scale;
     Top<Real> mine = problem.start, other = scaled.start;
-    const StepCounts a = integrate<DormandPrince853>(mine, problem.right_hand_side, Real(0), 5,
+    const StepCounts a = integrate<DormandPrince853>(mine, problem.evaluate_forces, Real(0), 5,
                                                      Real(1e-3)),
-                     b = integrate<DormandPrince853>(other, scaled.right_hand_side, Real(0), 5,
+                     b = integrate<DormandPrince853>(other, scaled.evaluate_forces, Real(0), 5,
                                                      Real(1e-3));
     CHECK(a.steps == b.steps);
     CHECK(mine.orientation.real == other.orientation.real);
     CHECK(same_bits(mine.orientation.imaginary, other.orientation.imaginary));
-    const StepCounts c = integrate_axis<DormandPrince853>(mine, problem.right_hand_side, Real(0), 5,
+    const StepCounts c = integrate_axis<DormandPrince853>(mine, problem.evaluate_forces, Real(0), 5,
                                                           Real(1e-3)),
-                     d = integrate_axis<DormandPrince853>(other, scaled.right_hand_side, Real(0), 5,
+                     d = integrate_axis<DormandPrince853>(other, scaled.evaluate_forces, Real(0), 5,
                                                           Real(1e-3));
     CHECK(c.steps == d.steps);
     CHECK(same_bits(mine.orientation.imaginary, other.orientation.imaginary));
@@ -165,7 +165,7 @@ TEST_CASE_TEMPLATE("A pair leaves L of a locked axis at 0, and the top carries o
     auto driven = driven_top<Real>();
     lock_axis(driven.start, axis);
     Top<Real> top = driven.start;
-    integrate<DormandPrince54>(top, driven.right_hand_side, Real(0), 4, Real(1e-4));
+    integrate<DormandPrince54>(top, driven.evaluate_forces, Real(0), 4, Real(1e-4));
     CHECK(top.angular_momentum_body[axis] == 0);
     CHECK(top.angular_momentum_body.norm() > Real(0.1));
     Top<Real> free = driven.start;
@@ -182,7 +182,7 @@ TEST_CASE_TEMPLATE("The axis of a heavy top moves as the exact solution says, an
     const auto problem = heavy_top<Real>("", spin);
     const auto truth = truth_of(problem);
     Top<Real> top = problem.start;
-    integrate_axis<DormandPrince853>(top, problem.right_hand_side, Real(0), Real(problem.seconds),
+    integrate_axis<DormandPrince853>(top, problem.evaluate_forces, Real(0), Real(problem.seconds),
                                      Real(1e-5));
     // 1e-5 rad a second for ten seconds, in which the nutation may spread it by ten; and in float
     // some 60 steps of 60 roundings, on an L of which the spin makes up to 20 rad/s.
@@ -201,7 +201,7 @@ TEST_CASE("In steps of one length the axis of a heavy top has the order of the r
     const Top<Wide> truth = truth_of(problem);
     const auto error = [&]<class Rule>(Rule, long steps) {
       Top<Wide> top = problem.start;
-      integrate_axis_evenly<Rule>(top, problem.right_hand_side, 0.0L, problem.seconds, steps);
+      integrate_axis_evenly<Rule>(top, problem.evaluate_forces, 0.0L, problem.seconds, steps);
       CHECK(top.angular_momentum_body.z() == problem.start.angular_momentum_body.z());
       return angle_error(top, truth);
     };
@@ -221,7 +221,7 @@ TEST_CASE("A top that spins faster needs no shorter steps where its axis is apar
     problem.start.inverse_moments.z() = inverse_about_axis;
     problem.start.angular_momentum_body.z() = 1;
     Topd top = problem.start;
-    return carry_it(top, problem.right_hand_side).steps;
+    return carry_it(top, problem.evaluate_forces).steps;
   };
   const auto apart = [](Topd& top, const Weight<double>& weight) {
     return integrate_axis<DormandPrince54>(top, weight, 0.0, 5, 1e-6);

@@ -23,7 +23,7 @@ double energy_of(const Particled& particle) {
 void write_steps(const Notebook& notebook, const Orbit& orbit) {
   Table table = notebook.table("own_steps", {"time (s)", "step (s)", "distance (m)"});
   EmbeddedSteps<DormandPrince54, Particled, Star<double>, double> steps(
-      orbit.start, orbit.right_hand_side, 0, {1e-6, 1e-6});
+      orbit.start, orbit.evaluate_forces, 0, {1e-6, 1e-6});
   integrate_adaptively(steps, orbit.seconds, 1e-3, [&](double gone, double h) {
     table.row(gone, h, steps.body().position.norm());
   });
@@ -36,19 +36,19 @@ void write_energies(Notebook& notebook, const Orbit& orbit) {
   Table table = notebook.table("own_steps_energy", {"round", "one length", "chosen at the start",
                                                     "pair", "transformed time"});
   Particled even = orbit.start, chosen = orbit.start, pair = orbit.start;
-  orbit.right_hand_side(even, 0);
-  orbit.right_hand_side(chosen, 0);
-  TransformedTime<Star<double>, double> transformed(orbit.start, orbit.right_hand_side);
+  orbit.evaluate_forces(even, 0);
+  orbit.evaluate_forces(chosen, 0);
+  TransformedTime<Star<double>, double> transformed(orbit.start, orbit.evaluate_forces);
   std::array<double, 4> worst{}, last{}, first{};
   for (int n = 1; n <= 100; ++n) {
     for (int step = 0; step < 1000; ++step)
-      step_by_row<Verlet>(even, orbit.right_hand_side, 0.0, round / 1000);
+      step_by_row<Verlet>(even, orbit.evaluate_forces, 0.0, round / 1000);
     for (double gone = 0; gone < round;) {
       const double distance = chosen.position.norm(), h = 0.05 * distance * std::sqrt(distance);
-      step_by_row<Verlet>(chosen, orbit.right_hand_side, 0.0, h);
+      step_by_row<Verlet>(chosen, orbit.evaluate_forces, 0.0, h);
       gone += h;
     }
-    integrate<DormandPrince54>(pair, orbit.right_hand_side, 0.0, round, {1e-5, 1e-5});
+    integrate<DormandPrince54>(pair, orbit.evaluate_forces, 0.0, round, {1e-5, 1e-5});
     while (transformed.time() < n * round) transformed.step<Verlet>(2 * round / 150);
     const std::array now = {even, chosen, pair, transformed.particle()};
     for (std::size_t m = 0; m < now.size(); ++m) {
@@ -78,15 +78,15 @@ void write_paces(Notebook& notebook) {
   const auto problem = heavy_top<double>("", 0.5);
   const auto error = [&](const Topd& top) {
     const auto energy = [&](const Topd& of) {
-      return problem.right_hand_side.kept(exactly(of)).energy;
+      return problem.evaluate_forces.kept(exactly(of)).energy;
     };
     return std::abs(double(energy(top) / energy(problem.start) - 1));
   };
   constexpr double angle = 0.1, least = 1;
-  PacedSteps<Verlet, Weight<double>, double> paced(problem.start, problem.right_hand_side, 0, angle,
+  PacedSteps<Verlet, Weight<double>, double> paced(problem.start, problem.evaluate_forces, 0, angle,
                                                    least);
   Topd chosen = problem.start;
-  problem.right_hand_side(chosen, 0);
+  problem.evaluate_forces(chosen, 0);
   Table table = notebook.table("own_steps_pace", {"step", "chosen at the start", "symmetric"});
   double shortest = 1, longest = 0, of_chosen = 0, of_paced = 0, at_first = 0;
   for (int n = 1; n <= 100'000; ++n) {
@@ -94,7 +94,7 @@ void write_paces(Notebook& notebook) {
     longest = std::max(longest, paced.next());
     paced.step();
     const double pace = std::sqrt(angular_velocity_body(chosen).squaredNorm() + least * least);
-    step_by_row<Verlet>(chosen, problem.right_hand_side, 0.0, angle / pace);
+    step_by_row<Verlet>(chosen, problem.evaluate_forces, 0.0, angle / pace);
     of_chosen = std::max(of_chosen, error(chosen));
     of_paced = std::max(of_paced, error(paced.top()));
     if (n == 1000) at_first = of_paced;
@@ -121,11 +121,11 @@ void write_wandering(Notebook& notebook) {
   constexpr double angle = 0.05, least = 4, h = 0.01;  // s, about the mean of the paced ones
   Topd backwards = problem.start, even = problem.start;
   backwards.angular_momentum_body *= -1;
-  std::array paced = {Paced(problem.start, problem.right_hand_side, 0, angle, least),
-                      Paced(backwards, problem.right_hand_side, 0, angle, least)};
-  problem.right_hand_side(even, 0);
+  std::array paced = {Paced(problem.start, problem.evaluate_forces, 0, angle, least),
+                      Paced(backwards, problem.evaluate_forces, 0, angle, least)};
+  problem.evaluate_forces(even, 0);
   const auto energy = [&](const Topd& of) {
-    return double(problem.right_hand_side.kept(exactly(of)).energy);
+    return double(problem.evaluate_forces.kept(exactly(of)).energy);
   };
   Table table = notebook.table("own_steps_wander",
                                {"step", "following the pace", "turned around", "of one length"});
@@ -137,7 +137,7 @@ void write_wandering(Notebook& notebook) {
     mean = {};
     for (int look = 0; look < looks_a_row; ++look) {
       for (int n = 0; n < steps_between; ++n) {
-        step_by_row<Verlet>(even, problem.right_hand_side, 0.0, h);
+        step_by_row<Verlet>(even, problem.evaluate_forces, 0.0, h);
         for (Paced& one : paced) one.step();
       }
       const std::array now = {energy(paced[0].top()), energy(paced[1].top()), energy(even)};
@@ -219,7 +219,7 @@ std::array<double, 2> errors_of_spins(double faster) {
     Topd top = problem.start;
     if (n == 1) top.angular_momentum_body *= faster;
     Steps steps(Motion(top), 0, 1e-6);
-    const auto truth = exactly_after(exactly(problem.right_hand_side), exactly(top), 1.0L);
+    const auto truth = exactly_after(exactly(problem.evaluate_forces), exactly(top), 1.0L);
     const auto pass = [](double, double) {};
     if constexpr (per_step) {
       PerStep<Steps> all{steps};
@@ -306,7 +306,7 @@ int main(int argument_count, char** arguments) {
               "tolerance");
   for (int n = 0; n < 3; ++n) std::printf("%6s %6s %7s", "steps", "again", "error");
   std::puts("");
-  const Particled there = exactly_after(orbit.right_hand_side, orbit.start, orbit.seconds);
+  const Particled there = exactly_after(orbit.evaluate_forces, orbit.start, orbit.seconds);
   for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
     std::printf("%-10.0e", tolerance);
     const auto go = [&](auto by) {
@@ -316,15 +316,15 @@ int main(int argument_count, char** arguments) {
                   (particle.position - there.position).norm());
     };
     go([&](Particled& p) {
-      return integrate<DormandPrince54>(p, orbit.right_hand_side, 0.0, orbit.seconds,
+      return integrate<DormandPrince54>(p, orbit.evaluate_forces, 0.0, orbit.seconds,
                                         {tolerance, tolerance});
     });
     go([&](Particled& p) {
-      return integrate<DormandPrince853>(p, orbit.right_hand_side, 0.0, orbit.seconds,
+      return integrate<DormandPrince853>(p, orbit.evaluate_forces, 0.0, orbit.seconds,
                                          {tolerance, tolerance});
     });
     go([&](Particled& p) {
-      return integrate_by_nystrom<DormandPrinceNystrom86>(p, orbit.right_hand_side, 0.0,
+      return integrate_by_nystrom<DormandPrinceNystrom86>(p, orbit.evaluate_forces, 0.0,
                                                           orbit.seconds, {tolerance, tolerance});
     });
     std::puts("");
@@ -373,7 +373,7 @@ int main(int argument_count, char** arguments) {
 
   // Beyond the end: the loop stops after the step that has passed it.
   using Steps = EmbeddedSteps<DormandPrince54, Particled, Star<double>, double>;
-  Steps beyond(orbit.start, orbit.right_hand_side, 0, {1e-6, 1e-6});
+  Steps beyond(orbit.start, orbit.evaluate_forces, 0, {1e-6, 1e-6});
   double gone = 0, h = 1e-3;
   StepControl control(Steps::power);
   while (gone < orbit.seconds) {

@@ -19,7 +19,7 @@ Problem<Top<Real>, Weight<Real>> slow_top() {
 template <class Real>
 double energy_error(const Top<Real>& top, const Problem<Top<Real>, Weight<Real>>& problem) {
   const auto energy = [&](const Top<Real>& of) {
-    return problem.right_hand_side.kept(exactly(of)).energy;
+    return problem.evaluate_forces.kept(exactly(of)).energy;
   };
   return std::abs(static_cast<double>(energy(top) / energy(problem.start) - 1));
 }
@@ -33,10 +33,10 @@ TEST_CASE_TEMPLATE(
   const auto problem = slow_top<Real>();
   const Real angle = Real(0.1), least = 1;
   const int steps = 20'000;
-  PacedSteps<Verlet, Weight<Real>, Real> paced(problem.start, problem.right_hand_side, 0, angle,
+  PacedSteps<Verlet, Weight<Real>, Real> paced(problem.start, problem.evaluate_forces, 0, angle,
                                                least);
   Top<Real> chosen = problem.start;
-  problem.right_hand_side(chosen, 0);
+  problem.evaluate_forces(chosen, 0);
   // The worst of the first and of the second half of the integration.
   std::array<double, 2> symmetric{}, plain{};
   Real shortest = 1, longest = 0;
@@ -45,7 +45,7 @@ TEST_CASE_TEMPLATE(
     longest = std::max(longest, paced.next());
     paced.step();
     const Real pace = std::sqrt(angular_velocity_body(chosen).squaredNorm() + least * least);
-    step_by_row<Verlet>(chosen, problem.right_hand_side, Real(0), angle / pace);
+    step_by_row<Verlet>(chosen, problem.evaluate_forces, Real(0), angle / pace);
     const std::size_t half = n < steps / 2 ? 0 : 1;
     symmetric[half] = std::max(symmetric[half], energy_error(paced.top(), problem));
     plain[half] = std::max(plain[half], energy_error(chosen, problem));
@@ -62,9 +62,9 @@ TEST_CASE_TEMPLATE(
 
 TEST_CASE_TEMPLATE("Steps that follow the pace are retraced when the top is turned around", Real,
                    EVERY_PRECISION) {
-  const auto check = [](const auto& start, const auto& right_hand_side, Real least) {
-    using RightHandSide = std::decay_t<decltype(right_hand_side)>;
-    PacedSteps<Suzuki, RightHandSide, Real> paced(start, right_hand_side, 0, Real(0.25), least);
+  const auto check = [](const auto& start, const auto& evaluate_forces, Real least) {
+    using Forces = std::decay_t<decltype(evaluate_forces)>;
+    PacedSteps<Suzuki, Forces, Real> paced(start, evaluate_forces, 0, Real(0.25), least);
     const int steps = 40;
     for (int n = 0; n < steps; ++n) paced.step();
     CHECK(angle_between(paced.top().orientation, start.orientation) > Real(0.1));
@@ -76,9 +76,9 @@ TEST_CASE_TEMPLATE("Steps that follow the pace are retraced when the top is turn
     CHECK(std::abs(paced.next() * paced.pace() - Real(0.25)) <= Real(0.25) * Real(0.25));
   };
   const auto heavy = slow_top<Real>();
-  check(heavy.start, heavy.right_hand_side, Real(1));
+  check(heavy.start, heavy.evaluate_forces, Real(1));
   const auto free = free_problems<Real>()[0];
-  check(free.start, free.right_hand_side, Real(0));
+  check(free.start, free.evaluate_forces, Real(0));
 }
 
 TEST_CASE("Paced, each row has its order against the exact motion of a heavy top") {
@@ -89,7 +89,7 @@ TEST_CASE("Paced, each row has its order against the exact motion of a heavy top
     const auto error = [&](Wide of) {
       Top<Wide> top = problem.start;
       const StepCounts counts =
-          integrate_paced<Row>(top, problem.right_hand_side, 0.0L, problem.seconds, of, 1.0L);
+          integrate_paced<Row>(top, problem.evaluate_forces, 0.0L, problem.seconds, of, 1.0L);
       return std::pair(angle_between(top.orientation, truth.orientation), Wide(counts.steps));
     };
     const auto [coarse, few] = error(angle);
@@ -106,20 +106,20 @@ TEST_CASE("Under a torque that changes with time paced steps keep the clock, whe
   const auto problem = driven_top<Wide>();
   for (const Wide begin : {0.0L, 3.0L, -1.0L}) {
     Top<Wide> staged = problem.start;
-    problem.right_hand_side(staged, begin);
+    problem.evaluate_forces(staged, begin);
     for (int n = 0; n < 400; ++n)
-      step_by_runge_kutta<DormandPrinceEighth>(staged, problem.right_hand_side,
+      step_by_runge_kutta<DormandPrinceEighth>(staged, problem.evaluate_forces,
                                                begin + Wide(n) / 100, 0.01L);
     const auto error = [&](Wide angle) {
       Top<Wide> paced = problem.start;
-      integrate_paced<KahanLiEighth>(paced, problem.right_hand_side, begin, 4, angle, 1);
+      integrate_paced<KahanLiEighth>(paced, problem.evaluate_forces, begin, 4, angle, 1);
       return angle_between(paced.orientation, staged.orientation);
     };
     const Wide fine = error(0.1L);
     CAPTURE(static_cast<double>(fine));
     CHECK(std::lround(std::log2(error(0.2L) / fine)) == 8);
 
-    PacedSteps<Verlet, Drive<Wide>, Wide> steps(problem.start, problem.right_hand_side, begin, 0.1L,
+    PacedSteps<Verlet, Drive<Wide>, Wide> steps(problem.start, problem.evaluate_forces, begin, 0.1L,
                                                 1);
     Wide now = begin;
     for (int n = 0; n < 20; ++n) {
@@ -137,7 +137,7 @@ TEST_CASE_TEMPLATE("The pace that is carried along stays true to the pace of the
   // radian.
   const auto problem = slow_top<Real>();
   for (const Real angle : {Real(0.1), Real(0.05)}) {
-    PacedSteps<Verlet, Weight<Real>, Real> paced(problem.start, problem.right_hand_side, 0, angle,
+    PacedSteps<Verlet, Weight<Real>, Real> paced(problem.start, problem.evaluate_forces, 0, angle,
                                                  1);
     Real worst = 0;
     for (int n = 0; n < 2000; ++n) {
@@ -154,7 +154,7 @@ TEST_CASE("A paced integration ends where it shall, and what it can't be asked f
   const auto carried = [&](double seconds, double angle, double least = 1) {
     Topd top = problem.start;
     const StepCounts counts =
-        integrate_paced<Verlet>(top, problem.right_hand_side, 0.0, seconds, angle, least);
+        integrate_paced<Verlet>(top, problem.evaluate_forces, 0.0, seconds, angle, least);
     return std::pair(top, counts.steps);
   };
   CHECK(carried(0, 0.1).second == 0);
@@ -162,7 +162,7 @@ TEST_CASE("A paced integration ends where it shall, and what it can't be asked f
       same_bits(carried(0, 0.1).first.orientation.imaginary, problem.start.orientation.imaginary));
   CHECK(carried(1e-3, 0.1).second == 1);
   // Steps of a hundredth of a radian, an error far below a hundredth: it lands at that moment.
-  const auto truth = exactly_after(problem.right_hand_side, problem.start, 7);
+  const auto truth = exactly_after(problem.evaluate_forces, problem.start, 7);
   CHECK(angle_between(carried(7, 0.01).first.orientation, truth.orientation) < 1e-3);
   CHECK(complaint_of([&] { carried(-1, 0.1); }) == "time is -1 s; it must be 0 or more");
   CHECK(complaint_of([&] { carried(1, 0); }) == "angle is 0 rad a step; it must be greater than 0");
@@ -202,10 +202,10 @@ TEST_CASE(
                                " 1/s at 0 s, where the angular velocity of " + text_of(spin) +
                                " rad/s changes by 1.129";
       CHECK_THROWS_WITH_AS(
-          integrate_paced<Verlet>(top, problem.right_hand_side, 0.0, seconds, angle, 0),
+          integrate_paced<Verlet>(top, problem.evaluate_forces, 0.0, seconds, angle, 0),
           doctest::Contains(pace.c_str()), StepError);
       CHECK_THROWS_WITH_AS(
-          integrate_paced<Verlet>(top, problem.right_hand_side, 0.0, seconds, angle, 0),
+          integrate_paced<Verlet>(top, problem.evaluate_forces, 0.0, seconds, angle, 0),
           doctest::Contains(" rad/s²: take a least pace greater than 0 rad/s, or a "
                             "smaller angle than 0.1 rad a step"),
           StepError);
@@ -216,7 +216,7 @@ TEST_CASE(
   // The weight accelerates it by 2 rad/s² at most, and so much is enough:
   const auto swinging = heavy_top<double>("", 0);
   const double acceleration = 2, enough = std::sqrt(angle * acceleration);
-  PacedSteps<Verlet, Weight<double>, double> paced(swinging.start, swinging.right_hand_side, 0,
+  PacedSteps<Verlet, Weight<double>, double> paced(swinging.start, swinging.evaluate_forces, 0,
                                                    angle, enough);
   // What ρ loses in half a step is (angle/2) α |ω|/P² at most, which is P times
   // (angle α/least²)/(3 √3), largest where |ω| = least/√2; and ρ itself is P within angle².
@@ -234,7 +234,7 @@ TEST_CASE(
       CAPTURE(of);
       CAPTURE(part);
       const double least = part * std::sqrt(of * acceleration);
-      PacedSteps<Verlet, Weight<double>, double> steps(swinging.start, swinging.right_hand_side, 0,
+      PacedSteps<Verlet, Weight<double>, double> steps(swinging.start, swinging.evaluate_forces, 0,
                                                        of, least);
       try {
         for (int n = 0; n < 1000; ++n) {

@@ -8,8 +8,8 @@
 namespace tumble::support {
 
 /// The problem as the peers get it.
-template <class RightHandSide>
-peers::TopProblem for_peers(const Problem<Topd, RightHandSide>& problem, peers::Torque torque,
+template <class Forces>
+peers::TopProblem for_peers(const Problem<Topd, Forces>& problem, peers::Torque torque,
                             double weight_times_arm) {
   const auto& [q, v] = problem.start.orientation;
   const Vec3d& L = problem.start.angular_momentum_body;
@@ -34,20 +34,20 @@ inline Contestant<Topd> contestant(const std::string& library,
 }
 
 /// All of them are measured in double, so other precisions get none.
-template <class Body, class RightHandSide>
-void append_peers(std::vector<Contestant<Body>>&, const Problem<Body, RightHandSide>&, ...) {}
+template <class Body, class Forces>
+void append_peers(std::vector<Contestant<Body>>&, const Problem<Body, Forces>&, ...) {}
 
-template <class RightHandSide>
-void append_peers(std::vector<Contestant<Topd>>& list, const Problem<Topd, RightHandSide>& problem,
+template <class Forces>
+void append_peers(std::vector<Contestant<Topd>>& list, const Problem<Topd, Forces>& problem,
                   peers::Torque torque, double weight_times_arm) {
   for (const peers::Library& library : peers::libraries())
     for (const auto& peer : library.on_top(for_peers(problem, torque, weight_times_arm)))
       list.push_back(contestant(library.name, peer, problem.start));
 }
 
-template <class RightHandSide>
+template <class Forces>
 void append_peers(std::vector<Contestant<Particled>>& list,
-                  const Problem<Particled, RightHandSide>& problem, peers::Force force,
+                  const Problem<Particled, Forces>& problem, peers::Force force,
                   const std::array<double, 2>& parameters) {
   const Particled start = problem.start;
   const Vec3d &x = start.position, &v = start.velocity;

@@ -84,45 +84,45 @@ TEST_CASE_TEMPLATE("Beyond that they are stopped, and never leave a number that 
   CHECK(stopped_up_to(1000 * SineCosineConstants<Real>::limit) > 0);
 }
 
-/// The right-hand side of a problem as an effect of a world.
-template <class RightHandSide>
+/// The forces of a problem as an effect of a world.
+template <class Forces>
 struct AsEffect {
   static constexpr std::string_view name = "problem";
   static constexpr Quantities reads = quantity::time | quantity::orientation;
-  RightHandSide right_hand_side;
+  Forces evaluate_forces;
   Vec3<double> torque(Top<double> top, double time) const {
-    right_hand_side(top, time);
+    evaluate_forces(top, time);
     return top.torque;
   }
 };
 
 /// How far a world has turned a problem's top aside from `truth` in a second.
-template <class RightHandSide>
-double turned_aside(const Problem<Top<double>, RightHandSide>& problem, std::size_t rule,
-                    Scheme scheme, int steps, const Top<Wide>& truth) {
+template <class Forces>
+double turned_aside(const Problem<Top<double>, Forces>& problem, std::size_t rule, Scheme scheme,
+                    int steps, const Top<Wide>& truth) {
   World<double> world(steps_per_second(steps));
   SceneRules::choose(world, rule);
   world.step_by(scheme);
   world.add("top", RigidBody<double>{.centre = make_particle<double>(1), .top = problem.start});
-  world.add(AsEffect<RightHandSide>{problem.right_hand_side});
+  world.add(AsEffect<Forces>{problem.evaluate_forces});
   for (int n = 0; n < steps; ++n) world.step();
   const Quaternion<double>& turned = world.bodies().tops[0].orientation;
   return static_cast<double>(angle_between<Wide>(
       {turned.real, turned.imaginary.template cast<Wide>()}, truth.orientation));
 }
 
-template <class RightHandSide>
-void check_orders_in_worlds(const Problem<Top<double>, RightHandSide>& problem) {
+template <class Forces>
+void check_orders_in_worlds(const Problem<Top<double>, Forces>& problem) {
   // The truth by a rung of order 10, in steps of a thousandth of a second.
   Top<Wide> truth{
       .orientation = {problem.start.orientation.real,
                       problem.start.orientation.imaginary.template cast<Wide>()},
       .angular_momentum_body = problem.start.angular_momentum_body.template cast<Wide>(),
       .inverse_moments = problem.start.inverse_moments.template cast<Wide>()};
-  const auto right_hand_side = exactly(problem.right_hand_side);
-  right_hand_side(truth, 0);
+  const auto evaluate_forces = exactly(problem.evaluate_forces);
+  evaluate_forces(truth, 0);
   for (int n = 0; n < 1000; ++n)
-    step_by_row<SofroniouSpaletta>(truth, right_hand_side, n * Wide(0.001L), Wide(0.001L));
+    step_by_row<SofroniouSpaletta>(truth, evaluate_forces, n * Wide(0.001L), Wide(0.001L));
   for (const Scheme scheme : {Scheme::semi_implicit_euler, Scheme::verlet, Scheme::suzuki})
     for (std::size_t rule = 0; rule < SceneRules::names.size(); ++rule) {
       CAPTURE(SceneRules::names[rule]);

@@ -32,7 +32,7 @@ inline std::vector<PartOfStep> parts_of(const StepPlan<double>& plan) {
     return pass.row.kind == PassKind::input || instance_of(pass, plan).members.size() == 0;
   };
   for_each_pass(plan, substeps_of<double>(Scheme::semi_implicit_euler), plan.in_phase,
-                [&](const Pass<double>& pass) {
+                plan.motions_in_phase, [&](const Pass<double>& pass) {
                   if (is_idle(pass)) return;
                   const auto found = part_of(pass);
                   if (found == parts.end())

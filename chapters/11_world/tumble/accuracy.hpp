@@ -56,8 +56,9 @@ Accuracy accuracy_of(const StepPlan<Real>& plan) {
       else
         limit_to(traits.smoothness + 2, "'" + traits.name + "' has a kink");
     }
-  for (std::size_t i = own_motions; i < plan.motions.size(); ++i)
-    limit_to(1, "'" + plan.motions[i].effect->name() + "' does not say its order");
+  for (std::size_t i = own_motion_count; i < plan.motions.size(); ++i)
+    if (plan.motions[i].members.size() > 0)
+      limit_to(1, "'" + plan.motions[i].effect->name() + "' does not say its order");
   if (tumbling_of(plan).members.size() == 0) return accuracy;
   const EffectTraits<Real>& rule = tumbling_of(plan).effect->traits();
   const std::string turning = "turning by " + turning_method_of(plan);

@@ -9,7 +9,7 @@
 
 namespace tumble {
 
-/// One virtual function runs the effect on all that it visits, so that none is called for each.
+/// One virtual call runs the effect on all its members; none is made for each body.
 //! [any_effect]
 template <class Real>
 class AnyEffect {

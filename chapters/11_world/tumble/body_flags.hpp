@@ -7,8 +7,8 @@
 
 namespace tumble {
 
-/// What a body is, whatever acts on it. `before` is what was known of it: a body that has moved
-/// may move, and a push of this step alone is still to come.
+/// A body's own flags, whatever acts on it. From `before` it keeps that the body has moved or
+/// turned, and that a push for the next step is pending.
 template <class Real>
 BodyFlags flags_alone(const BodyState<Real>& body, bool is_point, const BodyFlags& before = {}) {
   BodyFlags flags;
@@ -29,18 +29,17 @@ BodyFlags flags_alone(const BodyState<Real>& body, bool is_point, const BodyFlag
 //! [note]
 inline bool note(BodyFlags& flags, Quantities writes) {
   const BodyFlags before = flags;
-  const bool on_centre = writes.has_any(quantity::force | quantity::velocity) && !flags.is_static;
-  const bool on_top = writes.has_any(quantity::torque | quantity::spin) && flags.can_turn;
+  const Reach reach = reach_of(writes, flags);
   flags.is_pushed |= writes.has(quantity::force) && !flags.is_static;
   flags.is_torqued |= writes.has(quantity::torque) && flags.can_turn;
-  flags.moves |= on_centre || writes.has(quantity::position);
-  flags.turns |= on_top || (writes.has(quantity::orientation) && !flags.is_point);
+  flags.moves |= reach.centre;
+  flags.turns |= reach.top;
   return flags != before;
 }
 //! [note]
 
 /// What is known of a body under some effects. One can call for another, as a first torque calls
-/// for the Magnus force; so they are gone through until that brings no news. It ends: a fact only
+/// for the Magnus force; so they are gone through until that brings no news. It ends: a flag only
 /// ever turns from false to true. `for_each` calls what it is given with each effect.
 //! [flags_under]
 template <class Real, class ForEach>

@@ -53,7 +53,7 @@ class Checkpoints {
     for (BodyIndex body = 0; body < bodies.size(); ++body)
       all.push_back(motion_of(body, bodies, planner));
     now.all = all_ = std::make_shared<const std::vector<BodyMotion<Real>>>(std::move(all));
-    planner.touched_by_nobody();
+    planner.clear_touched();
     return now;
   }
   //! [make_checkpoint]
@@ -69,7 +69,7 @@ class Checkpoints {
       others = may_have_moved(bodies, planner);
     } else {
       for (BodyIndex body = 0; body < bodies.size(); ++body) others.push_back(body);
-      planner.touched_by_nobody();
+      planner.clear_touched();
       all_ = then.all;
     }
     if (others != then.moved) {  // else nobody has moved who had not then

@@ -7,13 +7,25 @@
 
 namespace tumble {
 
+/// What of a body an effect can change.
+struct Reach {
+  bool centre, top;
+};
+
+/// The same of one that writes `writes`.
+//! [reach_of]
+inline Reach reach_of(Quantities writes, const BodyFlags& flags) {
+  const bool pushes = writes.has_any(quantity::force | quantity::velocity) && !flags.is_static;
+  const bool turns = writes.has_any(quantity::torque | quantity::spin) && flags.can_turn;
+  return {pushes || writes.has(quantity::position),
+          turns || (writes.has(quantity::orientation) && !flags.is_point)};
+}
+//! [reach_of]
+
 /// Why an effect that writes `writes` can change nothing of a body; empty if it can change it.
 inline std::string_view unwritable_reason(Quantities writes, const BodyFlags& flags) {
-  const bool centre = writes.has_any(quantity::force | quantity::velocity) && !flags.is_static;
-  const bool top = writes.has_any(quantity::torque | quantity::spin) && flags.can_turn;
-  const bool place = writes.has(quantity::position);
-  const bool facing = writes.has(quantity::orientation) && !flags.is_point;
-  if (centre || top || place || facing) return {};
+  const Reach reach = reach_of(writes, flags);
+  if (reach.centre || reach.top) return {};
   return !writes.has_any(quantity::force | quantity::velocity)
              ? flags.is_point ? "points do not turn" : "locked about every axis"
              : "nothing can move them";

@@ -40,7 +40,7 @@ template <class Real, class Effect>
 Quantities writes_of(const Effect& effect) {
   const Quantities all = form_of<Effect, Real>().writes;
   if constexpr (requires { effect.gives_torque(); })
-    if (!effect.gives_torque()) return {all.bits & ~quantity::torque.bits};
+    if (!effect.gives_torque()) return all - quantity::torque;
   (void)effect;
   return all;
 }
@@ -54,9 +54,9 @@ constexpr Quantities reads_of() {
                               : sees == Sees::top      ? quantity::of_top
                                                        : quantity::of_body;
   if constexpr (requires { Effect::reads; }) {
-    static_assert(
-        seen.has(Effect::reads) || requires { Effect::writes; },
-        "the effect's function does not see what it reads");
+    static_assert(seen.has(Effect::reads) || MovesInPlace<Effect, Particle<Real>, Real> ||
+                      MovesInPlace<Effect, Top<Real>, Real>,
+                  "the effect's function does not see what it reads");
     return Effect::reads;
   } else {
     return seen;

@@ -70,20 +70,17 @@ class Replay {
   //! [find]
   std::string find(const AnyEffect<Real>*& culprit) {
     std::string sentence;
-    Bodies<Real> before_drift = bodies_;
     for_each_pass(plan_, [&](const Pass<Real>& pass) {
       if (!sentence.empty()) return;
-      const bool is_drift = pass.substep.kind == SubstepKind::drift;
-      const bool had_overflowed = !fault_in(bodies_).empty();
       const Bodies<Real> before = bodies_;
-      if (is_drift && pass.row.kind == PassKind::motion) before_drift = before;
       run(pass, plan_, bodies_, step_);
       if (fault_in(bodies_).empty()) return;
-      if (pass.row.kind == PassKind::motion && pass.place < own_motions) {
+      if (pass.row.kind == PassKind::motion && pass.place < own_motion_count) {
         const BodyState<Real> now = state_of(bodies_, diverged_);
         if (is_finite(now.centre) && is_finite(now.top)) return;  // the kick of its sum is to come
+        const bool is_drift = pass.substep.kind == SubstepKind::drift;
         sentence = reason(is_drift ? before : bodies_, step_time_of(pass, step_).time_step);
-      } else if (pass.row.kind != PassKind::input && !had_overflowed) {
+      } else if (pass.row.kind != PassKind::input) {
         const std::string what = fault_alone(pass, before);
         if (what.empty()) return;
         culprit = instance_of(pass, plan_).effect.get();
@@ -92,7 +89,7 @@ class Replay {
                        : culprit->name() + " gives " + what + must_be_finite;
       }
     });
-    return sentence.empty() ? reason(before_drift, step_.time_step) : sentence;
+    return sentence.empty() ? reason(bodies_, step_.time_step) : sentence;
   }
   //! [find]
 

@@ -72,8 +72,8 @@ concept PushBetween = requires(const Effect& effect, const BodyState<Real>& body
 /// it have left.
 template <class Effect, class Real>
 concept BlowBetween = requires(const Effect& effect, const BodyState<Real>& body,
-                               const StepTime<Real>& moment) {
-  { effect.blow(body, body, moment) } -> std::same_as<PairBlow<Real>>;
+                               const StepTime<Real>& at) {
+  { effect.blow(body, body, at) } -> std::same_as<PairBlow<Real>>;
 };
 
 /// The momentum (kg m²/s, body axes) of what spins inside the body, relative to it: of a rotor.

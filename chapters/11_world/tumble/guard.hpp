@@ -8,7 +8,7 @@
 
 namespace tumble {
 
-/// How those bodies moved before a step that it can move or turn.
+/// The motion of all bodies that a step can move or turn, as it was before it.
 template <class Real>
 class UndoBuffer {
  public:

@@ -9,7 +9,7 @@ namespace tumble {
 
 /// A set of array elements. As long as it holds the first so many of them, which is what an effect
 /// for everyone visits, it is a number alone; else a list in no order.
-//! [group]
+//! [index_set]
 class IndexSet {
  public:
   std::size_t size() const { return is_listed_ ? members_.size() : first_; }
@@ -62,7 +62,7 @@ class IndexSet {
     else
       for (BodyIndex i = 0; i < first_; ++i) visit(i);
   }
-  //! [group]
+  //! [index_set]
 
   /// True if it is a list; else it is the first so many.
   bool is_listed() const { return is_listed_; }
@@ -99,13 +99,14 @@ class IndexSet {
   std::vector<BodyIndex> members_, places_;
 };
 
-/// Calls `change` with each element of `array` that the group names.
+/// Calls `change` with each element of `array` that the set names.
 template <class Element, class Change>
-void for_each_of(const IndexSet& group, std::vector<Element>& array, const Change& change) {
-  group.for_each([&](BodyIndex i) { change(array[i]); });
+void for_each_of(const IndexSet& indices, std::vector<Element>& array, const Change& change) {
+  indices.for_each([&](BodyIndex i) { change(array[i]); });
 }
 
-/// Whom an effect visits: centres, or tops for an effect that sees tops, or pairs.
+/// What an effect visits: centres, or tops if it sees tops, or pairs. Of one that finds its pairs:
+/// the bodies that it calls for.
 struct Members {
   IndexSet indices = {};
   std::vector<BodyPair> pairs = {};

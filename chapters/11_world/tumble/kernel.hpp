@@ -24,7 +24,7 @@ void add_push(Particle<Real>& centre, Top<Real>& top, const Push<Real>& push) {
   }
 }
 
-/// What the effect gives to a centre. `seen` is what its function sees.
+/// Applies an effect, or a motion, to a centre. `seen` is what its function sees.
 template <class Effect, class Seen, class Real>
 void give_to(Particle<Real>& centre, const Effect& effect, const Seen& seen,
              const StepTime<Real>& at) {
@@ -40,7 +40,7 @@ void give_to(Particle<Real>& centre, const Effect& effect, const Seen& seen,
     centre.position = effect.position(seen, at);
 }
 
-/// What it gives to a top.
+/// The same for a top.
 template <class Effect, class Seen, class Real>
 void give_to(Top<Real>& top, const Effect& effect, const Seen& seen, const StepTime<Real>& at) {
   if constexpr (MovesInPlace<Effect, Top<Real>, Real>)
@@ -53,7 +53,7 @@ void give_to(Top<Real>& top, const Effect& effect, const Seen& seen, const StepT
     top.orientation = effect.orientation(seen, at);
 }
 
-/// What an effect that sees both gives to a body.
+/// Applies an effect that sees both to a body.
 template <class Effect, class Real>
 void give_to_both(Particle<Real>& centre, Top<Real>& top, const Effect& effect,
                   const StepTime<Real>& at) {
@@ -73,7 +73,7 @@ struct BodyInPlace {
   Top<Real>& top;
 };
 
-/// What an effect that joins two gives to them.
+/// Applies an effect that joins two to them.
 template <class Real, class Effect>
 void give_to_pair(const BodyInPlace<Real>& first, const BodyInPlace<Real>& second,
                   const Effect& effect, const StepTime<Real>& at) {

@@ -53,13 +53,14 @@ class Ledger {
     const Bodies<Real>& bodies = world.bodies();
     double sum = 0;
     for (const EffectInstance<Real>& instance : world.effects()) {
-      if (!instance.effect->traits().stores_energy) continue;
+      const EffectTraits<Real>& traits = instance.effect->traits();
+      if (!traits.stores_energy || traits.finds_pairs) continue;
       const auto add = [&](BodyIndex first, BodyIndex second) {
         sum += static_cast<double>(
             instance.effect->potential_energy(state_of(bodies, first), state_of(bodies, second)));
       };
       instance.members.indices.for_each([&](BodyIndex i) {
-        const BodyIndex body = instance.effect->traits().visits_tops() ? bodies.body_of[i] : i;
+        const BodyIndex body = traits.visits_tops() ? bodies.body_of[i] : i;
         add(body, body);
       });
       for (const BodyPair& pair : instance.members.pairs) add(pair.first, pair.second);
@@ -90,12 +91,12 @@ class Ledger {
                         Lines& lines) {
     constexpr Quantities sums = quantity::force | quantity::torque;
     std::vector<Share> shares;  // of one kick
-    Quantities used;            // which sums it has used up
+    Quantities spent;           // which sums it has used up
     for_each_pass(plan, [&](const Pass<Real>& pass) {
       const bool is_input = pass.row.kind == PassKind::input;
       const std::string name = is_input ? "input" : instance_of(pass, plan).effect->name();
       if (is_input || instance_of(pass, plan).effect->traits().writes.has_any(sums)) {
-        if (std::exchange(used, {}) != Quantities{}) shares.clear();
+        if (std::exchange(spent, {}) != Quantities{}) shares.clear();
         shares.push_back({name, pushes_of(pass, plan, bodies, step)});
         line_of(lines, name);  // lines stand in the order of the step
         run(pass, plan, bodies, step);
@@ -103,28 +104,36 @@ class Ledger {
       }
       const Bodies<Real> before = bodies;
       run(pass, plan, bodies, step);
-      const Quantities kicks{instance_of(pass, plan).effect->traits().reads.bits & sums.bits &
-                             ~used.bits};
-      used = used | kicks;
-      if (kicks != Quantities{}) {
-        for (const Share& share : shares) {
-          LedgerLine& line = line_of(lines, share.name);
-          for (BodyIndex body = 0; body < share.pushes.size(); ++body) {
-            Push<Real> push = share.pushes[body];
-            if (!kicks.has(quantity::force)) push.force.setZero();
-            if (!kicks.has(quantity::torque)) push.torque.setZero();
-            if (push.force == Vec3<Real>::Zero() && push.torque == Vec3<Real>::Zero()) continue;
-            line += work_of(push, state_of(before, body), state_of(bodies, body),
-                            step_time_of(pass, step).time_step);
-          }
-        }
-      } else {
-        LedgerLine gained = holdings_of(bodies);
-        line_of(lines, name) += gained -= holdings_of(before);
-      }
+      const Quantities acting = (instance_of(pass, plan).effect->traits().reads & sums) - spent;
+      spent = spent | acting;
+      if (acting != Quantities{})
+        book_kick(shares, acting, before, bodies, step_time_of(pass, step).time_step, lines);
+      else
+        line_of(lines, name) += gained_since(before, bodies);
     });
   }
   //! [book_step]
+
+  /// Books each share of a kick of `time_step` seconds, which those of the sums make that act.
+  static void book_kick(const std::vector<Share>& shares, Quantities acting,
+                        const Bodies<Real>& before, const Bodies<Real>& after, Real time_step,
+                        Lines& lines) {
+    for (const Share& share : shares)
+      for (BodyIndex body = 0; body < share.pushes.size(); ++body) {
+        Push<Real> push = share.pushes[body];
+        if (!acting.has(quantity::force)) push.force.setZero();
+        if (!acting.has(quantity::torque)) push.torque.setZero();
+        if (push.force != Vec3<Real>::Zero() || push.torque != Vec3<Real>::Zero())
+          line_of(lines, share.name) +=
+              work_of(push, state_of(before, body), state_of(after, body), time_step);
+      }
+  }
+
+  static LedgerLine gained_since(const Bodies<Real>& before, const Bodies<Real>& after) {
+    LedgerLine gained = holdings_of(after);
+    gained -= holdings_of(before);
+    return gained;
+  }
 
   /// What a pass alone adds to the sums of each body.
   static std::vector<Push<Real>> pushes_of(const Pass<Real>& pass, const StepPlan<Real>& plan,

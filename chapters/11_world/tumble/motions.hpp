@@ -114,8 +114,8 @@ struct Tumbling {
   }
 };
 
-/// How many motions every step has; the last is the tumbling.
-inline constexpr std::size_t own_motions = 5;
+/// How many motions every step has, and which of them turns those that tumble.
+inline constexpr std::size_t own_motion_count = 5, tumbling_index = own_motion_count - 1;
 
 /// These motions, in the form in which `Backend` runs them.
 //! [motions_of]
@@ -137,7 +137,7 @@ std::vector<EffectInstance<Real>> motions_of(const Rule& rule) {
 /// The motion of those that tumble.
 template <class Real>
 const EffectInstance<Real>& tumbling_of(const StepPlan<Real>& plan) {
-  return plan.motions[own_motions - 1];
+  return plan.motions[tumbling_index];
 }
 
 /// The name of the rule by which they turn.

@@ -44,7 +44,7 @@ void step_by_reference(Bodies<Real>& bodies, const StepPlan<Real>& plan,
                        const std::vector<BodyFlags>& alone, const StepTime<Real>& at,
                        const IndexOf& index_of) {
   std::vector<std::vector<const AnyEffect<Real>*>> meant(alone.size());
-  for (std::size_t i = own_motions; i < plan.motions.size(); ++i)
+  for (std::size_t i = own_motion_count; i < plan.motions.size(); ++i)
     for (auto& effects : meant) effects.push_back(plan.motions[i].effect.get());
   for (const EffectInstance<Real>& instance : plan.effects) {
     if (instance.everyone)
@@ -66,10 +66,10 @@ void step_by_reference(Bodies<Real>& bodies, const StepPlan<Real>& plan,
 }
 //! [step_by_reference]
 
-/// The exhaustive run: nothing is known of what acts on a body or of how it moves, and no effect is
-/// asked. An effect visits every body that has what it needs; and every body is taken for one that
-/// everything pushes and turns, so that it is kicked, drifts and turns: by the rule if its moments
-/// differ, else steadily, for that is chapter 8's choice and no plan's.
+/// The exhaustive run: nothing is known of what acts on a body or how it moves, and no effect's
+/// predicate is asked. An effect visits every body that has what it needs. Motions are asked about
+/// a body that everything pushes and turns, so that each is kicked, drifts and turns: by the rule
+/// if its moments differ, else steadily, for that is chapter 8's choice and no plan's.
 //! [step_exhaustively]
 template <class Real, class IndexOf>
 void step_exhaustively(Bodies<Real>& bodies, const StepPlan<Real>& plan, const StepTime<Real>& at,

@@ -20,7 +20,7 @@ inline std::string_view name_of(Phase phase) {
 struct PlanRow {
   std::string effect;
   Phase phase = Phase::force;
-  std::size_t visited = 0;  ///< bodies that the effect visits in each step; for joins: pairs
+  std::size_t visited = 0;  ///< bodies that the effect visits in each step; or pairs
   std::size_t of = 0;       ///< bodies that it was meant for
   std::string reads, writes, reason;
 };
@@ -111,11 +111,12 @@ template <class Real>
 std::vector<PlanRow> rows_of(const Planner<Real>& planner, const NamedBodies<Real>& bodies) {
   const StepPlan<Real>& plan = planner.step_plan();
   std::vector<PlanRow> rows;
-  for_each_pass_even_idle(plan, substeps_of<Real>(Scheme::semi_implicit_euler),
-                          [&](const Pass<Real>& pass) {
-                            if (pass.row.kind != PassKind::input && pass.row.act == RotorAct::join)
-                              rows.push_back(row_of(instance_of(pass, plan), planner, bodies));
-                          });
+  for_each_pass_even_idle(
+      plan, substeps_of<Real>(Scheme::semi_implicit_euler), [&](const Pass<Real>& pass) {
+        const bool is_again = pass.row.kind == PassKind::rotor && pass.row.act != RotorAct::join;
+        if (pass.row.kind != PassKind::input && !is_again)
+          rows.push_back(row_of(instance_of(pass, plan), planner, bodies));
+      });
   return rows;
 }
 //! [rows_of]

@@ -22,11 +22,11 @@ class Planner {
   const StepPlan<Real>& step_plan() const { return plan_; }
   const std::vector<BodyFlags>& flags() const { return flags_; }
   /// What of the flags is the bodies' own, without the effects.
-  const std::vector<BodyFlags>& alone() const { return alone_; }
+  const std::vector<BodyFlags>& alone() const { return own_flags_; }
 
   /// `tumbling` is a Tumbling by another rule.
   void turn_by(std::shared_ptr<const AnyEffect<Real>> tumbling) {
-    plan_.motions[own_motions - 1].effect = std::move(tumbling);
+    plan_.motions[tumbling_index].effect = std::move(tumbling);
     ++plan_.version;
   }
   /// Another motion of each step.
@@ -42,22 +42,22 @@ class Planner {
 
   /// A body was appended.
   void add_body(const NamedBodies<Real>& bodies) {
-    alone_.emplace_back();
+    own_flags_.emplace_back();
     flags_.emplace_back();
-    own_.emplace_back();
+    effects_of_.emplace_back();
     refresh(static_cast<BodyIndex>(flags_.size() - 1), bodies);
   }
 
   /// A body has changed.
   void change_body(BodyIndex body, const NamedBodies<Real>& bodies) {
     refresh(body, bodies);
-    for (const std::uint64_t number : own_[body]) join(instance_of(number), bodies);
+    for (const std::uint64_t number : effects_of_[body]) list_pairs(instance_of(number), bodies);
   }
 
   /// A body is about to go: its own effects and pushes go, and the last body and the last top get
   /// its places.
   void forget_body(BodyHandle handle, const NamedBodies<Real>& bodies) {
-    release(handle, bodies);
+    leave_effects(handle, bodies);
     const BodyIndex body = bodies.index_of(handle), top = bodies.top_of(body);
     const auto last = static_cast<BodyIndex>(flags_.size() - 1);
     for_each_instance_of(last, [&](EffectInstance<Real>& instance) {
@@ -78,33 +78,33 @@ class Planner {
     std::erase_if(plan_.inputs, [&](const Input<Real>& input) { return input.body == body; });
     for (Input<Real>& input : plan_.inputs)
       if (input.body == last) input.body = body;
-    replace_by_last(alone_, body);
+    replace_by_last(own_flags_, body);
     replace_by_last(flags_, body);
-    replace_by_last(own_, body);
+    replace_by_last(effects_of_, body);
   }
 
   /// The body has gone: the pairs of the one that got its place are found again.
-  void join_again(BodyIndex body, const NamedBodies<Real>& bodies) {
+  void list_pairs_again(BodyIndex body, const NamedBodies<Real>& bodies) {
     ++plan_.version;
-    if (body < own_.size())
-      for (const std::uint64_t number : own_[body]) join(instance_of(number), bodies);
+    if (body < effects_of_.size())
+      for (const std::uint64_t number : effects_of_[body]) list_pairs(instance_of(number), bodies);
   }
 
   /// An effect was added.
   void add_effect(EffectInstance<Real> instance, const NamedBodies<Real>& bodies) {
     const std::uint64_t number = instance.handle.number;
-    if (instance.everyone) everyone_.push_back(number);
+    if (instance.everyone) effects_for_all_.push_back(number);
     for (const BodyHandle target : instance.targets)
-      own_[bodies.index_of(target)].push_back(number);
+      effects_of_[bodies.index_of(target)].push_back(number);
     plan_.effects.push_back(std::move(instance));
-    meet(number, bodies);
+    plan_effect(number, bodies);
   }
 
   /// The effect becomes another one, for the same bodies.
   void replace_effect(std::uint64_t number, std::shared_ptr<const AnyEffect<Real>> effect,
                       const NamedBodies<Real>& bodies) {
     instance_of(number).effect = std::move(effect);
-    meet(number, bodies);
+    plan_effect(number, bodies);
   }
 
   /// The effect is removed.
@@ -118,7 +118,7 @@ class Planner {
       for (std::size_t& later : list) later -= later > place;
     }
     plan_.effects.erase(found);
-    std::erase(everyone_, number);
+    std::erase(effects_for_all_, number);
     ++plan_.version;
     for (const BodyHandle target : targets) disown(bodies.index_of(target), number);
     refresh_targets(everyone, targets, bodies);
@@ -126,16 +126,16 @@ class Planner {
 
   /// A body goes back to another time, and what was known of its motion then is known again.
   void restore_flags(BodyIndex body, bool moved, bool turned, const NamedBodies<Real>& bodies) {
-    if (alone_[body].moves == moved && alone_[body].turns == turned) return;
-    alone_[body].moves = moved;
-    alone_[body].turns = turned;
+    if (own_flags_[body].moves == moved && own_flags_[body].turns == turned) return;
+    own_flags_[body].moves = moved;
+    own_flags_[body].turns = turned;
     refresh(body, bodies);
   }
 
   /// The motion of a body is changed from outside.
   void touch(BodyIndex body) { touched_.insert(body); }
-  void touched_by_nobody() { touched_ = {}; }
-  /// Whose motion or flags somebody has changed since then.
+  void clear_touched() { touched_ = {}; }
+  /// Bodies whose motion or flags have changed since clear_touched().
   const IndexSet& touched() const { return touched_; }
 
   /// True if an effect that is meant for this body can limit the step.
@@ -150,13 +150,13 @@ class Planner {
   /// A push for the next step alone.
   void add_input(BodyIndex body, const Push<Real>& push, const NamedBodies<Real>& bodies) {
     plan_.inputs.push_back({body, push});
-    note(alone_[body], quantity::force | quantity::torque);
+    note(own_flags_[body], quantity::force | quantity::torque);
     refresh(body, bodies);
   }
   /// The step was taken, with its inputs.
   void end_inputs(const NamedBodies<Real>& bodies) {
     for (const Input<Real>& input : std::exchange(plan_.inputs, {})) {
-      alone_[input.body].is_pushed = alone_[input.body].is_torqued = false;
+      own_flags_[input.body].is_pushed = own_flags_[input.body].is_torqued = false;
       refresh(input.body, bodies);
     }
   }
@@ -167,11 +167,13 @@ class Planner {
   void refresh(BodyIndex body, const NamedBodies<Real>& bodies) {
     touched_.insert(body);
     const BodyIndex top = bodies.top_of(body);
-    alone_[body] = bodies.flags_of(body, alone_[body]);
-    const BodyFlags flags = flags_[body] = flags_under<Real>(alone_[body], [&](const auto& ask) {
-      for_each_instance_of(
-          body, [&](EffectInstance<Real>& instance) { ask(*instance.effect); }, own_motions);
-    });
+    own_flags_[body] = bodies.flags_of(body, own_flags_[body]);
+    const BodyFlags flags = flags_[body] =
+        flags_under<Real>(own_flags_[body], [&](const auto& ask) {
+          for_each_instance_of(
+              body, [&](EffectInstance<Real>& instance) { ask(*instance.effect); },
+              own_motion_count);
+        });
     for_each_instance_of(body, [&](EffectInstance<Real>& instance) {
       const EffectTraits<Real>& traits = instance.effect->traits();
       if (traits.joins_two() && !traits.finds_pairs) return;
@@ -187,7 +189,7 @@ class Planner {
   //! [refresh]
 
   /// The pairs that an effect on two visits: those of which it can change something.
-  void join(EffectInstance<Real>& instance, const NamedBodies<Real>& bodies) {
+  void list_pairs(EffectInstance<Real>& instance, const NamedBodies<Real>& bodies) {
     const EffectTraits<Real>& traits = instance.effect->traits();
     if (!traits.joins_two() || traits.finds_pairs) return;
     instance.members.pairs.clear();
@@ -204,9 +206,11 @@ class Planner {
 
   /// Puts the effect into the list of its phase if it visits somebody, else takes it out.
   void list_phase(const EffectInstance<Real>& instance) {
-    if (instance.handle.number == 0) return;  // a motion
-    auto& list = plan_.in_phase[static_cast<std::size_t>(instance.effect->phase())];
-    const auto place = static_cast<std::size_t>(&instance - plan_.effects.data());
+    const bool is_motion = instance.handle.number == 0;
+    auto& list = (is_motion ? plan_.motions_in_phase
+                            : plan_.in_phase)[static_cast<std::size_t>(instance.effect->phase())];
+    const auto place =
+        static_cast<std::size_t>(&instance - (is_motion ? plan_.motions : plan_.effects).data());
     const auto found = std::lower_bound(list.begin(), list.end(), place);
     const bool is_listed = found != list.end() && *found == place;
     if (is_listed == (instance.members.size() > 0)) return;
@@ -225,21 +229,21 @@ class Planner {
   EffectInstance<Real>& instance_of(std::uint64_t number) { return *find(number); }
 
   void disown(BodyIndex body, std::uint64_t number) {
-    const auto found = std::find(own_[body].begin(), own_[body].end(), number);
-    if (found != own_[body].end()) own_[body].erase(found);
+    const auto found = std::find(effects_of_[body].begin(), effects_of_[body].end(), number);
+    if (found != effects_of_[body].end()) effects_of_[body].erase(found);
   }
 
-  /// The motions from `first` on, and the effects that are meant for the body. The step's own
-  /// motions raise no flag that what calls for them has not raised: nobody asks them for it.
+  /// The motions from `first` on, then the effects meant for the body. The step's own motions raise
+  /// no flag: each visits only bodies whose flag is already up.
   template <class Visit>
   void for_each_instance_of(BodyIndex body, const Visit& visit, std::size_t first = 0) {
     for (std::size_t i = first; i < plan_.motions.size(); ++i) visit(plan_.motions[i]);
-    for (const std::uint64_t number : everyone_) visit(instance_of(number));
-    for (const std::uint64_t number : own_[body]) visit(instance_of(number));
+    for (const std::uint64_t number : effects_for_all_) visit(instance_of(number));
+    for (const std::uint64_t number : effects_of_[body]) visit(instance_of(number));
   }
 
-  void meet(std::uint64_t number, const NamedBodies<Real>& bodies) {
-    join(instance_of(number), bodies);
+  void plan_effect(std::uint64_t number, const NamedBodies<Real>& bodies) {
+    list_pairs(instance_of(number), bodies);
     const EffectInstance<Real>& instance = instance_of(number);
     refresh_targets(instance.everyone, instance.targets, bodies);
   }
@@ -251,10 +255,10 @@ class Planner {
   }
 
   /// Takes a body out of the effects that are meant for some.
-  void release(BodyHandle body, const NamedBodies<Real>& bodies) {
+  void leave_effects(BodyHandle body, const NamedBodies<Real>& bodies) {
     const BodyIndex index = bodies.index_of(body);
-    while (!own_[index].empty()) {
-      const std::uint64_t number = own_[index].back();
+    while (!effects_of_[index].empty()) {
+      const std::uint64_t number = effects_of_[index].back();
       EffectInstance<Real>& instance = instance_of(number);
       const std::ptrdiff_t stride = instance.effect->traits().joins_two() ? 2 : 1;
       std::vector<BodyHandle> kept, gone;
@@ -271,17 +275,18 @@ class Planner {
       instance.members.indices.erase(instance.effect->traits().visits_tops() ? bodies.top_of(index)
                                                                              : index);
       for (const BodyHandle target : gone) disown(bodies.index_of(target), number);
-      join(instance, bodies);
+      list_pairs(instance, bodies);
       list_phase(instance);
       refresh_targets(false, gone, bodies);
     }
   }
 
   StepPlan<Real> plan_;
-  IndexSet touched_;  // whose motion or flags somebody has changed since touched_by_nobody()
-  std::vector<BodyFlags> alone_, flags_;
-  std::vector<std::vector<std::uint64_t>> own_;  // effects meant for a body, once for each pair
-  std::vector<std::uint64_t> everyone_;          // effects meant for all
+  IndexSet touched_;  // whose motion or flags somebody has changed since clear_touched()
+  std::vector<BodyFlags> own_flags_, flags_;
+  std::vector<std::vector<std::uint64_t>>
+      effects_of_;                              // effects meant for a body, once for each pair
+  std::vector<std::uint64_t> effects_for_all_;  // effects meant for all
 };
 
 }  // namespace tumble

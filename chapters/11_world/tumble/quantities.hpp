@@ -8,7 +8,7 @@
 
 namespace tumble {
 
-/// A set of quantities. The sets of a library's effects are made of those below with `|`.
+/// A set of quantities, combined from those below with `|`.
 //! [quantities]
 struct Quantities {
   unsigned bits = 0;
@@ -17,6 +17,7 @@ struct Quantities {
   constexpr bool has_any(Quantities other) const { return (bits & other.bits) != 0; }
   friend constexpr Quantities operator|(Quantities a, Quantities b) { return {a.bits | b.bits}; }
   friend constexpr Quantities operator&(Quantities a, Quantities b) { return {a.bits & b.bits}; }
+  friend constexpr Quantities operator-(Quantities a, Quantities b) { return {a.bits & ~b.bits}; }
   friend constexpr bool operator==(Quantities, Quantities) = default;
 };
 

@@ -53,7 +53,7 @@ StepTime<Real> step_time_of(const Substep<Real>& substep, const StepTime<Real>& 
 inline constexpr long double suzuki_length = 0.41449077179437573714L;
 
 /// The substeps of a scheme's step, in their order. Blows and damping, which are given for whole
-/// steps, come once, before the last drift; and so does what acts at the end, for all of it too.
+/// steps, come once, before the last drift. What acts at the end comes once as well, after it.
 //! [substeps_of]
 template <class Real>
 std::vector<Substep<Real>> substeps_of(Scheme scheme) {

@@ -26,8 +26,9 @@ struct OrderRow {
 inline constexpr std::array<OrderRow, 12> step_order = {{
     {SubstepKind::kick, PassKind::effect, Phase::force},  // forces and torques are summed
     {SubstepKind::kick, PassKind::input, Phase::force},   // and the user's pushes
-    {SubstepKind::kick, PassKind::effect, Phase::kick},   // what sets a velocity or spin itself
-    {SubstepKind::kick, PassKind::motion, Phase::kick},   // the sums change velocities and spins
+    {SubstepKind::kick, PassKind::effect,
+     Phase::kick},  // accelerations, and what is set with the kick
+    {SubstepKind::kick, PassKind::motion, Phase::kick},  // the sums change velocities and spins
     {SubstepKind::whole, PassKind::effect, Phase::impulse},
     {SubstepKind::whole, PassKind::effect, Phase::damping},
     {SubstepKind::drift, PassKind::rotor, Phase::turn, RotorAct::join},
@@ -45,7 +46,8 @@ template <class Real>
 struct Pass {
   OrderRow row = step_order[0];
   Substep<Real> substep = {};
-  std::size_t place = 0;  ///< among the effects of the plan, or among its motions
+  std::size_t place = 0;  ///< an index into the effects of the plan, or into its motions, so that a
+                          ///< copied world may keep what it has made of its passes
 };
 //! [pass]
 
@@ -55,27 +57,25 @@ const EffectInstance<Real>& instance_of(const Pass<Real>& pass, const StepPlan<R
   return (pass.row.kind == PassKind::motion ? plan.motions : plan.effects)[pass.place];
 }
 
-/// Calls `visit` with one pass after another, for these substeps. `in_phase` has the places of the
-/// effects that take part, by phase.
+/// Calls `visit` with one pass after another, for these substeps. `effects` and `motions` have the
+/// places of those that take part, by phase.
 //! [for_each_pass]
 template <class Real, class Visit>
 void for_each_pass(const StepPlan<Real>& plan, const std::vector<Substep<Real>>& substeps,
-                   const EffectsByPhase& in_phase, const Visit& visit) {
+                   const EffectsByPhase& effects, const EffectsByPhase& motions,
+                   const Visit& visit) {
   for (const Substep<Real>& substep : substeps)
     for (const OrderRow& row : step_order) {
       if (row.in != substep.kind) continue;
-      const auto pass = [&](std::size_t place) { visit(Pass<Real>{row, substep, place}); };
-      const auto& effects = in_phase[static_cast<std::size_t>(row.phase)];
       if (row.kind == PassKind::input) {
-        if (!plan.inputs.empty()) pass(0);
-      } else if (row.kind == PassKind::motion) {
-        for (std::size_t i = 0; i < plan.motions.size(); ++i)
-          if (plan.motions[i].effect->phase() == row.phase) pass(i);
-      } else if (row.kind == PassKind::rotor && row.act >= RotorAct::turn_after) {
-        for (auto i = effects.rbegin(); i != effects.rend(); ++i) pass(*i);
-      } else {
-        for (const std::size_t i : effects) pass(i);
+        if (!plan.inputs.empty()) visit(Pass<Real>{row, substep, 0});
+        continue;
       }
+      const auto& places =
+          (row.kind == PassKind::motion ? motions : effects)[std::size_t(row.phase)];
+      const bool backwards = row.kind == PassKind::rotor && row.act >= RotorAct::turn_after;
+      for (std::size_t n = 0; n < places.size(); ++n)
+        visit(Pass<Real>{row, substep, places[backwards ? places.size() - 1 - n : n]});
     }
 }
 //! [for_each_pass]
@@ -83,20 +83,20 @@ void for_each_pass(const StepPlan<Real>& plan, const std::vector<Substep<Real>>&
 /// The passes of a step that visit anybody.
 template <class Real, class Visit>
 void for_each_pass(const StepPlan<Real>& plan, const Visit& visit) {
-  for_each_pass(plan, plan.substeps, plan.in_phase, [&](const Pass<Real>& pass) {
-    if (pass.row.kind != PassKind::motion || instance_of(pass, plan).members.size() > 0)
-      visit(pass);
-  });
+  for_each_pass(plan, plan.substeps, plan.in_phase, plan.motions_in_phase, visit);
 }
 
 /// All of them, those that visit nobody too.
 template <class Real, class Visit>
 void for_each_pass_even_idle(const StepPlan<Real>& plan, const std::vector<Substep<Real>>& substeps,
                              const Visit& visit) {
-  EffectsByPhase every;
-  for (std::size_t i = 0; i < plan.effects.size(); ++i)
-    every[static_cast<std::size_t>(plan.effects[i].effect->phase())].push_back(i);
-  for_each_pass(plan, substeps, every, visit);
+  const auto by_phase = [](const std::vector<EffectInstance<Real>>& instances) {
+    EffectsByPhase all;
+    for (std::size_t i = 0; i < instances.size(); ++i)
+      all[static_cast<std::size_t>(instances[i].effect->phase())].push_back(i);
+    return all;
+  };
+  for_each_pass(plan, substeps, by_phase(plan.effects), by_phase(plan.motions), visit);
 }
 
 /// When a pass happens in a step. Rotors act with what they hold at their end of the drift.

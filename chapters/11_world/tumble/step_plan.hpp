@@ -16,7 +16,8 @@ struct EffectInstance {
   EffectHandle handle = {};  ///< 0 of a motion
   std::shared_ptr<const AnyEffect<Real>> effect;
   bool everyone = true;
-  std::vector<BodyHandle> targets = {};  ///< else these; for joins, first and second in turn
+  std::vector<BodyHandle> targets =
+      {};  ///< if not for everyone: these; for pairs, first and second in turn
   Members members = {};
 
   /// How many bodies, or pairs, it is meant for in a world of so many bodies.
@@ -40,8 +41,8 @@ using EffectsByPhase = std::array<std::vector<std::size_t>, 6>;
 template <class Real>
 struct StepPlan {
   std::vector<EffectInstance<Real>> effects;  ///< in the order in which they came
-  EffectsByPhase in_phase;                    ///< those of them that visit any body
   std::vector<EffectInstance<Real>> motions;  ///< see motions.hpp
+  EffectsByPhase in_phase, motions_in_phase;  ///< those of either that visit any body
   std::vector<Input<Real>> inputs;            ///< pushes of this step alone
   IndexSet moving;                            ///< the centres that a step may change
   IndexSet turning;                           ///< the tops that it may change

@@ -1,5 +1,6 @@
 /// @file
-/// The terms in which effects and steps are described: phases, flags, pushes and moments.
+/// The terms in which effects and steps are described: phases, flags, pushes, responses and step
+/// times.
 #pragma once
 
 #include <tumble/bodies.hpp>

@@ -56,15 +56,15 @@ class World {
     change_log_.note("'" + name_of(body) + "' was removed");
     limit_changed_ |= planner_.is_limiting(index);
     checkpoints_.forget_all();
-    planner_.forget_body(body, all());
+    planner_.forget_body(body, named_bodies());
     backend_.take_out(index);
     registry_.take_out(body);
-    planner_.join_again(index, all());
+    planner_.list_pairs_again(index, named_bodies());
   }
 
   bool contains(BodyHandle body) const { return registry_.contains(body); }
   std::size_t body_count() const { return registry_.size(); }
-  std::size_t top_count() const { return all().top_count(); }
+  std::size_t top_count() const { return named_bodies().top_count(); }
   /// @throws std::invalid_argument if no body has that name.
   BodyHandle find(const std::string& name) const { return registry_.find(name); }
   const std::string& name_of(BodyHandle body) const {
@@ -80,7 +80,7 @@ class World {
   /// The body with that place in the arrays, and the place of a body.
   BodyHandle handle_at(BodyIndex index) const { return registry_.handle_at(index); }
   BodyIndex index_of(BodyHandle body) const { return registry_.index_of(body); }
-  bool is_point(BodyHandle body) const { return all().is_point(registry_.index_of(body)); }
+  bool is_point(BodyHandle body) const { return named_bodies().is_point(registry_.index_of(body)); }
 
   /// The body as it is now; a point has a top that is locked about every axis.
   RigidBody<Real> body(BodyHandle body) const { return backend_.body(registry_.index_of(body)); }
@@ -103,7 +103,7 @@ class World {
     kept.top.orientation = renormalized(by.top.orientation);
     clear_forces(kept);
     backend_.set_body(registry_.index_of(body), kept);
-    planner_.change_body(registry_.index_of(body), all());
+    planner_.change_body(registry_.index_of(body), named_bodies());
   }
 
   void set_position(BodyHandle body, const Vec3<Same<Real>>& position) {
@@ -148,7 +148,7 @@ class World {
     require_finite(name_of(body) + ": point of the force", point, "m");
     const Vec3<Real> centre = backend_.body(registry_.index_of(body)).centre.position;
     planner_.add_input(registry_.index_of(body), {force, torque_about<Real>(centre, point, force)},
-                       all());
+                       named_bodies());
   }
 
   /// What the steps go through, and what is known of each body.
@@ -180,7 +180,7 @@ class World {
     const EffectInstance<Real>& instance = instance_of(effect);
     change_log_.note("'" + instance.effect->name() + "' was removed");
     limit_changed_ |= instance.effect->traits().changes_limit();
-    planner_.remove_effect(effect.number, all());
+    planner_.remove_effect(effect.number, named_bodies());
   }
 
   /// The effect, whose type the caller must know. @throws std::invalid_argument if it is another.
@@ -202,7 +202,7 @@ class World {
     for (std::size_t i = 0; const BodyHandle body : instance_of(handle).targets)
       require_top_for(*erased, body, i++);
     limit_changed_ |= erased->traits().changes_limit();
-    planner_.replace_effect(handle.number, std::move(erased), all());
+    planner_.replace_effect(handle.number, std::move(erased), named_bodies());
   }
 
   /// From now on the bodies whose moments differ turn by `rule`: one of turning_methods.hpp, or one
@@ -220,16 +220,19 @@ class World {
     planner_.step_by(scheme);
   }
 
-  /// Adds a motion that every step makes behind its own of that phase, for all bodies: see
-  /// motions.hpp.
+  /// Adds a motion that every step makes, in each kick or each drift (its phase), after the step's
+  /// own, for every body that its skip_reason() does not skip: see motions.hpp.
   template <class Motion>
   void add_motion(const Motion& motion) {
     static_assert(
         MovesInPlace<Motion, Particle<Real>, Real> || MovesInPlace<Motion, Top<Real>, Real>,
         "a motion is a function of a centre or a top and a time step, and says what it "
         "writes");
+    static_assert(
+        phase_of<Motion, Real>() == Phase::kick || phase_of<Motion, Real>() == Phase::drift,
+        "a motion acts in the phase kick or drift");
     change_log_.note("'" + std::string(motion.name) + "' came");
-    planner_.add_motion({.effect = Backend::erased(motion)}, all());
+    planner_.add_motion({.effect = Backend::erased(motion)}, named_bodies());
   }
 
   /// The effects of the scene, in the order in which they came.
@@ -249,13 +252,13 @@ class World {
   StepTime<Real> step_time() const { return step_time_of(ticks_, time_step_); }
 
   /// How all bodies move now: with restore() a step, or a thousand, can be taken back.
-  Snapshot<Real> save() const { return snapshot_of(all(), planner_, ticks_); }
+  Snapshot<Real> save() const { return snapshot_of(named_bodies(), planner_, ticks_); }
   /// All bodies move as they did when the snapshot was saved, and the steps from there on have the
   /// same bits, unless the scene has been changed since, or a push for one step was to come then:
   /// such pushes are dropped. The bodies are taken in the order of the world.
   /// @throws std::invalid_argument if there are more bodies or tops than then, or fewer.
   void restore(const Snapshot<Real>& then) {
-    tumble::restore(then, all(), backend_, planner_);
+    tumble::restore(then, named_bodies(), backend_, planner_);
     checkpoints_.forget_all();
     ticks_ = then.ticks;
   }
@@ -263,28 +266,30 @@ class World {
   /// The same as save(), for each frame of a game that may have to go back: after the first
   /// checkpoint, and until a body comes or goes, it costs what can move and what was changed, and
   /// not what rests. A checkpoint is for this world, or a copy of it, alone.
-  Checkpoint<Real> checkpoint() { return checkpoints_.make(ticks_, all(), planner_); }
+  Checkpoint<Real> checkpoint() { return checkpoints_.make(ticks_, named_bodies(), planner_); }
   /// See restore() of a Snapshot; it costs what can move now, or could then, and what was changed.
   /// @throws std::invalid_argument if there are more bodies or tops than then, or fewer.
   void restore(const Checkpoint<Real>& then) {
-    checkpoints_.restore(then, all(), backend_, planner_);
+    checkpoints_.restore(then, named_bodies(), backend_, planner_);
     ticks_ = then.ticks;
   }
 
   // --- The plan ---------------------------------------------------------------------------------
 
-  /// What each step does, as a table. It is made when one asks; what it tells of is always right.
+  /// The plan as a table, computed when asked for and so never out of date.
   Plan plan() const {
-    return {rows_of(planner_, all()), accuracy_of(step_plan()), warnings(),
+    return {rows_of(planner_, named_bodies()), accuracy_of(step_plan()), warnings(),
             unknown_limits(step_plan())};
   }
   /// What may go wrong as the bodies are now, such as a step too long for a spring.
   std::vector<std::string> warnings() const {
-    return tumble::warnings(step_plan(), all(), step_time());
+    return tumble::warnings(step_plan(), named_bodies(), step_time());
   }
 
   /// Up to which step no effect that has a response() can feed on itself, as the bodies are now.
-  StepLimit<Real> step_limit() const { return tumble::step_limit(step_plan(), all(), time()); }
+  StepLimit<Real> step_limit() const {
+    return tumble::step_limit(step_plan(), named_bodies(), time());
+  }
 
   /// What has changed the plan since the world began, a sentence each; the last hundred of them.
   std::vector<std::string> change_log() const {
@@ -301,11 +306,11 @@ class World {
   /// One step. @throws SimulationError if a number would become infinite or NaN, and whatever an
   /// effect throws; the world is then as it was before the step.
   void step() {
-    if (change_log_.is_pending()) tell_changes();
+    if (change_log_.is_pending()) report_changes();
     const std::optional<BodyIndex> diverged = backend_.step(step_plan(), step_time());
-    if (diverged) stop(*diverged);
+    if (diverged) throw_failure(*diverged);
     ++ticks_;
-    planner_.end_inputs(all());
+    planner_.end_inputs(named_bodies());
   }
 
   /// The same step without groups: see step_by_reference() in other_runs.hpp.
@@ -323,7 +328,7 @@ class World {
   }
 
  private:
-  NamedBodies<Real> all() const { return {registry_, backend_}; }
+  NamedBodies<Real> named_bodies() const { return {registry_, backend_}; }
 
   /// `top` is null for a point.
   BodyHandle append_body(const std::string& name, const Particle<Real>& centre,
@@ -338,7 +343,7 @@ class World {
     const BodyHandle body = registry_.append(name);
     change_log_.note("'" + name + "' came");
     checkpoints_.forget_all();
-    planner_.add_body(all());
+    planner_.add_body(named_bodies());
     limit_changed_ |= planner_.is_limiting(registry_.index_of(body));
     return note_motion(body);
   }
@@ -363,11 +368,11 @@ class World {
   /// A first velocity or spin changes what the scene calls for.
   BodyHandle note_motion(BodyHandle body) {
     const BodyIndex index = registry_.index_of(body);
-    const BodyFlags before = planner_.alone()[index], now = all().flags_of(index, before);
+    const BodyFlags before = planner_.alone()[index], now = named_bodies().flags_of(index, before);
     if (now.moves != before.moves)
       change_log_.note("'" + name_of(body) + "' got its first velocity");
     if (now.turns != before.turns) change_log_.note("'" + name_of(body) + "' got its first spin");
-    if (now != before) planner_.change_body(index, all());
+    if (now != before) planner_.change_body(index, named_bodies());
     return body;
   }
 
@@ -412,12 +417,12 @@ class World {
     change_log_.note("'" + name + "' came");
     limit_changed_ |= erased->traits().changes_limit();
     const EffectHandle handle{++last_effect_, registry_.family()};
-    planner_.add_effect({handle, std::move(erased), everyone, bodies}, all());
+    planner_.add_effect({handle, std::move(erased), everyone, bodies}, named_bodies());
     return handle;
   }
 
-  /// Tells of what has changed since the last step.
-  void tell_changes() {
+  /// Reports what has changed since the last step.
+  void report_changes() {
     change_log_.tell(step_plan(), registry_.size(), ticks_);
     if (!std::exchange(limit_changed_, false)) return;
     for (const std::string& warning : warnings())
@@ -432,14 +437,14 @@ class World {
     Bodies<Real> bodies = backend_.bodies();
     step(bodies, [this](BodyHandle body) { return registry_.index_of(body); });
     if (const std::optional<BodyIndex> diverged = first_diverged(bodies, step_plan()))
-      stop(*diverged);
+      throw_failure(*diverged);
     backend_.set_bodies(std::move(bodies));
     checkpoints_.forget_all();
     ++ticks_;
-    planner_.end_inputs(all());
+    planner_.end_inputs(named_bodies());
   }
 
-  [[noreturn]] void stop(BodyIndex diverged) {
+  [[noreturn]] void throw_failure(BodyIndex diverged) {
     throw failure<Real>(registry_.name_of(diverged), diverged, bodies(), step_plan(), ticks_,
                         step_time());
   }

@@ -9,7 +9,7 @@
 
 namespace tumble {
 
-/// Says how a World keeps its bodies, in place of OneByOne: `width` side by side, stepped by as
+/// Keeps the bodies of a World, in place of OneByOne: `width` side by side, stepped by as
 /// many threads as you ask for. Every bit of the motion stays the same.
 template <class Real, int width = natural_width<Real>>
 class InPacks final : public BodyStore<Real> {
@@ -65,10 +65,10 @@ class InPacks final : public BodyStore<Real> {
         });
       }
     } catch (...) {  // an effect has thrown
-      (void)acts_.rolled_back(plan);
+      (void)acts_.roll_back(plan);
       throw;
     }
-    return diverged ? acts_.rolled_back(plan) : std::nullopt;
+    return diverged ? acts_.roll_back(plan) : std::nullopt;
   }
   //! [step]
 
@@ -115,8 +115,8 @@ class InPacks final : public BodyStore<Real> {
   }
 
   /// One thread's share of the blocks of a row. Once an effect has `thrown`, the blocks to come are
-  /// remembered and not stepped, so that all can be put back. @return whether a body was led
-  /// nowhere
+  /// remembered and not stepped, so that all can be put back. @return whether a body
+  /// diverged
   //! [run_row]
   template <class Array>
   bool run_row(const StepPlan<Real>& plan, const Row<Real, width>& row, Array& array,
@@ -125,7 +125,7 @@ class InPacks final : public BodyStore<Real> {
     bool diverged = false;
     for (std::size_t n = share_of(row.blocks.size(), thread, threads); n < end; ++n)
       for (const PackedPass<Real, width>& pass : row.passes) {
-        if (thrown && pass.act != Act::remember) continue;
+        if (thrown && pass.task != Act::remember) continue;
         const std::uint32_t begin = row.blocks[n];
         try {
           diverged |= acts_.act(plan, pass, array, begin, begin + packs_in_block, at);

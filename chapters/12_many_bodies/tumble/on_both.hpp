@@ -41,7 +41,7 @@ template <class Real, int width>
 }
 //! [add_pushes]
 
-/// Runs them, and keeps the room that they need.
+/// Runs effects that see centre and top, or pairs, and keeps their buffers.
 template <class Real, int width>
 class OnBoth {
  public:
@@ -55,8 +55,8 @@ class OnBoth {
   void run(PackedActs<Real, width>& acts, const StepPlan<Real>& plan,
            const PackedPass<Real, width>& pass, const StepTime<Real>& step, ThreadPool& pool) {
     if (pool.size() == 1 || !pass.effect) return acts.run_on_both(plan, pass, step);
-    const EffectInstance<Real>& instance = instance_of(pass.pass, plan);
-    const StepTime<Real> at = step_time_of(pass.pass, step);
+    const EffectInstance<Real>& instance = instance_of(pass, plan);
+    const StepTime<Real> at = step_time_of(pass, step);
     const auto threads = static_cast<std::size_t>(pool.size());
     if (!instance.effect->traits().joins_two()) {
       for (const std::vector<std::uint32_t>& packs : pass.apart)

@@ -20,7 +20,7 @@ struct PackedActs {
   template <class Array>
   bool act(const StepPlan<Real>& plan, const PackedPass<Real, width>& pass, Array& array,
            std::uint32_t begin, std::uint32_t end, const StepTime<Real>& step) {
-    switch (pass.act) {
+    switch (pass.task) {
       case Act::remember:
         for_each_whole(pass.indices, begin, end, [&](std::uint32_t first, std::uint32_t last) {
           for (std::uint32_t pack = first; pack < last; ++pack) undo.remember(array, pack);
@@ -48,7 +48,7 @@ struct PackedActs {
   }
 
   /// The body that diverged. All are put back to where they were.
-  std::optional<BodyIndex> rolled_back(const StepPlan<Real>& plan) {
+  std::optional<BodyIndex> roll_back(const StepPlan<Real>& plan) {
     const std::optional<BodyIndex> diverged = first_diverged<Real>(bodies, plan);
     plan.moving.for_each([&](BodyIndex i) { undo.restore(bodies.centres, i); });
     plan.turning.for_each([&](BodyIndex i) { undo.restore(bodies.tops, i); });
@@ -58,14 +58,14 @@ struct PackedActs {
  private:
   void run(const StepPlan<Real>& plan, const PackedPass<Real, width>& pass, std::uint32_t begin,
            std::uint32_t end, const StepTime<Real>& step) {
-    const StepTime<Real> at = step_time_of(pass.pass, step);
-    const EffectInstance<Real>& instance = instance_of(pass.pass, plan);
-    if (pass.pass.row.kind != PassKind::rotor)
+    const StepTime<Real> at = step_time_of(pass, step);
+    const EffectInstance<Real>& instance = instance_of(pass, plan);
+    if (pass.row.kind != PassKind::rotor)
       return pass.effect->run_on_packs(bodies, instance.members, pass.indices, begin, end, at);
     const Vec3<Pack<Real, width>> H =
         instance.effect->rotor_momentum_body(at.time).template cast<Pack<Real, width>>();
     visit_packs(bodies.tops, pass.indices, begin, end,
-                [H, act = pass.pass.row.act, h = Pack<Real, width>(at.time_step)](auto& top) {
+                [H, act = pass.row.act, h = Pack<Real, width>(at.time_step)](auto& top) {
                   act_on<Pack<Real, width>>(top, act, H, h);
                 });
   }

@@ -1,5 +1,5 @@
 /// @file
-/// An effect that acts on packs of bodies, and a turning rule for packs.
+/// An effect or a motion that acts on packs of bodies.
 #pragma once
 
 #include <span>

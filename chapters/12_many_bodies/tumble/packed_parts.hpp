@@ -17,12 +17,12 @@ struct PackedPart {
 template <class Real, int width>
 PackedPart packed_part_of(const StepPlan<Real>& plan, const PackedPass<Real, width>& pass,
                           bool of_tops) {
-  if (pass.act != Act::run)
-    return {std::string(pass.act == Act::guard ? "guard of " : "memory of ")
+  if (pass.task != Act::run)
+    return {std::string(pass.task == Act::guard ? "guard of " : "memory of ")
                 .append(of_tops ? "tops" : "centres"),
             count_of(pass.indices)};
-  if (pass.pass.row.kind == PassKind::input) return {"input", plan.inputs.size()};
-  const EffectInstance<Real>& instance = instance_of(pass.pass, plan);
+  if (pass.row.kind == PassKind::input) return {"input", plan.inputs.size()};
+  const EffectInstance<Real>& instance = instance_of(pass, plan);
   return {instance.effect->name(), instance.members.size()};
 }
 

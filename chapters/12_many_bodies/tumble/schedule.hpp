@@ -12,12 +12,11 @@ namespace tumble {
 /// What is done to each block.
 enum class Act { remember, run, guard };
 
-/// One thing that is done to bodies, sorted into packs.
+/// A pass, or what guards it, with those that it visits sorted into packs.
 template <class Real, int width>
-struct PackedPass {
-  Act act;
+struct PackedPass : Pass<Real> {
+  Act task = Act::run;
   PackedIndexSet<Real, width> indices = {};
-  Pass<Real> pass = {};                               ///< what runs, if something does
   const PackedEffect<Real, width>* effect = nullptr;  ///< its form for packs; null for the inputs
   PackColouring apart = {};  ///< for more threads than one, of an effect that sees centre and top
 };
@@ -74,14 +73,16 @@ class Schedule {
  private:
   void on_all(Act act, const StepPlan<Real>& plan) {
     if (!plan.moving.empty())
-      stages.back().on_centres.passes.push_back({act, packed_index_set<Real, width>(plan.moving)});
+      stages.back().on_centres.passes.push_back(
+          {{}, act, packed_index_set<Real, width>(plan.moving)});
     if (!plan.turning.empty())
-      stages.back().on_tops.passes.push_back({act, packed_index_set<Real, width>(plan.turning)});
+      stages.back().on_tops.passes.push_back(
+          {{}, act, packed_index_set<Real, width>(plan.turning)});
   }
 
   void add(const Pass<Real>& pass, const StepPlan<Real>& plan) {
     Sees sees = Sees::body;
-    PackedPass<Real, width> packed{Act::run, {}, pass};
+    PackedPass<Real, width> packed{pass};
     if (pass.row.kind != PassKind::input) {
       const EffectInstance<Real>& instance = instance_of(pass, plan);
       packed.indices = packed_index_set<Real, width>(instance.members.indices);

@@ -18,8 +18,8 @@ int order_of(const std::string& name) {
   return says("Verlet") ? 2 : 1;
 }
 
-template <class RightHandSide, class Truth>
-void check_peers(const Problem<Topd, RightHandSide>& problem, peers::Torque torque,
+template <class Forces, class Truth>
+void check_peers(const Problem<Topd, Forces>& problem, peers::Torque torque,
                  double weight_times_arm, const Truth& truth) {
   std::vector<Contestant<Topd>> list;
   append_peers(list, problem, torque, weight_times_arm);

@@ -92,26 +92,26 @@ inline double error_of(const Particle<long double>& particle, const Particle<lon
 }
 
 /// Where the body of a problem really is in the end, and the exact solution as a contestant.
-template <class Body, class RightHandSide>
-auto truth_of(const Problem<Body, RightHandSide>& problem) {
-  return exactly_after(exactly(problem.right_hand_side), exactly(problem.start), problem.seconds);
+template <class Body, class Forces>
+auto truth_of(const Problem<Body, Forces>& problem) {
+  return exactly_after(exactly(problem.evaluate_forces), exactly(problem.start), problem.seconds);
 }
-template <class Body, class RightHandSide>
-Contestant<Body> exact_contestant(const Problem<Body, RightHandSide>& problem) {
+template <class Body, class Forces>
+Contestant<Body> exact_contestant(const Problem<Body, Forces>& problem) {
   using Real = typename ScalarOf<Body>::Type;
   return {"exact solution", "exact", false, [problem](double) {
-            return exactly_after(problem.right_hand_side, problem.start,
+            return exactly_after(problem.evaluate_forces, problem.start,
                                  static_cast<Real>(problem.seconds));
           }};
 }
 
 /// Tries a contestant with ever smaller steps, until a run takes too long or nothing is gained.
-template <class Body, class RightHandSide, class Truth>
-std::vector<Measurement> measured(const Problem<Body, RightHandSide>& problem,
-                                  const char* precision, const Contestant<Body>& contestant,
-                                  const Truth& truth, const Effort& effort) {
+template <class Body, class Forces, class Truth>
+std::vector<Measurement> measured(const Problem<Body, Forces>& problem, const char* precision,
+                                  const Contestant<Body>& contestant, const Truth& truth,
+                                  const Effort& effort) {
   std::vector<Measurement> measurements;
-  const auto start = problem.right_hand_side.kept(exactly(problem.start));
+  const auto start = problem.evaluate_forces.kept(exactly(problem.start));
   const auto relative = [](long double difference, long double to) {
     return to == 0 ? 0 : static_cast<double>(std::abs(difference / to));
   };
@@ -124,7 +124,7 @@ std::vector<Measurement> measured(const Problem<Body, RightHandSide>& problem,
                                                  : std::round(std::pow(2, n / 2.0));
     if (contestant.chooses_steps && knob < 2e-15) break;
     const auto end = exactly(contestant.run(knob));
-    const auto kept = problem.right_hand_side.kept(end);
+    const auto kept = problem.evaluate_forces.kept(end);
     const double error = error_of(end, truth);
     if (!std::isfinite(error)) {
       if (contestant.chooses_steps) break;
@@ -161,32 +161,32 @@ using HighestRung = RungOf<ladder, ladder.size() - 1>;
 /// The body of a problem after so many steps of such a rung. Because it knows the step, the
 /// compiler puts it into the loop, as it does with Odeint's.
 //! [after_steps]
-template <class Chosen, class Body, class RightHandSide>
-[[gnu::flatten]] Body after_steps(const Problem<Body, RightHandSide>& problem, double knob) {
+template <class Chosen, class Body, class Forces>
+[[gnu::flatten]] Body after_steps(const Problem<Body, Forces>& problem, double knob) {
   using Real = typename ScalarOf<Body>::Type;
   const auto steps = static_cast<long>(knob);
   const Real h = static_cast<Real>(problem.seconds / knob);
   Body body = problem.start;
-  problem.right_hand_side(body, Real(0));
+  problem.evaluate_forces(body, Real(0));
   for (long n = 0; n < steps; ++n)
     if constexpr (requires { Chosen::rung.turn; })
       Chosen::rung.turn(body, h);
     else
-      Chosen::rung.step(body, problem.right_hand_side, static_cast<Real>(n) * h, h);
+      Chosen::rung.step(body, problem.evaluate_forces, static_cast<Real>(n) * h, h);
   return body;
 }
 //! [after_steps]
 
 /// A rung as a contestant.
-template <class Chosen, class Body, class RightHandSide>
-Contestant<Body> contestant(const Problem<Body, RightHandSide>& problem, Chosen) {
+template <class Chosen, class Body, class Forces>
+Contestant<Body> contestant(const Problem<Body, Forces>& problem, Chosen) {
   return {std::string(Chosen::rung.name), "rung", false,
           [problem](double knob) { return after_steps<Chosen>(problem, knob); }};
 }
 
 /// Every rung of a ladder.
-template <const auto& ladder, class Body, class RightHandSide>
-std::vector<Contestant<Body>> contestants(const Problem<Body, RightHandSide>& problem) {
+template <const auto& ladder, class Body, class Forces>
+std::vector<Contestant<Body>> contestants(const Problem<Body, Forces>& problem) {
   return [&]<std::size_t... n>(std::index_sequence<n...>) {
     return std::vector{contestant(problem, RungOf<ladder, n>())...};
   }

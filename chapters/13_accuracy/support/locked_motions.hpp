@@ -57,14 +57,14 @@ template <class Real>
 Problem<Top<Real>, Motor<Real>> motored(const std::array<bool, 3>& locked) {
   const Top<Real> top = askew<Real>(locked);
   Problem<Top<Real>, Motor<Real>> problem{"", top, Motor<Real>(top), 2};
-  problem.start.angular_momentum_body = 2 * problem.right_hand_side.momentum;
+  problem.start.angular_momentum_body = 2 * problem.evaluate_forces.momentum;
   return problem;
 }
 template <class Real>
 Top<Wide> end_of(const Problem<Top<Real>, Motor<Real>>& problem) {
   const Wide time = problem.seconds, angle = 2 * time + (1 - std::cos(2 * time)) * 3 / 4;
   Top<Wide> end = exactly(problem.start);
-  const Vec3<Wide> turn = angle * problem.right_hand_side.line.template cast<Wide>();
+  const Vec3<Wide> turn = angle * problem.evaluate_forces.line.template cast<Wide>();
   end.orientation = end.orientation * quaternion_of_rotation_vector(turn);
   end.angular_momentum_body *= (2 + 1.5L * std::sin(2 * time)) / 2;
   return end;

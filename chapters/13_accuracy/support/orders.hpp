@@ -10,13 +10,12 @@ namespace tumble::support {
 using Wide = long double;
 
 /// The body of a problem after so many steps of a rung.
-template <class Body, class RightHandSide, class Real>
-Body after(const Problem<Body, RightHandSide>& problem, const Rung<Body, Real, RightHandSide>& rung,
-           int steps) {
+template <class Body, class Forces, class Real>
+Body after(const Problem<Body, Forces>& problem, const Rung<Body, Real, Forces>& rung, int steps) {
   Body body = problem.start;
   const Real h = static_cast<Real>(problem.seconds) / Real(steps);
-  problem.right_hand_side(body, Real(0));
-  for (int n = 0; n < steps; ++n) rung.step(body, problem.right_hand_side, Real(n) * h, h);
+  problem.evaluate_forces(body, Real(0));
+  for (int n = 0; n < steps; ++n) rung.step(body, problem.evaluate_forces, Real(n) * h, h);
   return body;
 }
 
@@ -29,9 +28,8 @@ inline Wide difference(const Top<Wide>& a, const Top<Wide>& b) {
 
 /// Halves the step, in long double, as long as roundings are out of sight or the run gets long; the
 /// last halving shows the order.
-template <class Body, class RightHandSide, class Ladder>
-void check_orders(const Problem<Body, RightHandSide>& problem, const Body& truth,
-                  const Ladder& ladder) {
+template <class Body, class Forces, class Ladder>
+void check_orders(const Problem<Body, Forces>& problem, const Body& truth, const Ladder& ladder) {
   for (const auto& rung : ladder) {
     CAPTURE(std::string(rung.name));
     Wide error = 1, order = 0;

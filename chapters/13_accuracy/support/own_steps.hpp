@@ -33,14 +33,14 @@ ToleranceOf<Body> tolerance_of(Real tolerance) {
 
 /// A contestant that `integrate(body, tolerance)` takes through the whole problem. Where no step
 /// meets the tolerance the answer is NaN.
-template <class Body, class RightHandSide, class Integrate>
-Contestant<Body> own_steps(const std::string& name, const Problem<Body, RightHandSide>& problem,
+template <class Body, class Forces, class Integrate>
+Contestant<Body> own_steps(const std::string& name, const Problem<Body, Forces>& problem,
                            const Integrate& integrate) {
   using Real = typename ScalarOf<Body>::Type;
   return {name, "rung", true, [problem, integrate](double knob) {
             Body body = problem.start;
             try {
-              integrate(body, problem.right_hand_side, static_cast<Real>(problem.seconds),
+              integrate(body, problem.evaluate_forces, static_cast<Real>(problem.seconds),
                         static_cast<Real>(knob));
             } catch (const StepError&) {
               body = failed(body);
@@ -68,39 +68,37 @@ std::vector<Contestant<Top<Real>>> free_tops_by_own_steps(const FreeProblem<Real
 }
 
 /// A body under force or torque by one rung that chooses its own steps.
-template <class Body, class RightHandSide, class Real>
-Contestant<Body> by_own_steps(const Problem<Body, RightHandSide>& problem,
-                              const AdaptiveRung<Body, Real, RightHandSide>& rung) {
+template <class Body, class Forces, class Real>
+Contestant<Body> by_own_steps(const Problem<Body, Forces>& problem,
+                              const AdaptiveRung<Body, Real, Forces>& rung) {
   return own_steps(std::string(rung.name), problem,
-                   [integrate = rung.integrate](Body& body, const RightHandSide& right_hand_side,
+                   [integrate = rung.integrate](Body& body, const Forces& evaluate_forces,
                                                 Real seconds, Real tolerance) {
-                     integrate(body, right_hand_side, Real(0), seconds,
+                     integrate(body, evaluate_forces, Real(0), seconds,
                                tolerance_of<Body>(tolerance), {});
                    });
 }
 
 /// A body under force or torque by each pair; a symmetric top by its axis as well.
-template <class Body, class RightHandSide>
-std::vector<Contestant<Body>> by_own_steps(const Problem<Body, RightHandSide>& problem) {
+template <class Body, class Forces>
+std::vector<Contestant<Body>> by_own_steps(const Problem<Body, Forces>& problem) {
   using Real = typename ScalarOf<Body>::Type;
   std::vector<Contestant<Body>> list;
-  for (const auto& rung : adaptive_rungs<Body, Real, RightHandSide>)
+  for (const auto& rung : adaptive_rungs<Body, Real, Forces>)
     list.push_back(by_own_steps(problem, rung));
-  if constexpr (requires { problem.right_hand_side.torque_on_axis(Vec3<Real>(), Real(0)); })
-    for (const auto& rung : axis_rungs<Real, RightHandSide>)
-      list.push_back(by_own_steps(problem, rung));
+  if constexpr (requires { problem.evaluate_forces.torque_on_axis(Vec3<Real>(), Real(0)); })
+    for (const auto& rung : axis_rungs<Real, Forces>) list.push_back(by_own_steps(problem, rung));
   return list;
 }
 
 /// A symmetric top by its axis, by two rules in steps of one length.
-template <class Real, class RightHandSide>
-std::vector<Contestant<Top<Real>>> axis_by_even_steps(
-    const Problem<Top<Real>, RightHandSide>& problem) {
+template <class Real, class Forces>
+std::vector<Contestant<Top<Real>>> axis_by_even_steps(const Problem<Top<Real>, Forces>& problem) {
   const auto by = [&]<class Rule>(const char* name, Rule) {
     return Contestant<Top<Real>>{name, "rung", false, [problem](double knob) {
                                    Top<Real> top = problem.start;
                                    integrate_axis_evenly<Rule>(
-                                       top, problem.right_hand_side, Real(0),
+                                       top, problem.evaluate_forces, Real(0),
                                        static_cast<Real>(problem.seconds), static_cast<long>(knob));
                                    return top;
                                  }};
@@ -110,21 +108,20 @@ std::vector<Contestant<Top<Real>>> axis_by_even_steps(
 }
 
 /// A particle under a force of place and time alone, by the Nyström pair.
-template <class Real, class RightHandSide>
-Contestant<Particle<Real>> nystrom_by_own_steps(
-    const Problem<Particle<Real>, RightHandSide>& problem) {
-  return by_own_steps(problem, nystrom_rung<Real, RightHandSide>);
+template <class Real, class Forces>
+Contestant<Particle<Real>> nystrom_by_own_steps(const Problem<Particle<Real>, Forces>& problem) {
+  return by_own_steps(problem, nystrom_rung<Real, Forces>);
 }
 
 /// An orbit in transformed time, by rows of several orders. The knob is about how many steps.
-template <class Real, class RightHandSide>
+template <class Real, class Forces>
 std::vector<Contestant<Particle<Real>>> in_transformed_time(
-    const Problem<Particle<Real>, RightHandSide>& problem) {
+    const Problem<Particle<Real>, Forces>& problem) {
   const auto by = [&]<class Row>(const char* name, Row) {
     return Contestant<Particle<Real>>{name, "rung", false, [problem](double knob) {
                                         Particle<Real> particle = problem.start;
                                         carry_in_transformed_time<Row>(
-                                            particle, problem.right_hand_side,
+                                            particle, problem.evaluate_forces,
                                             static_cast<Real>(problem.seconds),
                                             static_cast<long>(knob));
                                         return particle;

@@ -160,11 +160,11 @@ Particle<long double> exactly(const Particle<Real>& particle) {
 }
 
 /// One problem: where it starts, what acts, and after what time its state is asked for.
-template <class Body, class RightHandSide>
+template <class Body, class Forces>
 struct Problem {
   std::string name;
   Body start;
-  RightHandSide right_hand_side;
+  Forces evaluate_forces;
   double seconds;
 };
 

@@ -93,39 +93,34 @@ constexpr std::array<FreeTopRung<Real>, 7> free_top_rungs = {{
 //! [free_top_rungs]
 
 /// A method that takes a particle under force, or a top under torque, from `time` through
-/// `seconds`. `right_hand_side` as in kicked_steps.hpp; `tolerance` and `stops` as in integrate().
-template <class Body, class Real, class RightHandSide>
+/// `seconds`. `evaluate_forces` as in kicked_steps.hpp; `tolerance` and `stops` as in integrate().
+template <class Body, class Real, class Forces>
 struct AdaptiveRung {
   std::string_view name;
   Claims claims;
-  StepCounts (*integrate)(Body& body, const RightHandSide& right_hand_side, Real time,
-                          Same<Real> seconds, ToleranceOf<Body> tolerance,
-                          const Stops<Same<Real>>& stops);
+  StepCounts (*integrate)(Body& body, const Forces& evaluate_forces, Real time, Same<Real> seconds,
+                          ToleranceOf<Body> tolerance, const Stops<Same<Real>>& stops);
 };
 
 /// Those for a body under any force or torque.
-template <class Body, class Real, class RightHandSide>
-constexpr std::array<AdaptiveRung<Body, Real, RightHandSide>, 2> adaptive_rungs = {{
-    {"5(4), own steps", {.order = 5}, integrate<DormandPrince54, Body, RightHandSide, Real>},
-    {"8(5,3), own steps", {.order = 8}, integrate<DormandPrince853, Body, RightHandSide, Real>},
+template <class Body, class Real, class Forces>
+constexpr std::array<AdaptiveRung<Body, Real, Forces>, 2> adaptive_rungs = {{
+    {"5(4), own steps", {.order = 5}, integrate<DormandPrince54, Body, Forces, Real>},
+    {"8(5,3), own steps", {.order = 8}, integrate<DormandPrince853, Body, Forces, Real>},
 }};
 
 /// That for a particle where the force depends on time and place alone.
-template <class Real, class RightHandSide>
-constexpr AdaptiveRung<Particle<Real>, Real, RightHandSide> nystrom_rung = {
+template <class Real, class Forces>
+constexpr AdaptiveRung<Particle<Real>, Real, Forces> nystrom_rung = {
     "Nystrom 8(6), own steps",
     {.order = 8},
-    integrate_by_nystrom<DormandPrinceNystrom86, RightHandSide, Real>};
+    integrate_by_nystrom<DormandPrinceNystrom86, Forces, Real>};
 
 /// Those for a symmetric top whose torque depends on time and on where its axis points.
-template <class Real, class RightHandSide>
-constexpr std::array<AdaptiveRung<Top<Real>, Real, RightHandSide>, 2> axis_rungs = {{
-    {"axis apart, 5(4), own steps",
-     {.order = 5},
-     integrate_axis<DormandPrince54, RightHandSide, Real>},
-    {"axis apart, 8(5,3), own steps",
-     {.order = 8},
-     integrate_axis<DormandPrince853, RightHandSide, Real>},
+template <class Real, class Forces>
+constexpr std::array<AdaptiveRung<Top<Real>, Real, Forces>, 2> axis_rungs = {{
+    {"axis apart, 5(4), own steps", {.order = 5}, integrate_axis<DormandPrince54, Forces, Real>},
+    {"axis apart, 8(5,3), own steps", {.order = 8}, integrate_axis<DormandPrince853, Forces, Real>},
 }};
 
 }  // namespace tumble

@@ -132,7 +132,7 @@ constexpr auto portions = [] {
   return row;
 }();
 
-/// Calls `kick` and `drift` in turn with the lengths that `Row` says, in seconds.
+/// Calls `kick` and `drift` in turn with the lengths that `Row` says, in the unit of `time_step`.
 //! [alternate]
 template <class Row, class Real, class Kick, class Drift>
 void alternate(Real time_step, const Kick& kick, const Drift& drift) {

@@ -19,14 +19,14 @@ namespace tumble {
 ///     ψ' = ω · (c + n)/(1 + c · n) = k + Λ · (c + n)/(1 + c · n),
 ///
 /// an integral that no stage needs. A top that spins fast needs no short steps for that: the spin
-/// is in k. We take n along the z axis, up or down, where c is nearer; see fold() for when it is
-/// not any more.
+/// is in k. We take n along the z axis, up or down, where c is nearer; see change_chart() for when
+/// it is not any more.
 //! [axis_turn]
-template <class RightHandSide, class Real>
+template <class Forces, class Real>
 class AxisTurn {
  public:
-  AxisTurn(const Top<Real>& top, const RightHandSide& right_hand_side)
-      : gather_(&right_hand_side), top_(top) {
+  AxisTurn(const Top<Real>& top, const Forces& evaluate_forces)
+      : evaluate_forces_(&evaluate_forces), top_(top) {
     const Vec3<Real>& i = top.inverse_moments;
     for (axis_ = 0; axis_ < 3 && i[(axis_ + 1) % 3] != i[(axis_ + 2) % 3]; ++axis_) continue;
     if (axis_ == 3 || (i.array() == 0).any())
@@ -40,7 +40,7 @@ class AxisTurn {
   /// c' and Λ', 1/s and rad/s².
   [[gnu::always_inline]] StateVector<Real, 6> rates(const StateVector<Real, 6>& y,
                                                     Real time) const {
-    const Vec3<Real> torque = gather_->torque_on_axis(Vec3<Real>(y[0], y[1], y[2]), time);
+    const Vec3<Real> torque = evaluate_forces_->torque_on_axis(Vec3<Real>(y[0], y[1], y[2]), time);
     return {y[4] * y[2] - y[5] * y[1], y[5] * y[0] - y[3] * y[2], y[3] * y[1] - y[4] * y[0],
             inverse_ * torque[0],      inverse_ * torque[1],      inverse_ * torque[2]};
   }
@@ -51,10 +51,10 @@ class AxisTurn {
   }
   //! [axis_turn]
 
-  /// Whether c has gone so far from n that it is time to fold().
+  /// True if c is so far from n that change_chart() is due.
   bool is_far(const StateVector<Real, 6>& y) const { return side_ * y[2] < Real(-0.5); }
 
-  /// The top with these numbers and the angle ψ = `twist`, rad.
+  /// The top in this state and the angle ψ = `twist`, rad.
   Top<Real> top_at(const StateVector<Real, 6>& y, Real twist) const {
     const Vec3<Real> c = Vec3<Real>(y[0], y[1], y[2]).normalized(), momentum(y[3], y[4], y[5]);
     const Quaternion<Real> a = quaternion_of_rotation_vector<Real>(twist * n());
@@ -99,7 +99,7 @@ class AxisTurn {
     return {.real = 1 + dot(c, n()), .imaginary = c.cross(n())};
   }
 
-  const RightHandSide* gather_;
+  const Forces* evaluate_forces_;
   Top<Real> top_;
   Quaternion<Real> b_;
   int axis_ = 0;      // of the body, that is c

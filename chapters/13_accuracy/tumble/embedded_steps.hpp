@@ -84,19 +84,19 @@ template <class Real, std::size_t count>
 }
 
 /// Steps of a body by an embedded pair, for integrate_adaptively().
-template <class Pair, class Body, class RightHandSide, class Real>
+template <class Pair, class Body, class Forces, class Real>
 class EmbeddedSteps {
  public:
   static constexpr int power = Pair::power - 1;  ///< of the error per second
 
-  EmbeddedSteps(const Body& body, const RightHandSide& right_hand_side, Real time,
+  EmbeddedSteps(const Body& body, const Forces& evaluate_forces, Real time,
                 ToleranceOf<Body> tolerance)
-      : gather_(right_hand_side),
+      : evaluate_forces_(evaluate_forces),
         there_(body),
         time_(time),
         tolerance_(tolerance),
         start_(state_of(body)) {
-    rates_[0] = rates_under(gather_, start_, time_, there_);
+    rates_[0] = rates_under(evaluate_forces_, start_, time_, there_);
   }
 
   //! [attempt]
@@ -104,7 +104,7 @@ class EmbeddedSteps {
     step_ = h;
     evaluate_stages<typename Pair::Rule>(
         start_, h, rates_, [&](const auto& state, Real ahead, auto) {
-          return rates_under(gather_, state, time_ + ahead, there_);
+          return rates_under(evaluate_forces_, state, time_ + ahead, there_);
         });
     end_ = combine<RowOfStep<typename Pair::Rule>>(start_, h, rates_);
     if constexpr (count == 7) {
@@ -132,7 +132,7 @@ class EmbeddedSteps {
     const Real ahead = seconds / 10000;
     State there = start_;
     for (std::size_t n = 0; n < there.size(); ++n) there[n] += ahead * rates_[0][n];
-    State change = rates_under(gather_, there, time_ + ahead, there_);
+    State change = rates_under(evaluate_forces_, there, time_ + ahead, there_);
     for (std::size_t n = 0; n < change.size(); ++n) change[n] -= rates_[0][n];
     return first_step_of<Real>(
         std::sqrt(square_of_error(rates_[0], start_, start_, tolerance_, Real(1))),
@@ -184,13 +184,15 @@ class EmbeddedSteps {
                                count = std::tuple_size_v<State>;
   static constexpr bool error_sees_end = Pair::errors[0][stage_count] != 0;
 
-  void evaluate_end() { rates_[stage_count] = rates_under(gather_, end_, time_ + step_, there_); }
+  void evaluate_end() {
+    rates_[stage_count] = rates_under(evaluate_forces_, end_, time_ + step_, there_);
+  }
 
   void evaluate_more_stages() {
     const auto one = [&]<std::size_t i>() {
       const auto state = combine<RowOfMoreStages<Pair, i>>(start_, step_, rates_);
       const Real ahead = static_cast<Real>(Pair::more_nodes[i]) * step_;
-      rates_[stage_count + 1 + i] = rates_under(gather_, state, time_ + ahead, there_);
+      rates_[stage_count + 1 + i] = rates_under(evaluate_forces_, state, time_ + ahead, there_);
     };
     [&]<std::size_t... i>(std::index_sequence<i...>) {
       (one.template operator()<i>(), ...);
@@ -205,7 +207,7 @@ class EmbeddedSteps {
     return square_of_error(off, start_, end_, tolerance_, step_);
   }
 
-  const RightHandSide& gather_;
+  const Forces& evaluate_forces_;
   Body there_;  // to ask for its force or torque
   Real time_, step_ = 0;
   ToleranceOf<Body> tolerance_;
@@ -213,19 +215,18 @@ class EmbeddedSteps {
   std::array<State, stage_count + 1 + Pair::more_nodes.size()> rates_ = {};
 };
 
-/// Takes a particle or a top from `time` (s) through `seconds`. `right_hand_side` as in
+/// Takes a particle or a top from `time` (s) through `seconds`. `evaluate_forces` as in
 /// kicked_steps.hpp. `tolerance` is what may be lost in a second: of a particle {m, m/s}; of a top
 /// rad, and as large a part of |L|. The squares of |L| and of the part of it that may be lost must
 /// be normal numbers: of a smaller error the choice of the step sees nothing, and a larger |L| has
 /// no such part. No step passes over one of the `stops`.
 /// @throws std::invalid_argument unless the time is 0 or more and the tolerance more than 0, both
 /// finite, and as require_stops(). @throws StepError if no step meets the tolerance.
-template <class Pair, class Body, class RightHandSide, class Real>
-StepCounts integrate(Body& body, const RightHandSide& right_hand_side, Real time,
-                     Same<Real> seconds, ToleranceOf<Body> tolerance,
-                     const Stops<Same<Real>>& stops = {}) {
+template <class Pair, class Body, class Forces, class Real>
+StepCounts integrate(Body& body, const Forces& evaluate_forces, Real time, Same<Real> seconds,
+                     ToleranceOf<Body> tolerance, const Stops<Same<Real>>& stops = {}) {
   require_tolerance<Real>(seconds, tolerance);
-  return in_legs(body, right_hand_side, time, seconds, stops,
+  return in_legs(body, evaluate_forces, time, seconds, stops,
                  [&](auto& there, const auto& within, Real begin, Real length) {
                    EmbeddedSteps<Pair, Body, std::decay_t<decltype(within)>, Real> steps(
                        there, within, begin, tolerance);

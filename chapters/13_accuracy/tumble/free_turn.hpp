@@ -47,7 +47,7 @@ class FreeTurn {
   }
   //! [free_turn]
 
-  /// Whether errors have led l to the far side of e: time to fold().
+  /// True if errors have led l to the far side of e: change_chart() is due.
   bool is_far(const StateVector<Real, 3>& l) const { return side_ * l[axis_] < Real(-0.5); }
 
   /// The top whose L points along l, with the angle ψ = `twist`, rad.

@@ -2,7 +2,7 @@
 /// Steps under forces and torques that depend on time and place: Euler's two, and splittings into
 /// kicks and drifts.
 ///
-/// Every step here takes `right_hand_side(body, time)`, which must leave in the body the sum of
+/// Every step here takes `evaluate_forces(body, time)`, which must leave in the body the sum of
 /// what acts on it at that time (s): particle.force, top.torque. The sum of now is there when a
 /// step begins, and that of then when it ends, so call it once before the first. That saves
 /// each step an evaluation.
@@ -15,20 +15,19 @@
 namespace tumble {
 
 /// Chapter 6's explicit Euler.
-template <class Real, class RightHandSide>
-void step_explicitly(Particle<Real>& particle, const RightHandSide& right_hand_side,
-                     Same<Real> time, Same<Real> time_step) {
+template <class Real, class Forces>
+void step_explicitly(Particle<Real>& particle, const Forces& evaluate_forces, Same<Real> time,
+                     Same<Real> time_step) {
   explicit_step(particle, time_step);
-  right_hand_side(particle, time + time_step);
+  evaluate_forces(particle, time + time_step);
 }
 
 /// Kick, then drift: chapter 1's step, and that of the world.
-template <class Body, class RightHandSide, class Real>
-void step_by_kick_and_drift(Body& body, const RightHandSide& right_hand_side, Real time,
-                            Real time_step) {
+template <class Body, class Forces, class Real>
+void step_by_kick_and_drift(Body& body, const Forces& evaluate_forces, Real time, Real time_step) {
   kick(body, time_step);
   drift(body, time_step);
-  right_hand_side(body, time + time_step);
+  evaluate_forces(body, time + time_step);
 }
 
 /// Kicks and drifts in the portions of a row. Time passes with the drifts, and a kick takes what
@@ -38,23 +37,23 @@ void step_by_kick_and_drift(Body& body, const RightHandSide& right_hand_side, Re
 /// other top drifts by a rule of second order that is symmetric in time: then it is that of the row
 /// if the row is made of whole steps, see composed().
 ///
-/// A `right_hand_side` that has a drift(body, h) of its own drifts by that: in thick air, say,
+/// A `evaluate_forces` that has a drift(body, h) of its own drifts by that: in thick air, say,
 /// where coasting to a stop is an exact motion too.
 ///
 /// Where force depends on velocity, the order falls to 1: the last kick of a step uses what
 /// was evaluated before it.
 //! [step_by_row]
-template <class Row, class Body, class RightHandSide, class Real>
-void step_by_row(Body& body, const RightHandSide& right_hand_side, Real time, Real time_step) {
+template <class Row, class Body, class Forces, class Real>
+void step_by_row(Body& body, const Forces& evaluate_forces, Real time, Real time_step) {
   alternate<Row>(
       time_step, [&](Real h) { kick(body, h); },
       [&](Real h) {
-        if constexpr (requires { right_hand_side.drift(body, h); })
-          right_hand_side.drift(body, h);
+        if constexpr (requires { evaluate_forces.drift(body, h); })
+          evaluate_forces.drift(body, h);
         else
           drift(body, h);
         time += h;
-        right_hand_side(body, time);
+        evaluate_forces(body, time);
       });
 }
 //! [step_by_row]

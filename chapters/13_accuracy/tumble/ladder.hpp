@@ -82,77 +82,71 @@ const TurningRung<Real>& turning_rung(std::string_view name) {
   throw std::invalid_argument("no rung is called '" + std::string(name) + "'; they are: " + names);
 }
 
-/// A method for a top under torque, or for a particle under force. `right_hand_side` as in
+/// A method for a top under torque, or for a particle under force. `evaluate_forces` as in
 /// kicked_steps.hpp.
-template <class Body, class Real, class RightHandSide>
+template <class Body, class Real, class Forces>
 struct Rung {
   std::string_view name;
   Claims claims;
-  void (*step)(Body& body, const RightHandSide& right_hand_side, Real time, Real time_step);
+  void (*step)(Body& body, const Forces& evaluate_forces, Real time, Real time_step);
 };
 
 /// The rungs for the motion of a centre of mass, where force depends on time and place.
-template <class Real, class RightHandSide>
-constexpr std::array<Rung<Particle<Real>, Real, RightHandSide>, 11> motion_ladder = {{
-    {"explicit Euler", {.order = 1}, step_explicitly<Real, RightHandSide>},
-    {"kick and drift", {.order = 1}, step_by_kick_and_drift<Particle<Real>, RightHandSide, Real>},
-    {"Verlet",
-     {.order = 2, .reverses = true},
-     step_by_row<Verlet, Particle<Real>, RightHandSide, Real>},
-    {"Runge-Kutta", {.order = 4}, step_by_runge_kutta<Kutta, Particle<Real>, RightHandSide, Real>},
-    {"Suzuki",
-     {.order = 4, .reverses = true},
-     step_by_row<Suzuki, Particle<Real>, RightHandSide, Real>},
+template <class Real, class Forces>
+constexpr std::array<Rung<Particle<Real>, Real, Forces>, 11> motion_ladder = {{
+    {"explicit Euler", {.order = 1}, step_explicitly<Real, Forces>},
+    {"kick and drift", {.order = 1}, step_by_kick_and_drift<Particle<Real>, Forces, Real>},
+    {"Verlet", {.order = 2, .reverses = true}, step_by_row<Verlet, Particle<Real>, Forces, Real>},
+    {"Runge-Kutta", {.order = 4}, step_by_runge_kutta<Kutta, Particle<Real>, Forces, Real>},
+    {"Suzuki", {.order = 4, .reverses = true}, step_by_row<Suzuki, Particle<Real>, Forces, Real>},
     {"Dormand-Prince 5",
      {.order = 5},
-     step_by_runge_kutta<DormandPrinceFifth, Particle<Real>, RightHandSide, Real>},
+     step_by_runge_kutta<DormandPrinceFifth, Particle<Real>, Forces, Real>},
     {"Kahan-Li 6",
      {.order = 6, .reverses = true},
-     step_by_row<KahanLiSixth, Particle<Real>, RightHandSide, Real>},
+     step_by_row<KahanLiSixth, Particle<Real>, Forces, Real>},
     {"Blanes-Moan-Nystrom",
      {.order = 6, .reverses = true},
-     step_by_row<BlanesMoanNystrom, Particle<Real>, RightHandSide, Real>},
+     step_by_row<BlanesMoanNystrom, Particle<Real>, Forces, Real>},
     {"Dormand-Prince 8",
      {.order = 8},
-     step_by_runge_kutta<DormandPrinceEighth, Particle<Real>, RightHandSide, Real>},
+     step_by_runge_kutta<DormandPrinceEighth, Particle<Real>, Forces, Real>},
     {"Kahan-Li 8",
      {.order = 8, .reverses = true},
-     step_by_row<KahanLiEighth, Particle<Real>, RightHandSide, Real>},
+     step_by_row<KahanLiEighth, Particle<Real>, Forces, Real>},
     {"Sofroniou-Spaletta",
      {.order = 10, .reverses = true},
-     step_by_row<SofroniouSpaletta, Particle<Real>, RightHandSide, Real>},
+     step_by_row<SofroniouSpaletta, Particle<Real>, Forces, Real>},
 }};
 
 /// The rungs for a top under torque that depends on time and orientation.
-template <class Real, class RightHandSide>
-constexpr std::array<Rung<Top<Real>, Real, RightHandSide>, 11> torque_ladder = {{
-    {"kick and drift", {.order = 1}, step_by_kick_and_drift<Top<Real>, RightHandSide, Real>},
+template <class Real, class Forces>
+constexpr std::array<Rung<Top<Real>, Real, Forces>, 11> torque_ladder = {{
+    {"kick and drift", {.order = 1}, step_by_kick_and_drift<Top<Real>, Forces, Real>},
     {"kicked splitting",
      {.order = 2, .reverses = true},
-     step_by_row<Verlet, Top<Real>, RightHandSide, Real>},
-    {"Runge-Kutta", {.order = 4}, step_by_runge_kutta<Kutta, Top<Real>, RightHandSide, Real>},
-    {"Lie Runge-Kutta", {.order = 4}, turn_by_lie_runge_kutta<Real, RightHandSide>},
+     step_by_row<Verlet, Top<Real>, Forces, Real>},
+    {"Runge-Kutta", {.order = 4}, step_by_runge_kutta<Kutta, Top<Real>, Forces, Real>},
+    {"Lie Runge-Kutta", {.order = 4}, turn_by_lie_runge_kutta<Real, Forces>},
     {"kicked splitting, Suzuki",
      {.order = 4, .reverses = true},
-     step_by_row<Suzuki, Top<Real>, RightHandSide, Real>},
+     step_by_row<Suzuki, Top<Real>, Forces, Real>},
     {"Dormand-Prince 5",
      {.order = 5},
-     step_by_runge_kutta<DormandPrinceFifth, Top<Real>, RightHandSide, Real>},
+     step_by_runge_kutta<DormandPrinceFifth, Top<Real>, Forces, Real>},
     {"kicked splitting, Kahan-Li 6",
      {.order = 6, .reverses = true},
-     step_by_row<KahanLiSixth, Top<Real>, RightHandSide, Real>},
+     step_by_row<KahanLiSixth, Top<Real>, Forces, Real>},
     {"Dormand-Prince 8",
      {.order = 8},
-     step_by_runge_kutta<DormandPrinceEighth, Top<Real>, RightHandSide, Real>},
-    {"Fehlberg 8",
-     {.order = 8},
-     step_by_runge_kutta<FehlbergEighth, Top<Real>, RightHandSide, Real>},
+     step_by_runge_kutta<DormandPrinceEighth, Top<Real>, Forces, Real>},
+    {"Fehlberg 8", {.order = 8}, step_by_runge_kutta<FehlbergEighth, Top<Real>, Forces, Real>},
     {"kicked splitting, Kahan-Li 8",
      {.order = 8, .reverses = true},
-     step_by_row<KahanLiEighth, Top<Real>, RightHandSide, Real>},
+     step_by_row<KahanLiEighth, Top<Real>, Forces, Real>},
     {"kicked splitting, Sofroniou-Spaletta",
      {.order = 10, .reverses = true},
-     step_by_row<SofroniouSpaletta, Top<Real>, RightHandSide, Real>},
+     step_by_row<SofroniouSpaletta, Top<Real>, Forces, Real>},
 }};
 
 }  // namespace tumble

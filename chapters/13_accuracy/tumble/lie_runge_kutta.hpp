@@ -63,10 +63,10 @@ Vec3<Real> bearing_torque(const Top<Real>& top) {
 //! [bearing_torque]
 
 /// The same with torque. In the axes of the step's start L changes by the torques alone, the
-/// bearings' among them, so where there is none it is kept to the last digit. `right_hand_side` as
+/// bearings' among them, so where there is none it is kept to the last digit. `evaluate_forces` as
 /// in step_by_runge_kutta().
-template <class Real, class RightHandSide>
-void turn_by_lie_runge_kutta(Top<Real>& top, const RightHandSide& right_hand_side, Same<Real> time,
+template <class Real, class Forces>
+void turn_by_lie_runge_kutta(Top<Real>& top, const Forces& evaluate_forces, Same<Real> time,
                              Same<Real> time_step) {
   using State = detail::TurnAndMomentum<Real>;
   const Quaternion<Real> start = top.orientation;
@@ -92,15 +92,15 @@ void turn_by_lie_runge_kutta(Top<Real>& top, const RightHandSide& right_hand_sid
   add_stage(Real(1) / 6, Real(1) / 2);
   for (const Real ahead : {Real(1) / 2, Real(1)}) {
     go(there);
-    right_hand_side(top, time + time_step / 2);
+    evaluate_forces(top, time + time_step / 2);
     add_stage(Real(1) / 3, ahead);
   }
   go(there);
-  right_hand_side(top, time + time_step);
+  evaluate_forces(top, time + time_step);
   add_stage(Real(1) / 6, 0);
   go(sum);
   top.orientation = renormalized(top.orientation);
-  right_hand_side(top, time + time_step);
+  evaluate_forces(top, time + time_step);
 }
 
 }  // namespace tumble

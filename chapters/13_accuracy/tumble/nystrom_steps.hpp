@@ -28,14 +28,14 @@ struct RowOfErrorsOfVelocities {
 /// Steps of a particle by a Nyström pair, for integrate_adaptively(). Velocities take no part in a
 /// stage, so each stage weighs three numbers instead of six, and eight of them reach the order for
 /// which a rule that does not tell positions from velocities needs at least eleven (Butcher 1985).
-template <class Pair, class RightHandSide, class Real>
+template <class Pair, class Forces, class Real>
 class NystromSteps {
  public:
   static constexpr int power = Pair::power - 1;  ///< of the error per second
 
-  NystromSteps(const Particle<Real>& particle, const RightHandSide& right_hand_side, Real time,
+  NystromSteps(const Particle<Real>& particle, const Forces& evaluate_forces, Real time,
                const ParticleTolerance<Real>& tolerance)
-      : gather_(right_hand_side), there_(particle), time_(time), tolerance_(tolerance) {
+      : evaluate_forces_(evaluate_forces), there_(particle), time_(time), tolerance_(tolerance) {
     const Vec3<Real>&x = particle.position, &v = particle.velocity;
     place_ = {x[0], x[1], x[2]};
     velocity_ = {v[0], v[1], v[2]};
@@ -97,7 +97,7 @@ class NystromSteps {
 
   [[gnu::always_inline]] Three acceleration_at(const Three& place, Real ahead) {
     there_.position = {place[0], place[1], place[2]};
-    gather_(there_, time_ + ahead);
+    evaluate_forces_(there_, time_ + ahead);
     const Vec3<Real>& F = there_.force;
     const Real i = there_.inverse_mass;
     return {i * F[0], i * F[1], i * F[2]};
@@ -121,7 +121,7 @@ class NystromSteps {
                            tolerance_, step_);
   }
 
-  const RightHandSide& gather_;
+  const Forces& evaluate_forces_;
   Particle<Real> there_;  // to ask for its force or torque
   Real time_, step_ = 0;
   ParticleTolerance<Real> tolerance_;
@@ -130,13 +130,12 @@ class NystromSteps {
 };
 
 /// Like integrate(), by a Nyström pair, where the force depends on time and place alone.
-template <class Pair, class RightHandSide, class Real>
-StepCounts integrate_by_nystrom(Particle<Real>& particle, const RightHandSide& right_hand_side,
-                                Real time, Same<Real> seconds,
-                                ParticleTolerance<Same<Real>> tolerance,
+template <class Pair, class Forces, class Real>
+StepCounts integrate_by_nystrom(Particle<Real>& particle, const Forces& evaluate_forces, Real time,
+                                Same<Real> seconds, ParticleTolerance<Same<Real>> tolerance,
                                 const Stops<Same<Real>>& stops = {}) {
   require_tolerance<Real>(seconds, tolerance);
-  return in_legs(particle, right_hand_side, time, seconds, stops,
+  return in_legs(particle, evaluate_forces, time, seconds, stops,
                  [&](auto& there, const auto& within, Real begin, Real length) {
                    NystromSteps<Pair, std::decay_t<decltype(within)>, Real> steps(there, within,
                                                                                   begin, tolerance);

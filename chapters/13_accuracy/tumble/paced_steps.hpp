@@ -26,15 +26,14 @@ namespace tumble {
 /// more than P in it, or where ρ is less than P/2 nevertheless. So each is positive, and no longer
 /// than 2 angle/P.
 //! [paced_steps]
-template <class Row, class RightHandSide, class Real>
+template <class Row, class Forces, class Real>
 class PacedSteps {
  public:
   /// `angle` (rad) is that of a step; `least` (rad/s) the pace of a top at rest. It may be 0 where
   /// the top never comes to rest, as without torque.
-  PacedSteps(const Top<Real>& top, const RightHandSide& right_hand_side, Real time, Real angle,
-             Real least)
-      : gather_(right_hand_side), top_(top), time_(time), angle_(angle), least_(least) {
-    gather_(top_, time_);
+  PacedSteps(const Top<Real>& top, const Forces& evaluate_forces, Real time, Real angle, Real least)
+      : evaluate_forces_(evaluate_forces), top_(top), time_(time), angle_(angle), least_(least) {
+    evaluate_forces_(top_, time_);
     pace_ = std::sqrt(square_of_pace());
   }
 
@@ -51,7 +50,7 @@ class PacedSteps {
 
   /// One step of h seconds, whatever the pace: to land.
   void move(Real h) {
-    step_by_row<Row>(top_, gather_, time_, h);
+    step_by_row<Row>(top_, evaluate_forces_, time_, h);
     time_ += h;
   }
 
@@ -93,7 +92,7 @@ class PacedSteps {
     return square == 0 ? Real(0) : dot(angular_velocity_body(top_), acceleration()) / square;
   }
 
-  const RightHandSide& gather_;
+  const Forces& evaluate_forces_;
   Top<Real> top_;  // with the torque of now
   Real time_, angle_, least_, pace_ = 0;
 };
@@ -104,14 +103,14 @@ class PacedSteps {
 /// @throws std::invalid_argument unless the time and the least pace are 0 or more and the angle is
 /// more than 0, all finite. @throws StepError if PacedSteps refuses a step, which a larger least
 /// pace prevents, or if steps fall below what the clock can show.
-template <class Row, class RightHandSide, class Real>
-StepCounts integrate_paced(Top<Real>& top, const RightHandSide& right_hand_side, Real time,
+template <class Row, class Forces, class Real>
+StepCounts integrate_paced(Top<Real>& top, const Forces& evaluate_forces, Real time,
                            Same<Real> seconds, Same<Real> angle, Same<Real> least) {
   require_not_negative("time", seconds, "s");
   require_not_negative("least pace", least, "rad/s");
   require_finite("angle", angle, "rad a step");
   if (!(angle > 0)) reject("angle", angle, "rad a step", "it must be greater than 0");
-  PacedSteps<Row, RightHandSide, Real> steps(top, right_hand_side, time, angle, least);
+  PacedSteps<Row, Forces, Real> steps(top, evaluate_forces, time, angle, least);
   StepCounts counts;
   Real gone = 0;
   while (gone < seconds) {

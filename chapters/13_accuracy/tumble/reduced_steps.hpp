@@ -133,17 +133,17 @@ StepCounts integrate_free_top(Top<Real>& top, Same<Real> seconds, Same<Real> tol
 }
 
 /// Takes a symmetric top from `time` (s) through `seconds`, where the torque depends on time and on
-/// where the axis points, and has no part along it: `right_hand_side` returns it (N m, world axes)
+/// where the axis points, and has no part along it: `evaluate_forces` returns it (N m, world axes)
 /// by torque_on_axis(axis, time). `tolerance`: rad, and parts of |L|, that may be lost in a second.
 /// No step passes over one of the `stops`.
 /// @throws std::invalid_argument unless two moments are equal and none is locked, and as
 /// integrate(). @throws StepError if no step meets the tolerance.
-template <class Pair, class RightHandSide, class Real>
-StepCounts integrate_axis(Top<Real>& top, const RightHandSide& right_hand_side, Real time,
+template <class Pair, class Forces, class Real>
+StepCounts integrate_axis(Top<Real>& top, const Forces& evaluate_forces, Real time,
                           Same<Real> seconds, Same<Real> tolerance,
                           const Stops<Same<Real>>& stops = {}) {
   require_tolerance<Real>(seconds, tolerance);
-  return in_legs(top, right_hand_side, time, seconds, stops,
+  return in_legs(top, evaluate_forces, time, seconds, stops,
                  [&](auto& there, const auto& within, Real begin, Real length) {
                    const AxisTurn<std::decay_t<decltype(within)>, Real> motion(there, within);
                    return integrate_reduced<Pair, Real>(there, motion, begin, length, tolerance,
@@ -154,12 +154,12 @@ StepCounts integrate_axis(Top<Real>& top, const RightHandSide& right_hand_side, 
 /// The same in so many steps of one length.
 /// @throws std::invalid_argument unless the time is 0 or more and finite, there is at least one
 /// step, and two moments are equal and none is locked.
-template <class Rule, class RightHandSide, class Real>
-[[gnu::flatten]] void integrate_axis_evenly(Top<Real>& top, const RightHandSide& right_hand_side,
+template <class Rule, class Forces, class Real>
+[[gnu::flatten]] void integrate_axis_evenly(Top<Real>& top, const Forces& evaluate_forces,
                                             Real time, Same<Real> seconds, long steps) {
   require_not_negative("time", seconds, "s");
   if (steps < 1) reject("number of steps", steps, "", "it must be 1 or more");
-  AxisTurn<RightHandSide, Real> motion(top, right_hand_side);
+  AxisTurn<Forces, Real> motion(top, evaluate_forces);
   StateVector<Real, 6> state = motion.state();
   Real twist = 0;
   const Real h = seconds / static_cast<Real>(steps);
@@ -172,7 +172,7 @@ template <class Rule, class RightHandSide, class Real>
     }
   }
   top = motion.top_at(state, twist);
-  right_hand_side(top, time + seconds);
+  evaluate_forces(top, time + seconds);
 }
 
 }  // namespace tumble

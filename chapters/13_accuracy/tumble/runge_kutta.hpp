@@ -178,7 +178,7 @@ template <class Row, class Real, std::size_t count, std::size_t s>
 template <std::size_t i>
 using StageNumber = std::integral_constant<std::size_t, i>;
 
-/// Evaluates all stages of a rule but the first, which `rates` holds already. `rates_at(numbers,
+/// Evaluates all stages of a rule but the first, which `rates` holds already. `rates_at(state,
 /// ahead, StageNumber<i>())` gives the rates of a state `ahead` seconds after the start. `rates`
 /// may have room for more.
 template <class Rule, class Real, std::size_t count, std::size_t room, class RatesAt>
@@ -196,7 +196,7 @@ template <class Rule, class Real, std::size_t count, std::size_t room, class Rat
   (std::make_index_sequence<rule.nodes.size() - 1>());
 }
 
-/// The numbers after one step: stage after stage, and then all of them weighed. `first` is what
+/// The state after one step: all stages, then their weighted sum. `first` is what
 /// rates_at() would return for the start.
 //! [after_step]
 template <class Rule, class Real, std::size_t count, class RatesAt>
@@ -224,7 +224,7 @@ template <class Rule, class Real>
 }
 
 /// One step of a motion that a few numbers describe but for an integral ψ, which no stage needs:
-/// FreeTurn or AxisTurn. It leads on the `numbers` of `time` (s), and ψ = `twist` (rad).
+/// FreeTurn or AxisTurn. It advances the `state` of `time` (s), and ψ = `twist` (rad).
 //! [lead_reduced]
 template <class Rule, class Motion, class Real, std::size_t count>
 [[gnu::always_inline]] inline void lead_reduced(const Motion& motion,
@@ -245,57 +245,57 @@ template <class Rule, class Motion, class Real, std::size_t count>
 //! [lead_reduced]
 
 /// What a particle or a top changes by at `time` (s), with `state` for its numbers; `there` is a
-/// body that the force or the torque may be left in. A `right_hand_side` that drifts by a law of
+/// body that the force or the torque may be left in. A `evaluate_forces` that drifts by a law of
 /// its own says by in_full(body, time) what acts together with that, and one that knows its torque
 /// (N m) in body axes by torque_body(orientation, time).
-template <class Real, class RightHandSide>
-[[gnu::always_inline]] inline StateVector<Real, 6> rates_under(const RightHandSide& right_hand_side,
+template <class Real, class Forces>
+[[gnu::always_inline]] inline StateVector<Real, 6> rates_under(const Forces& evaluate_forces,
                                                                const StateVector<Real, 6>& state,
                                                                Same<Real> time,
                                                                Particle<Real>& there) {
   set_state(there, state);
-  if constexpr (requires { right_hand_side.in_full(there, time); })
-    right_hand_side.in_full(there, time);
+  if constexpr (requires { evaluate_forces.in_full(there, time); })
+    evaluate_forces.in_full(there, time);
   else
-    right_hand_side(there, time);
+    evaluate_forces(there, time);
   return rates_of(state, there);
 }
 
-template <class Real, class RightHandSide>
-[[gnu::always_inline]] inline StateVector<Real, 7> rates_under(const RightHandSide& right_hand_side,
+template <class Real, class Forces>
+[[gnu::always_inline]] inline StateVector<Real, 7> rates_under(const Forces& evaluate_forces,
                                                                const StateVector<Real, 7>& state,
                                                                Same<Real> time, Top<Real>& there) {
-  if constexpr (requires { right_hand_side.torque_body(there.orientation, time); }) {
+  if constexpr (requires { evaluate_forces.torque_body(there.orientation, time); }) {
     const Quaternion<Real> q = {state[0], {state[1], state[2], state[3]}};
     return with_torque_body(rates_of(state, there.inverse_moments), there,
-                            right_hand_side.torque_body(q, time));
+                            evaluate_forces.torque_body(q, time));
   } else {
     set_state(there, state);
-    right_hand_side(there, time);
+    evaluate_forces(there, time);
     return rates_of(state, there);
   }
 }
 
-/// A particle or a top under force or torque. `right_hand_side(body, time)` must leave in the body
+/// A particle or a top under force or torque. `evaluate_forces(body, time)` must leave in the body
 /// the sum of what acts on it at that time (s). It has done so when the step begins, and when it
 /// ends.
-template <class Rule, class Body, class RightHandSide, class Real>
-[[gnu::flatten]] void step_by_runge_kutta(Body& body, const RightHandSide& right_hand_side,
-                                          Real time, Real time_step) {
+template <class Rule, class Body, class Forces, class Real>
+[[gnu::flatten]] void step_by_runge_kutta(Body& body, const Forces& evaluate_forces, Real time,
+                                          Real time_step) {
   Body there = body;
   const auto rates_at = [&](const auto& state, Real ahead, auto) {
-    return rates_under(right_hand_side, state, time + ahead, there);
+    return rates_under(evaluate_forces, state, time + ahead, there);
   };
   const auto start = state_of(body);
   const auto first = [&] {
-    if constexpr (requires { right_hand_side.in_full(body, time); })
-      return rates_under(right_hand_side, start, time, there);
+    if constexpr (requires { evaluate_forces.in_full(body, time); })
+      return rates_under(evaluate_forces, start, time, there);
     else
       return rates_of(start, body);  // evaluated when the step before ended
   }();
   set_state(body, after_step<Rule>(start, first, time_step, rates_at));
   if constexpr (requires { body.orientation; }) body.orientation = renormalized(body.orientation);
-  right_hand_side(body, time + time_step);
+  evaluate_forces(body, time + time_step);
 }
 
 }  // namespace tumble

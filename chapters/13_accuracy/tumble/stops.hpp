@@ -1,6 +1,6 @@
 /// @file
 /// What a method that chooses its steps can't see for itself: the moments at which a force or a
-/// torque changes at once, and how long a step may be lest it pass over something short.
+/// torque changes abruptly, and how long a step may be lest it pass over something short.
 #pragma once
 
 #include <tumble/step_control.hpp>
@@ -13,7 +13,7 @@ namespace tumble {
 template <class Real>
 struct Stops {
   std::vector<Real> events =
-      {};  ///< s, by the clock of `right_hand_side`, each later than the one before
+      {};  ///< s, by the clock of `evaluate_forces`, each later than the one before
   Real longest = std::numeric_limits<Real>::infinity();  ///< of a step, s
 };
 //! [stops]
@@ -30,13 +30,13 @@ void require_stops(const Stops<Real>& stops) {
   }
 }
 
-/// A force or a torque as one leg of an integration sees it: `right_hand_side`, never asked for a
-/// time outside. At an event `right_hand_side` says what acts from then on; the leg that ends there
+/// A force or a torque as one leg of an integration sees it: `evaluate_forces`, never asked for a
+/// time outside. At an event `evaluate_forces` says what acts from then on; the leg that ends there
 /// takes what it says just before.
-template <class RightHandSide, class Real>
+template <class Forces, class Real>
 struct WithinLeg {
-  const RightHandSide& right_hand_side;  ///< of the whole integration
-  Real first, last;                      ///< s
+  const Forces& evaluate_forces;  ///< of the whole integration
+  Real first, last;               ///< s
 
   /// `time`, or the nearer end of the leg, s.
   Real inside(Real time) const { return std::clamp(time, first, last); }
@@ -44,40 +44,40 @@ struct WithinLeg {
   /// Its force or torque on `body`, at `time` (s) or at the nearer end.
   template <class Body>
   void operator()(Body& body, Real time) const {
-    right_hand_side(body, inside(time));
+    evaluate_forces(body, inside(time));
   }
   /// @cond What only some have, see rates_under() and AxisTurn.
   template <class Body>
   void in_full(Body& body, Real time) const requires requires {
-    right_hand_side.in_full(body, time);
+    evaluate_forces.in_full(body, time);
   }
-  { right_hand_side.in_full(body, inside(time)); }
+  { evaluate_forces.in_full(body, inside(time)); }
   template <class Orientation>
   auto torque_body(const Orientation& q, Real time) const requires requires {
-    right_hand_side.torque_body(q, time);
+    evaluate_forces.torque_body(q, time);
   }
-  { return right_hand_side.torque_body(q, inside(time)); }
+  { return evaluate_forces.torque_body(q, inside(time)); }
   template <class Axis>
   auto torque_on_axis(const Axis& axis, Real time) const {
-    return right_hand_side.torque_on_axis(axis, inside(time));
+    return evaluate_forces.torque_on_axis(axis, inside(time));
   }
   /// @endcond
 };
 
 /// Takes a body from `time` through `seconds` in legs from event to event. `leg(body,
-/// right_hand_side, begin, length)` makes one of them, in s, and returns what it took. What acts at
+/// evaluate_forces, begin, length)` makes one of them, in s, and returns what it took. What acts at
 /// the end is left in the body. If a leg fails the body is where it was at the start.
 /// @throws std::invalid_argument as require_stops().
 //! [in_legs]
-template <class Body, class Real, class RightHandSide, class Leg>
-StepCounts in_legs(Body& body, const RightHandSide& right_hand_side, Real time, Same<Real> seconds,
+template <class Body, class Real, class Forces, class Leg>
+StepCounts in_legs(Body& body, const Forces& evaluate_forces, Real time, Same<Real> seconds,
                    const Stops<Real>& stops, const Leg& leg) {
   require_stops(stops);
   Body there = body;
   StepCounts all;
   const auto go = [&](Real begin, Real length, Real last) {
     const StepCounts one =
-        leg(there, WithinLeg<RightHandSide, Real>{right_hand_side, begin, last}, begin, length);
+        leg(there, WithinLeg<Forces, Real>{evaluate_forces, begin, last}, begin, length);
     all.steps += one.steps;
     all.rejected += one.rejected;
   };
@@ -93,7 +93,7 @@ StepCounts in_legs(Body& body, const RightHandSide& right_hand_side, Real time, 
     }
   }
   go(begin, seconds - (begin - time), last);
-  right_hand_side(there, end);
+  evaluate_forces(there, end);
   body = there;
   return all;
 }

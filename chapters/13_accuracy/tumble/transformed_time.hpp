@@ -18,14 +18,14 @@ namespace tumble {
 /// true ellipse to another, however long the step: by Verlet's rule, and by a row that is made of
 /// its steps, only the time is wrong.
 //! [transformed_time]
-template <class RightHandSide, class Real>
+template <class Forces, class Real>
 class TransformedTime {
  public:
-  /// `right_hand_side` returns U (J) by pull_energy(particle), besides leaving the force in the
+  /// `evaluate_forces` returns U (J) by pull_energy(particle), besides leaving the force in the
   /// particle.
-  TransformedTime(const Particle<Real>& particle, const RightHandSide& right_hand_side)
-      : gather_(&right_hand_side), particle_(particle), mass_(mass_of(particle)) {
-    bound_ = right_hand_side.pull_energy(particle_) - kinetic_energy_of(particle_);
+  TransformedTime(const Particle<Real>& particle, const Forces& evaluate_forces)
+      : evaluate_forces_(&evaluate_forces), particle_(particle), mass_(mass_of(particle)) {
+    bound_ = evaluate_forces.pull_energy(particle_) - kinetic_energy_of(particle_);
   }
 
   /// A step of ds (J s).
@@ -37,8 +37,8 @@ class TransformedTime {
       time_ += h;
     };
     const auto kicked = [&](Real part) {
-      (*gather_)(particle_, time_);
-      kick(particle_, part / gather_->pull_energy(particle_));
+      (*evaluate_forces_)(particle_, time_);
+      kick(particle_, part / evaluate_forces_->pull_energy(particle_));
     };
     alternate<Row>(ds, drifted, kicked);
   }
@@ -56,10 +56,10 @@ class TransformedTime {
   void finish(Real end) {
     const Real half = (end - time_) / 2;
     drift(particle_, half);
-    (*gather_)(particle_, time_ + half);
+    (*evaluate_forces_)(particle_, time_ + half);
     kick(particle_, 2 * half);
     drift(particle_, half);
-    (*gather_)(particle_, end);
+    (*evaluate_forces_)(particle_, end);
     time_ = end;
   }
 
@@ -68,7 +68,7 @@ class TransformedTime {
     return mass_ / 2 * particle.velocity.squaredNorm();
   }
 
-  const RightHandSide* gather_;
+  const Forces* evaluate_forces_;
   Particle<Real> particle_;
   Real mass_, bound_ = 0, time_ = 0;
 };
@@ -77,12 +77,12 @@ class TransformedTime {
 /// How long the last one must be is found by shortening it, which needs a few trials.
 /// @throws std::invalid_argument unless the time is 0 or more and finite, there is at least one
 /// step, and the particle is bound: B greater than 0.
-template <class Row, class RightHandSide, class Real>
-void carry_in_transformed_time(Particle<Real>& particle, const RightHandSide& right_hand_side,
+template <class Row, class Forces, class Real>
+void carry_in_transformed_time(Particle<Real>& particle, const Forces& evaluate_forces,
                                Same<Real> seconds, long steps) {
   require_not_negative("time", seconds, "s");
   if (steps < 1) reject("number of steps", steps, "", "it must be 1 or more");
-  TransformedTime<RightHandSide, Real> motion(particle, right_hand_side), before = motion;
+  TransformedTime<Forces, Real> motion(particle, evaluate_forces), before = motion;
   if (!(motion.bound() > 0))
     reject("binding energy", motion.bound(), "J", "it must be greater than 0: the orbit is open");
   if (seconds == 0) return;
