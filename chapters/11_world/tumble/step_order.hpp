@@ -26,9 +26,8 @@ struct OrderRow {
 inline constexpr std::array<OrderRow, 12> step_order = {{
     {SubstepKind::kick, PassKind::effect, Phase::force},  // forces and torques are summed
     {SubstepKind::kick, PassKind::input, Phase::force},   // and the user's pushes
-    {SubstepKind::kick, PassKind::effect,
-     Phase::kick},  // accelerations, and what is set with the kick
-    {SubstepKind::kick, PassKind::motion, Phase::kick},  // the sums change velocities and spins
+    {SubstepKind::kick, PassKind::effect, Phase::kick},   // accelerations, and what is set
+    {SubstepKind::kick, PassKind::motion, Phase::kick},   // the sums change velocities and spins
     {SubstepKind::whole, PassKind::effect, Phase::impulse},
     {SubstepKind::whole, PassKind::effect, Phase::damping},
     {SubstepKind::drift, PassKind::rotor, Phase::turn, RotorAct::join},
