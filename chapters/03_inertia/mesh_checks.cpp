@@ -98,32 +98,6 @@ TEST_CASE_TEMPLATE("A hollow in a mesh is a wall that faces into it", Real, EVER
   CHECK(difference(refilled, mass_properties(Box<Real>{outer}, 24)) <= 80 * unit_roundoff<Real>);
 }
 
-TEST_CASE_TEMPLATE("Two boxes that do not touch are one mesh and one compound body", Real,
-                   EVERY_PRECISION) {
-  const Mat3<Real> upright = Mat3<Real>::Identity();
-  const Mesh<Real> right = moved<Real>(box_mesh(Vec3<Real>(1, 1, 1)), upright, {2, 0, 0});
-  const MassProperties<Real> mesh =
-      mass_properties(joined(box_mesh(Vec3<Real>(1, 2, 1)), right), 3);
-  const MassProperties<Real> parts = combined(
-      std::vector{mass_properties(Box<Real>{{1, 2, 1}}, 2),
-                  tumble::moved(mass_properties(Box<Real>{{1, 1, 1}}, 1), upright, {2, 0, 0})});
-  // Seen from the middle, far sides count up to (3/2)³ times their box, and near sides take away.
-  CHECK(difference(mesh, parts) <= 48 * 4 * unit_roundoff<Real>);
-  CHECK(distance(mesh.centre_of_mass, parts.centre_of_mass) <= 48 * unit_roundoff<Real> * 3);
-}
-
-TEST_CASE_TEMPLATE("A mesh that was turned has a tensor that was turned", Real, EVERY_PRECISION) {
-  RandomGenerator dice(41);
-  const Vec3<Real> size(3, 1, 2), shift(1, -2, 3);
-  for (int n = 0; n < 10; ++n) {
-    const Mat3<Real> R = random_turn<Real>(dice);
-    const MassProperties<Real> first = mass_properties(moved(box_mesh(size), R, shift), 7);
-    const MassProperties<Real> second = tumble::moved(mass_properties(box_mesh(size), 7), R, shift);
-    // A vertex within 6 m of the origin and 2 m of the centre rounds 8 times at 6 m.
-    CHECK(difference(first, second) <= (4 * 8 * 6 + 64) * unit_roundoff<Real>);
-  }
-}
-
 TEST_CASE_TEMPLATE("A mesh far from the origin, at exact places, keeps the bits it has near it",
                    Real, EVERY_PRECISION) {
   const Vec3<Real> size(3, 1, 2), far(1'000'000, -2'000'000, 500'000);

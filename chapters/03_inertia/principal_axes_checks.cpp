@@ -1,5 +1,4 @@
 // Three numbers and a right-handed frame, for every tensor there is.
-#include <Eigen/Eigenvalues>
 #include <support/checks.hpp>
 #include <support/particle_cloud.hpp>
 #include <tumble/mass_properties.hpp>
@@ -125,18 +124,6 @@ TEST_CASE_TEMPLATE(
     CHECK(removed(0, 1) == 0);
     CHECK((axes.transpose() * inertia * axes - removed).norm() <= slack<Real> * inertia.norm());
     CHECK(axes(0, 0) >= std::sqrt(Real(0.5)) * (1 - slack<Real>));  // by 45 degrees at most
-  }
-}
-
-TEST_CASE_TEMPLATE("Another method, Eigen's, finds the same moments", Real, EVERY_PRECISION) {
-  RandomGenerator dice(23);
-  for (int n = 0; n < 100; ++n) {
-    const Vec3<Real> moments =
-        Vec3<Real>(2, 3, 4) + dice.vector<Real>();  // always possible for matter
-    const Mat3<Real> inertia = turned(moments, dice);
-    const Eigen::SelfAdjointEigenSolver<Mat3<Real>> eigen(inertia);
-    CHECK(distance(principal_axes(inertia).moments, eigen.eigenvalues()) <=
-          slack<Real> * inertia.norm());
   }
 }
 

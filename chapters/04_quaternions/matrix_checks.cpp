@@ -33,16 +33,6 @@ TEST_CASE_TEMPLATE("The matrix of a quaternion turns vectors as the quaternion d
   }
 }
 
-TEST_CASE_TEMPLATE("The matrix equals Eigen's", Real, EVERY_PRECISION) {
-  std::mt19937_64 generator(42);
-  for (int trial = 0; trial < 1000; ++trial) {
-    const Quaternion<Real> q = random_orientation<Real>(generator);
-    const Eigen::Quaternion<Real> eigen(q.real, q.imaginary.x(), q.imaginary.y(), q.imaginary.z());
-    CHECK((matrix_of(q) - eigen.toRotationMatrix()).cwiseAbs().maxCoeff() <=
-          2 * matrix_bound<Real>);
-  }
-}
-
 TEST_CASE_TEMPLATE("The matrix of a product is the product of the matrices", Real,
                    EVERY_PRECISION) {
   std::mt19937_64 generator(43);
