@@ -86,13 +86,3 @@ TEST_CASE("A body put elsewhere is not drawn on the way there, and a slot's new 
   CHECK(drawing.pose(other, 0.5).position.x() == 7);
   CHECK_THROWS_AS(drawing.pose(ball, 0), std::out_of_range);
 }
-
-TEST_CASE("A world lists its bodies by handle") {
-  World<double> world;
-  std::vector<BodyHandle> came;
-  for (const char* const name : {"a", "b", "c"})
-    came.push_back(world.add(name, make_particle<double>(1)));
-  CHECK(world.handles() == came);
-  world.remove(came[0]);  // the last takes its place
-  CHECK(world.handles() == std::vector{came[2], came[1]});
-}

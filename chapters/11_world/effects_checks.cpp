@@ -1,6 +1,5 @@
 #include <support/checks.hpp>
 #include <support/random_world.hpp>
-#include <tumble/ledger.hpp>
 
 using namespace tumble;
 using namespace tumble::support;
@@ -21,16 +20,6 @@ struct Breeze {
   static constexpr std::string_view name = "breeze";
   Vec3<Real> push = {1, 0, 0};  // N
   Vec3<Real> force(const Particle<Real>&, Real time) const { return std::sin(time) * push; }
-};
-
-/// A blow that squares what the kick has made of a speed: with it no two of the phases commute.
-template <class Real>
-struct Blow {
-  static constexpr std::string_view name = "blow";
-  static constexpr Phase phase = Phase::impulse;
-  Vec3<Real> velocity(const Particle<Real>& centre, const StepTime<Real>&) const {
-    return centre.velocity.cwiseAbs2();
-  }
 };
 
 /// Sets a velocity with its own hands, in the phase that it is told.
@@ -169,7 +158,9 @@ TEST_CASE_TEMPLATE("A tether pulls and never pushes", Real, EVERY_PRECISION) {
 TEST_CASE_TEMPLATE("A thruster turns with its body: it spins up as τ t/I and pushes along itself",
                    Real, EVERY_PRECISION) {
   World<Real> world(steps_per_second(128));
-  const BodyHandle ball = world.add("ball", ball_body<Real>({0, 0, 0}, {0, 0, 0}, {0, 0, 0}));
+  RigidBody<Real> start = ball_body<Real>({0, 0, 0}, {0, 0, 0}, {0, 0, 0});
+  start.top.orientation = quaternion_of_rotation_vector<Real>({1, -1, Real(0.5)});
+  const BodyHandle ball = world.add("ball", start);
   world.add(Thruster<Real>{.force_body = {0, 1, 0}, .point = {2, 0, 0}, .from = 1, .until = 3},
             {ball});
   Vec3<Real> momentum = Vec3<Real>::Zero();
@@ -180,8 +171,11 @@ TEST_CASE_TEMPLATE("A thruster turns with its body: it spins up as τ t/I and pu
     world.step();
   }
   const RigidBody<Real> end = world.body(ball);
-  // I = 2/5 · 2 kg · (0.5 m)² = 0.2 kg m², τ = 2 N m for 2 s: ω = 20 rad/s, after 256 kicks.
-  CHECK(std::abs(angular_velocity_world(end.top).z() - 20) <= 256 * 4 * 20 * unit_roundoff<Real>);
+  // I = 2/5 · 2 kg · (0.5 m)² = 0.2 kg m², τ = 2 N m for 2 s: ω = 20 rad/s about the ball's own z
+  // axis, after 256 kicks; a step turns that axis by no more than 8 roundings.
+  const Vec3<Real> axis = rotate<Real>(start.top.orientation, Vec3<Real>(0, 0, 1));
+  CHECK(distance<Real>(angular_velocity_world(end.top), 20 * axis) <=
+        (256 * 4 + 512 * 8) * 20 * unit_roundoff<Real>);
   CHECK(distance(tumble::momentum(end), momentum) <= 512 * 8 * unit_roundoff<Real>);
 }
 
@@ -245,8 +239,8 @@ TEST_CASE_TEMPLATE(
   RandomGenerator dice(8);
   for (int n = 0; n < 50; ++n) {
     const Magnus<Real> wind{.strength = Real(0.5), .wind = dice.vector<Real>()};
-    const RigidBody<Real> ball =
-        ball_body<Real>({0, 0, 0}, dice.vector<Real>(), 4 * dice.vector<Real>());
+    RigidBody<Real> ball = ball_body<Real>({0, 0, 0}, dice.vector<Real>(), 4 * dice.vector<Real>());
+    ball.top.orientation = quaternion_of_rotation_vector<Real>(3 * dice.vector<Real>());
     const Vec3<Real> push = wind.force({ball.centre, ball.top}, 0);
     const Vec3<Real> spin = angular_velocity_world(ball.top),
                      path = ball.centre.velocity - wind.wind;
@@ -346,18 +340,6 @@ TEST_CASE_TEMPLATE("A force of the user's own is planned, run and named like our
         Real(0.0005) / 2 + 3000 * 2 * unit_roundoff<Real>);
 }
 
-TEST_CASE_TEMPLATE("The order of work is kick, blow, damping, drift", Real, EVERY_PRECISION) {
-  World<Real> world(steps_per_second(1));
-  const BodyHandle ball = world.add("ball", make_particle<Real>(1));
-  world.add(LinearDamping<Real>{.rate = std::numbers::ln2_v<Real>});
-  world.add(Blow<Real>{});
-  world.add(Gravity<Real>{.gravity = {3, 0, 0}});
-  world.step();
-  // (0 + 3)² · ½ = 4.5, and the place follows the damped speed. The half is e^(−ln 2), two
-  // roundings, the product a third: 3 · 4.5 < 16 units.
-  CHECK(std::abs(world.body(ball).centre.position.x() - Real(4.5)) <= 16 * unit_roundoff<Real>);
-}
-
 TEST_CASE_TEMPLATE("A velocity that an effect writes moves a body, in whatever phase", Real,
                    EVERY_PRECISION) {
   const auto after_a_second = [](const auto& motor) {
@@ -401,23 +383,6 @@ TEST_CASE_TEMPLATE(
         16 * unit_roundoff<Real>);
   const Thruster<Real> thruster{.force_body = {0, 1, 0}, .point = {2, 0, 0}};
   CHECK(std::abs(spin_after_a_step(thruster) - Real(10) / 64) <= 16 * unit_roundoff<Real>);
-}
-
-TEST_CASE_TEMPLATE("A steady torque spins a ball up by τ t/I, and the books have its work", Real,
-                   EVERY_PRECISION) {
-  World<Real> world(steps_per_second(64));
-  const auto ball = mass_properties(Sphere<Real>{1}, 5);  // I = 2/5 m r² = 2 kg m²
-  const BodyHandle body = world.add("ball", make_rigid_body<Real>("ball", ball).body);
-  world.add(SteadyTorque<Real>{{0, 0, 4}});
-  Ledger<Real> books(world);
-  for (int n = 0; n < 128; ++n) books.step(world);
-  const Real omega = angular_velocity_world(world.body(body).top).z();
-  const Real rounding = 128 * 8 * unit_roundoff<Real>;
-  CHECK(std::abs(omega - 4) <= 4 * rounding);  // 4 N m for 2 s on 2 kg m²
-  REQUIRE(!books.lines().empty());
-  CHECK(books.lines()[0].name == "steady torque");
-  CHECK(std::abs(static_cast<Real>(books.lines()[0].energy) - 16) <= 16 * rounding);
-  CHECK(std::abs(static_cast<Real>(books.rest(world).energy)) <= 16 * rounding);
 }
 
 TEST_CASE_TEMPLATE("A torque that is no number stops the step and is named", Real,

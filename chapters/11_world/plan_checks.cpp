@@ -86,37 +86,6 @@ TEST_CASE_TEMPLATE("A step that fails by plan fails by the reference run too, in
   CHECK(failed > 50);  // wherever a body is not static
 }
 
-TEST_CASE_TEMPLATE("A top with equal moments turns by splitting as it turns steadily", Real,
-                   EVERY_PRECISION) {
-  RandomGenerator dice(7);
-  for (int n = 0; n < 100; ++n) {
-    Top<Real> steady;
-    steady.inverse_moments = Vec3<Real>::Constant(Real(2));
-    steady.angular_momentum_body = 3 * dice.vector<Real>();
-    steady.orientation = quaternion_of_rotation_vector<Real>(3 * dice.vector<Real>());
-    Top<Real> split = steady;
-    turn_steadily(steady, Real(0.1));
-    turn_by_splitting(split, Real(0.1));
-    // Two turns by nothing and the length brought back: eight roundings of numbers up to |L| < 6.
-    CHECK(distance(split.angular_momentum_body, steady.angular_momentum_body) <=
-          8 * 6 * unit_roundoff<Real>);
-    CHECK(distance(split.orientation.imaginary, steady.orientation.imaginary) <=
-          16 * unit_roundoff<Real>);
-  }
-}
-
-TEST_CASE_TEMPLATE("A scene of resting points under no force runs no pass at all", Real,
-                   EVERY_PRECISION) {
-  World<Real> world;
-  world.add("a", make_particle<Real>(1, {1, 2, 3}));
-  world.add("b", make_static_particle<Real>({0, 0, 0}));
-  world.add(LinearDamping<Real>{.rate = 1});
-  CHECK(world.plan().passes() == 0);
-  CHECK(world.top_count() == 0);
-  world.step();
-  CHECK(world.ticks() == 1);
-}
-
 TEST_CASE_TEMPLATE("A first spin changes the plan at once, and the world says so", Real,
                    EVERY_PRECISION) {
   World<Real> world;
@@ -134,24 +103,6 @@ TEST_CASE_TEMPLATE("A first spin changes the plan at once, and the world says so
   const Quaternion<Real> before = world.body(box).top.orientation;
   world.step();
   CHECK_FALSE(same_bits(world.body(box).top.orientation.imaginary, before.imaginary));
-}
-
-TEST_CASE_TEMPLATE("A first torque calls for turning, and turning for the Magnus force", Real,
-                   EVERY_PRECISION) {
-  World<Real> world;
-  const BodyHandle ball = world.add(
-      "ball",
-      make_rigid_body<Real>("ball", mass_properties(Sphere<Real>{1}, 2), {}, {1, 0, 0}).body);
-  world.add(Magnus<Real>{.strength = 1});  // before the effect that calls for it
-  CHECK(row_of(world.plan(), "Magnus force")->visited == 0);
-  const EffectHandle thruster =
-      world.add(Thruster<Real>{.force_body = {1, 0, 0}, .point = {0, 1, 0}}, {ball});
-  CHECK(row_of(world.plan(), "Magnus force")->visited == 1);
-  CHECK(row_of(world.plan(), "steady turning")->visited == 1);
-  CHECK(row_of(world.plan(), "kick of the spin")->visited == 1);
-  world.remove(thruster);  // before the ball turned
-  CHECK(row_of(world.plan(), "Magnus force")->visited == 0);
-  CHECK(row_of(world.plan(), "kick of the spin")->visited == 0);
 }
 
 TEST_CASE("A plan prints as a table, with a reason in every line") {

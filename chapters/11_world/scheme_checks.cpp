@@ -157,26 +157,6 @@ TEST_CASE("In float a scheme has its order until the roundings of its steps come
     }
 }
 
-TEST_CASE_TEMPLATE(
-    "A step by Verlet is half a drift, a kick by the force there and then, and half a "
-    "drift",
-    Real, EVERY_PRECISION) {
-  World<Real> world(steps_per_second(10));
-  world.step_by(Scheme::verlet);
-  world.add("thing", make_particle<Real>(1, {0, 0, 0}, {1, 2, 3}));
-  world.add(Swing<Real>{});
-  const Real h = world.time_step();
-  Vec3<Real> x(0, 0, 0), v(1, 2, 3);
-  for (int n = 0; n < 20; ++n) {
-    x += h / 2 * v;
-    v += h * Vec3<Real>(std::cos(3 * (Real(n) * h + h / 2)), 0, 0);
-    x += h / 2 * v;
-    world.step();
-    CHECK((world.bodies().centres[0].position - x).norm() <=
-          8 * Real(n + 1) * unit_roundoff<Real> * x.norm());
-  }
-}
-
 /// A box and a ball on a spring that holds the box at a corner, and both round a star.
 template <class Real>
 World<Real> world_that_can_go_back(Scheme scheme) {

@@ -177,19 +177,6 @@ TEST_CASE_TEMPLATE("A snapshot of more bodies or of fewer is refused with both c
   CHECK(same_bits(world.body(world.find("b")).centre.position, Vec3<Real>(0, 0, 0)));
 }
 
-TEST_CASE_TEMPLATE("A push that was to come when a world was saved is not part of what was saved",
-                   Real, EVERY_PRECISION) {
-  World<Real> world(steps_per_second(4));
-  const BodyHandle body = world.add("a", make_particle<Real>(1));
-  world.push_at(body, {4, 0, 0}, {0, 0, 0});
-  const Snapshot<Real> saved = world.save();
-  world.step();
-  CHECK(world.body(body).centre.velocity.x() == 1);
-  world.restore(saved);
-  world.step();
-  CHECK(world.body(body).centre.velocity.x() == 0);
-}
-
 TEST_CASE_TEMPLATE("A damaged file is refused and says why, whichever letter has changed", Real,
                    EVERY_PRECISION) {
   World<Real> world;

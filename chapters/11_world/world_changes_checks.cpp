@@ -103,23 +103,6 @@ TEST_CASE_TEMPLATE("A blow that makes a speed or a spin infinite is refused", Re
   CHECK(world.body(box).centre.velocity == Vec3<Real>::Zero());
 }
 
-TEST_CASE_TEMPLATE("A first velocity by replacement or by a blow makes a body move", Real,
-                   EVERY_PRECISION) {
-  for (const bool by_blow : {false, true}) {
-    World<Real> world(steps_per_second(2));
-    const BodyHandle box = world.add("box", box_body<Real>({0, 0, 0}));
-    world.step();
-    RigidBody<Real> moving = box_body<Real>({0, 0, 0});
-    moving.centre.velocity = {2, 0, 0};
-    if (by_blow)
-      world.apply_impulse_at(box, {4, 0, 0}, {0, 0, 0});
-    else
-      world.replace(box, moving);
-    world.step();
-    CHECK(world.body(box).centre.position.x() == 1);
-  }
-}
-
 TEST_CASE_TEMPLATE(
     "After a body is taken out, another may have its name, and the last keeps its own", Real,
     EVERY_PRECISION) {
@@ -175,49 +158,6 @@ TEST_CASE_TEMPLATE(
   CHECK(same_bits(world.body(box).centre.velocity, alone.centre.velocity));
   CHECK(same_bits(world.body(box).centre.position, alone.centre.position));
   CHECK(same_bits(world.body(box).top.orientation.imaginary, alone.top.orientation.imaginary));
-}
-
-namespace {
-
-/// A force and a torque in world axes, in the steps that begin between two times.
-template <class Real>
-struct Hand {
-  static constexpr std::string_view name = "hand";
-  Vec3<Real> given_force, given_torque;
-  Real from, until;
-  Push<Real> push(const BodyState<Real>&, Real time) const {
-    const Real pushes = select(time >= from && time < until, Real(1), Real(0));
-    return {.force = pushes * given_force, .torque = pushes * given_torque};
-  }
-};
-
-}  // namespace
-
-TEST_CASE_TEMPLATE("A push at a point acts in one step alone, like an effect that lasts one step",
-                   Real, EVERY_PRECISION) {
-  const auto after = [](bool by_hand) {
-    World<Real> world(steps_per_second(64));
-    const BodyHandle box = world.add("box", box_body<Real>({1, 2, 3}));
-    world.add("bystander", box_body<Real>({9, 9, 9}));
-    const Vec3<Real> force(4, -2, 1), arm(0, Real(0.5), 1);
-    const Real h = Real(1) / 64;
-    if (!by_hand) world.add(Hand<Real>{2 * force, arm.cross(force), 8 * h, 9 * h}, {box});
-    for (int n = 0; n < 32; ++n) {
-      if (by_hand && n == 8) {
-        world.push_at(box, force, Vec3<Real>(1, 2, 3) + arm);
-        world.push_at(box, force, {1, 2, 3});
-      }
-      world.step();
-    }
-    return world.body(box);
-  };
-  const RigidBody<Real> pushed = after(true), burnt = after(false);
-  CHECK(pushed.centre.velocity.x() == Real(0.0625));  // 8 N on 2 kg for 1/64 s
-  CHECK(same_bits(pushed.centre.velocity, burnt.centre.velocity));
-  CHECK(same_bits(pushed.centre.position, burnt.centre.position));
-  CHECK(pushed.top.angular_momentum_body.norm() > Real(0.01));
-  CHECK(same_bits(pushed.top.angular_momentum_body, burnt.top.angular_momentum_body));
-  CHECK(same_bits(pushed.top.orientation.imaginary, burnt.top.orientation.imaginary));
 }
 
 TEST_CASE_TEMPLATE("A push stays with its body while others are removed, and goes with its own",
