@@ -67,7 +67,6 @@ class Replay {
   /// What went wrong, as a sentence; `culprit` becomes the effect to blame, if it is one. The first
   /// pass to blame is the one after which that body has a number that is not finite. A sum of
   /// forces that overflows is nobody's alone: the kick that follows tells of it.
-  //! [find]
   std::string find(const AnyEffect<Real>*& culprit) {
     std::string sentence;
     for_each_pass(plan_, [&](const Pass<Real>& pass) {
@@ -91,7 +90,6 @@ class Replay {
     });
     return sentence.empty() ? reason(bodies_, step_.time_step) : sentence;
   }
-  //! [find]
 
  private:
   static constexpr const char* must_be_finite = "; every component must be finite";

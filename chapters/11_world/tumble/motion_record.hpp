@@ -7,7 +7,6 @@
 namespace tumble {
 
 /// How a centre of mass moves: m and m/s, world axes.
-//! [motion_record]
 template <class Real>
 struct CentreMotion {
   Vec3<Real> position, velocity;
@@ -19,7 +18,6 @@ struct TopMotion {
   Quaternion<Real> orientation;
   Vec3<Real> angular_momentum_body;
 };
-//! [motion_record]
 
 template <class Real>
 CentreMotion<Real> motion_of(const Particle<Real>& centre) {

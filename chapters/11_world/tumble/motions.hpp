@@ -118,7 +118,6 @@ struct Tumbling {
 inline constexpr std::size_t own_motion_count = 5, tumbling_index = own_motion_count - 1;
 
 /// These motions, in the form in which `Backend` runs them.
-//! [motions_of]
 template <class Real, class Backend, class Rule>
 std::vector<EffectInstance<Real>> motions_of(const Rule& rule) {
   std::vector<EffectInstance<Real>> motions;
@@ -132,7 +131,6 @@ std::vector<EffectInstance<Real>> motions_of(const Rule& rule) {
   add(Tumbling<Rule>{.rule = rule});
   return motions;
 }
-//! [motions_of]
 
 /// The motion of those that tumble.
 template <class Real>

@@ -141,7 +141,8 @@ class Responses {
       const Real part = ends * K->norm();
       if (part == 0) continue;  // of most effects, and to turn a matrix takes its time
       const Mat3<Real> R = matrix_of(q);
-      turnings->add(index, ends * (R.transpose() * *K * R), part, last);
+      const Mat3<Real> K_half_turned = ends * R.transpose() * *K;
+      turnings->add(index, K_half_turned * R, part, last);
       resists_turns = true;
     }
     is_damped_ |= response.damping != 0 || response.turning_damping != Mat3<Real>::Zero();

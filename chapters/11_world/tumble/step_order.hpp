@@ -40,7 +40,6 @@ inline constexpr std::array<OrderRow, 12> step_order = {{
 //! [step_order]
 
 /// One thing that a step does to all bodies that call for it.
-//! [pass]
 template <class Real>
 struct Pass {
   OrderRow row = step_order[0];
@@ -48,7 +47,6 @@ struct Pass {
   std::size_t place = 0;  ///< an index into the effects of the plan, or into its motions, so that a
                           ///< copied world may keep what it has made of its passes
 };
-//! [pass]
 
 /// What runs in a pass, and on whom. The inputs have none.
 template <class Real>

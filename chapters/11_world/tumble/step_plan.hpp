@@ -37,7 +37,6 @@ struct Input {
 using EffectsByPhase = std::array<std::vector<std::size_t>, 6>;
 
 /// What the steps of a world go through, in the order of step_order.hpp.
-//! [step_plan]
 template <class Real>
 struct StepPlan {
   std::vector<EffectInstance<Real>> effects;  ///< in the order in which they came
@@ -50,6 +49,5 @@ struct StepPlan {
   std::vector<Substep<Real>> substeps = substeps_of<Real>(scheme);
   std::uint64_t version = 0;  ///< a new number after each change
 };
-//! [step_plan]
 
 }  // namespace tumble
