@@ -233,8 +233,10 @@ class Numbers(unittest.TestCase):
     def test_the_times_of_float_are_those_of_double(self):
         times = []
         for precision in ("double", "float"):
-            run(SCENE, "--dt", "0.001", "--csv", "times.csv", "--precision", precision)
-            times.append([row.split(",")[0] for row in (SCRATCH / "times.csv").read_text().splitlines()])
+            run(SCENE, "--dt", "0.001", "--until", "0.7", "--csv", "times.csv", "--books", "times.json", "--precision", precision)
+            books = json.loads((SCRATCH / "times.json").read_text())
+            rows = (SCRATCH / "times.csv").read_text().splitlines()
+            times.append([books["time_step"], books["time"], *[row.split(",")[0] for row in rows]])
         self.assertEqual(*times)
 
     def test_a_bill_adds_up(self):
@@ -381,6 +383,13 @@ class Numbers(unittest.TestCase):
         run({"duration": 0.1, "bodies": [{"name": "a", "mass": 1e20, "velocity": [1e150, 0, 0]}]}, "--books", "null.json")
         now = json.loads((SCRATCH / "null.json").read_text())["now"]
         self.assertEqual((now["energy"], now["momentum"]), (None, [1e170, 0, 0]))
+
+    def test_books_say_how_many_bodies_there_are_and_how_they_are_stepped(self):
+        bodies = [{"name": "a", "mass": 1, "many": {"count": 3, "seed": 1}}, {"name": "wall", "static": True}]
+        for scheme, name in ("semi_implicit_euler", "semi-implicit Euler"), ("verlet", "Verlet"), ("suzuki", "Suzuki"):
+            run({"duration": 0.1, "scheme": scheme, "bodies": bodies}, "--books", "many.json")
+            books = json.loads((SCRATCH / "many.json").read_text())
+            self.assertEqual((books["bodies"], books["scheme"]), (4, name))
 
     def test_books(self):
         books = json.loads((SCRATCH / "books.json").read_text())
