@@ -276,11 +276,15 @@ class Numbers(unittest.TestCase):
             self.near(frame[:3], plus(position, turned(orientation, CENTRE), -1), relative=FLOAT_ROUNDING, angle=ANGLE_ERROR)
             self.near_orientation(frame[3:], orientation, relative=FLOAT_ROUNDING, angle=ANGLE_ERROR)
 
-    def test_a_last_moment_that_comes_early_is_in_the_table_and_not_in_the_view(self):
-        run(SCENE, "--csv", "early.csv", "--view", "early.html", "--every", "7")
+    def test_a_last_moment_that_comes_early_is_in_the_tables_and_the_plot_and_not_in_the_view(self):
+        run(SCENE, "--csv", "early.csv", "--jsonl", "early.jsonl", "--plot", "early.svg", "--view", "early.html", "--every", "7",
+            path=SCRATCH / "fake")
         self.assertEqual(len(recording("early.html")["frames"]), STEPS // 7 + 1)
-        *_, before, last = (SCRATCH / "early.csv").read_text().splitlines()
-        self.near([float(row.split(",")[0]) for row in (before, last)], [STEPS // 7 * 7 / RATE, STEPS / RATE])
+        rows = [row.split(",") for row in (SCRATCH / "early.csv").read_text().splitlines()[1:]]
+        lines = [json.loads(line) for line in (SCRATCH / "early.jsonl").read_text().splitlines()]
+        for times in ([row[0] for row in rows], [line["time"] for line in lines], [row[0] for row in table("energy.tsv")[1:]]):
+            self.near(map(float, times), [*(n * 7 / RATE for n in range(STEPS // 7 + 1)), STEPS / RATE])
+        self.near([float(cell) for cell in table("path1.tsv")[-1]], [float(cell) for cell in rows[-1][2:4]])
 
     def test_parts_of_the_view(self):
         parts = self.recording["bodies"][0]["parts"]
@@ -346,6 +350,14 @@ class Numbers(unittest.TestCase):
             self.near([float(cell) for cell in table("path1.tsv")[-1]], [body["position"][axis] + velocity[axis] for axis in (across, up)])
             self.assertIn(f"paths=1; across='{'xyz'[across]}'; up='{'xyz'[up]}'; scene='It''s here'",
                           (SCRATCH / "drawn" / "words").read_text())
+
+    def test_it_looks_for_these_axes_in_all_paths(self):
+        moving = [{"name": "xyz"[axis], "mass": 1, "velocity": [speed * float(n == axis) for n in range(3)]}
+                  for axis, speed in enumerate((1, 3, 2))]
+        run({"duration": 1, "bodies": moving}, "--plot", "paths.svg", path=SCRATCH / "fake")
+        self.assertIn("across='y'; up='z'", (SCRATCH / "drawn" / "words").read_text())
+        for path, ends in enumerate(([0, 0], [3, 0], [0, 2]), 1):
+            self.near([float(cell) for cell in table(f"path{path}.tsv")[-1]], ends)
 
     def test_a_plot_of_few_bodies_shows_all_and_one_of_many_six_at_equal_distances(self):
         for count, shown in (3, (0, 1, 2)), (6, (0, 1, 2, 3, 4, 5)), (13, (0, 2, 4, 6, 8, 10)), (17, (0, 2, 5, 8, 11, 14)):

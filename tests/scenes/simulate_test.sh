@@ -171,6 +171,8 @@ if command -v gnuplot >/dev/null 2>&1; then
   run tethered_box --until 0.5 --plot box.svg
   verify "--plot draws" grep -q '</svg>' box.svg
   verify "with the energies" grep -q 'kinetic' box.svg
+  verify "and says what goes upwards" [ "$(sed -n '/rotate(/{n;s/<[^>]*>//g;p}' box.svg | xargs)" = "z (m) energy (J)" ]
+  verify "and what to the right" [ "$(sed '/rotate(/,+1d; s/<[^>]*>//g' box.svg | grep -o '[a-z]* ([a-zA-Z])' | xargs)" = "x (m) time (s)" ]
 fi
 run t_handle --until 0.1 --csv every.csv --every 10
 verify "--every records each tenth step, the first and the last moment" lines every.csv 5
