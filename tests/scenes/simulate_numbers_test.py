@@ -294,6 +294,12 @@ class Numbers(unittest.TestCase):
             self.near(part["position"], given["position"], relative=FLOAT_ROUNDING)
             self.near(part["orientation"], given.get("orientation", [1, 0, 0, 0]), relative=FLOAT_ROUNDING)
 
+    def test_a_view_is_called_as_its_scene_and_its_bodies_as_the_file_does(self):
+        bodies = [{"name": "wall", "static": True}, {"name": "dust", "mass": 1, "many": {"count": 2, "seed": 1}}, {"name": "rock", "mass": 1}]
+        run({"title": "A view", "description": "Of walls.", "duration": 0.1, "bodies": bodies}, "--view", "names.html")
+        self.assertEqual(recording("names.html")["title"], "A view")
+        self.assertEqual([body["name"] for body in recording("names.html")["bodies"]], ["wall", "dust", "dust", "rock"])
+
     def test_every_shape_of_a_view(self):
         mesh = {"shape": "mesh", "corners": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
                 "triangles": [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]}
