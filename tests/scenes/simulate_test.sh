@@ -300,6 +300,15 @@ nowhere/file.csv there is no directory $PWD/nowhere
 /proc/no_such.csv $([ "$(id -u)" = 0 ] && echo No such file or directory || echo no permission)
 PATHS
 verify "/dev/null is still there" test -c /dev/null
+if [ "$(id -u)" != 0 ]; then # whom nobody forbids anything
+  echo before >read_only.csv
+  chmod a-w read_only.csv
+  run t_handle --until 0.1 --csv read_only.csv
+  verify "what may not be written is told" complains "cannot write read_only.csv: no permission"
+  verify "and ends with 3" ends_with 3
+  verify "and is as it was" [ "$(cat read_only.csv)" = before ]
+  rm -f read_only.csv
+fi
 run t_handle --csv kept.csv --view nowhere/x.html
 verify "if one file can't be written, the others are not touched" test ! -e kept.csv
 rmdir folder
@@ -347,6 +356,19 @@ exit 130;130;gnuplot was interrupted
 kill -INT $PPID $$;130;gnuplot was interrupted
 kill -TERM $PPID $$;3;gnuplot says: broken
 ENDINGS
+mkdir "it's"
+path=$PWD/programs:$PATH TMPDIR=$PWD/it\'s run t_handle --until 0.1 --plot a.svg
+verify "the folder for that may have any name" complains "a.svg: gnuplot says: broken"
+rmdir "it's"
+output=$( (ulimit -f 10 && PATH=$PWD/programs:$PATH "$program" t_handle --until 0.1 --csv a.csv --plot a.svg --view a.html 2>errors.txt </dev/null))
+code=$?
+errors=$(cat errors.txt)
+rm errors.txt
+verify "of two outputs that can't be finished both are told" complains "a.html: the disk may be full"
+verify "the first of them at the end" [ "$(tail -1 <<<"$errors" | sed 's/.*: //')" = broken ]
+verify "and it ends with 3" ends_with 3
+verify "and what could be finished is there" [ "$(echo ./a*)" = ./a.csv ]
+rm a.csv
 # A gnuplot that shows what has been told before it is called.
 printf '#!/bin/sh\ncat "%s/told.txt" >&2; exit 1\n' "$PWD" >programs/gnuplot
 PATH=$PWD/programs:$PATH "$program" t_handle --until 0.1 --plot a.svg >told.txt 2>errors.txt
@@ -405,6 +427,15 @@ rm errors.txt
 verify "a file beyond the limit of its size is told" complains "simulate: cannot write"
 verify "at once where there is no other" says_not "steps per second"
 verify "and ends with 3" ends_with 3
+output=$( (ulimit -f 1 && "$program" t_handle --until 0.1 --csv short.csv --books books.json 2>errors.txt </dev/null))
+code=$?
+errors=$(cat errors.txt)
+rm errors.txt
+verify "so is one that meets the limit with its last letters" complains "short.csv: the disk may be full"
+verify "and that ends with 3 as well" ends_with 3
+verify "and what could be written of it is gone" test ! -e short.csv
+verify "and another one is there" grep -q '"unexplained"' books.json
+rm books.json
 output=$( (ulimit -f 10 && "$program" rain --until 0.1 --csv rain.csv --jsonl rain.jsonl --books books.json 2>errors.txt </dev/null))
 code=$?
 errors=$(cat errors.txt)
@@ -412,6 +443,7 @@ rm errors.txt
 for file in rain.csv rain.jsonl; do
   verify "$file, which is full while something is recorded, is given up" complains "$file is given up, and the other outputs go on"
 done
+verify "and each of them is given up once" [ "$(grep -c 'is given up' <<<"$errors")" = 2 ]
 verify "the first of them is told at the end too" [ "${errors##*/}" = "rain.csv: the disk may be full" ]
 verify "the run ends with 3" ends_with 3
 verify "and the output that isn't full is there" grep -q '"unexplained"' books.json
