@@ -493,6 +493,7 @@ cat >crash.json <<'SCENE'
 SCENE
 run crash.json --csv crash.csv
 verify "a step that can't be taken ends with 1" ends_with 1
+verify "and says how many were taken" says $'\n2 steps in '
 verify "and names body and effect" complains "'comet' at 0.5 s (step 2): point gravity gives a force of"
 verify "and keeps what was computed" lines crash.csv 4
 verify "the books are printed" says "unexplained"
@@ -537,7 +538,7 @@ rm closed.csv
 # A signal, sent once the simulation has told that it runs.
 set -m
 while read -r signal expected; do
-  "$program" rain --until 1000 --csv rain.csv --every 1000000 >told.txt 2>&1 &
+  "$program" rain --until 1000 --csv rain.csv --every 1000000 --bill >told.txt 2>&1 &
   process=$!
   for ((i = 0; i < 300; ++i)); do
     ls rain.csv.partial-* >/dev/null 2>&1 && grep -q 'steps of' told.txt && break
@@ -549,8 +550,10 @@ while read -r signal expected; do
   code=$?
   output=$(cat told.txt) errors=""
   verify "SIG$signal ends with $expected" ends_with "$expected"
-  verify "it says how far it came" says "interrupted after"
+  steps=$(sed -n 's/^\([0-9]*\) steps in .*/\1/p' <<<"$output")
+  verify "it says how far it came" says "interrupted after $steps of 60000 steps"
   verify "and prints the books" says "unexplained"
+  verify "and measures nothing more" says_not "ns per body and step"
   verify "the file holds the first and the last moment, whole" lines rain.csv 200001
   verify "and nothing else is left" [ "$(echo ./*)" = "./rain.csv ./told.txt" ]
   rm rain.csv
