@@ -23,6 +23,8 @@ run t_handle --plan
 verify "--plan ends well" ends_with 0
 verify "--plan prints the plan" says "tumbling: splitting"
 verify "--plan takes no step" says_not "steps per second"
+run rain --plan --csv nowhere/rain.csv --view rain.html
+verify "and begins no output, be it where nothing can be written or a page that would be too large" ends_with 0
 run everything --check-plan --until 0.2
 verify "--check-plan ends well" ends_with 0
 verify "--check-plan goes as far as it is asked to" says "48 steps by plan"
@@ -42,8 +44,10 @@ verify "nor where the rule turns what is at rest" diff <(tail -1 <<<"$output") -
 6 steps by plan, and as many with nothing known of any body: every number of every motion is the same
 SAID
 verify "and a warning is that of the plan alone" [ "$errors$(grep -c ^warning: <<<"$output")" = 1 ]
-run rest.json
-verify "as where the scene is run" [ "$errors$(grep -c ^warning: <<<"$output")" = 1 ]
+for only in --plan=false --plan; do
+  run rest.json "$only"
+  verify "as where the scene is run, or only its plan is asked for" [ "$errors$(grep -c ^warning: <<<"$output")" = 1 ]
+done
 rm rest.json
 for option in csv jsonl plot view live books; do
   run t_handle --check-plan "--$option" file
@@ -56,6 +60,13 @@ verify "it tells the steps per second" says "steps per second"
 verify "it prints the books" says "unexplained"
 verify "without a terminal it tells calmly how far it is" says " 50 %: step 12 of 24"
 verify "and draws no bar" says_not "["
+run t_handle --until 0.1 --dt 0.01
+verify "after the first step that completes a quarter, where steps are no multiple of four" diff <(grep '%:' <<<"$output") - <<'SAID'
+ 30 %: step 3 of 10
+ 50 %: step 5 of 10
+ 80 %: step 8 of 10
+100 %: step 10 of 10
+SAID
 cat >fall.json <<'SCENE'
 {"title": "Fall", "description": "A stone.", "duration": 9, "bodies": [{"name": "stone", "mass": 2, "velocity": [1, 0, 0]}],
  "effects": [{"kind": "gravity", "acceleration": [0, 0, -8]}]}
@@ -122,6 +133,8 @@ rm billed.json
 run t_handle --until 1 --dt 0.0166666666666
 verify "--dt says how it is rounded" says "0.0166666666666 s is taken as 16666667 ns"
 verify "--dt changes the steps" says "60 steps of 0.0166667 s"
+run t_handle --plan --dt 0.0166666666666
+verify "which is said where there is only a plan, too" says "0.0166666666666 s is taken as 16666667 ns"
 run t_handle --until 0.1 --method axis_by_axis
 verify "--method changes the rule" says "tumbling: axis by axis"
 run t_handle --until 0.1 --method splitting_kahan_li_8
@@ -197,7 +210,7 @@ verify "a name with none of these stands in CSV as it is" grep -qF "0,a; b'\\,0,
 printf '{"duration": 0.05, "bodies": [{"name": "a", "mass": 1}]}' >untitled.json
 run untitled.json
 verify "a scene runs without a title and a description" ends_with 0
-verify "and is called as its file is" says untitled.json
+verify "and is called as its file is, with nothing in the place of a description" says $'untitled.json\n\n1 body, '
 output=$("$program" /dev/stdin --plan <untitled.json)
 code=$?
 verify "what is redirected to it can be the scene" ends_with 0
