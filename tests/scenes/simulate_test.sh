@@ -219,6 +219,12 @@ run rain --until 0.02 --csv file.csv --no-ledger
 verify "--seed 0 draws the random bodies as the file does" same_numbers seed1.csv file.csv
 verify "another seed draws others" different_numbers seed2.csv file.csv
 verify "and the same ones again" same_numbers seed2.csv seed3.csv
+cat >seed.json <<'SCENE'
+{"duration": 0.01, "bodies": [{"name": "a", "mass": 1, "many": {"count": 1, "seed": 1, "position_between": [[0, 0, 0], [1, 1, 1]]}}]}
+SCENE
+for seed in 0 4294967296 9007199254740992; do run seed.json --csv "large$seed.csv" --seed $seed; done
+verify "and others for one that no 32 bits hold" different_numbers large4294967296.csv large0.csv
+verify "up to the largest" different_numbers large9007199254740992.csv large0.csv
 rm -f -- *.csv *.jsonl *.html *.svg *.json
 
 # Mistakes: none leaves a file.
@@ -265,16 +271,38 @@ verify "what is called otherwise is listed" complains "The schemes are: semi_imp
 run t_handle --until 0.1 --no-ledger --books never.json
 verify "books that are not kept are not written" complains "--books writes the books that --no-ledger does not keep"
 verify "and end with 2" ends_with 2
-run t_handle --until 0.1 --csv ""
-verify "an output without a name is refused" complains "--csv needs the name of a file"
-verify "with 2" ends_with 2
+for option in csv jsonl plot view live books; do
+  run t_handle "--$option" ""
+  verify "an output without a name is refused" complains "--$option needs the name of a file"
+  verify "with 2" ends_with 2
+done
 run t_handle --dt
 verify "an option without its value is refused" ends_with 2
 run t_handle coin
 verify "a second scene is refused" complains "one word too many: coin"
-run t_handle --live page.html --dt 0.01
-verify "--live changes nothing of the scene" complains "--live writes a page of the scene as its file has it and runs nothing; --dt can't go with it"
-verify "and ends as for a wrong command line" ends_with 2
+while read -r option value; do
+  run t_handle --live page.html "--$option" ${value:+"$value"}
+  verify "--live changes nothing of the scene and runs nothing: --$option is refused" complains \
+    "--live writes a page of the scene as its file has it and runs nothing; --$option can't go with it"
+  verify "and ends as for a wrong command line" ends_with 2
+done <<'OPTIONS'
+dt 0.01
+until 1
+method steady
+scheme verlet
+precision double
+seed 0
+threads 1
+every 1
+csv page.csv
+jsonl page.jsonl
+plot page.svg
+view view.html
+books page.json
+no-ledger
+bill
+plan
+OPTIONS
 run rain --live page.html
 verify "nor does it write a page that nobody could wait for" complains "the scene has 100000 bodies; a page that runs it by itself draws at most 2000"
 verify "and ends with 2 as well" ends_with 2
