@@ -131,6 +131,17 @@ test('Words of an address switch effects off and on again, and set what they nam
   assert.equal((await run_of(text_of(scene))).refusal, undefined);
 });
 
+test('What has a name of its own is switched by that name, or by its kind with all others of the kind.', () => {
+  const thruster = name => ({kind: 'thruster', name, bodies: ['box'], force: [0, 0, 2]});
+  const scene = {bodies: [{name: 'box', mass: 1}], effects: [thruster('left'), {kind: 'gravity', acceleration: [0, 0, -9]}, thruster('right')]};
+  const aside = [], names = list => list.map(({name, kind}) => name ?? kind);
+  change(scene, aside, {thruster: 'off'});
+  assert.deepEqual([names(scene.effects), names(aside)], [['gravity'], ['left', 'right']]);
+  change(scene, aside, {right: 'on', 'thruster.force': '[0,0,3]'});
+  assert.deepEqual([names(scene.effects), names(aside)], [['gravity', 'right'], ['left']]);
+  assert.deepEqual([scene.effects[1].force, aside[0].force], [[0, 0, 3], [0, 0, 3]]);
+});
+
 test('The finding says what has changed in the plan, line by line.', async () => {
   const {finding_of} = live.scene_tables;
   const first = await module.run(), scene = JSON.parse(first.texts.scene);
@@ -140,4 +151,10 @@ test('The finding says what has changed in the plan, line by line.', async () =>
   assert.match(finding, /^A step makes 8 passes over 4 bodies\. Changed in the plan: thruster is new \(1 of 1\); kick of the spin was no pass and is now 1 of 4; tumbling: splitting was no pass and is now 1 of 4\.$/);
   assert.match(finding_of(first.said, burning.said), /thruster is gone/);
   assert.doesNotMatch(finding_of(first.said, first.said), /Changed/);
+  scene.effects.push(...['ball', 'box'].map(name => ({kind: 'linear_damping', rate: 0.1, bodies: [name]})));
+  const twice = await run_of(text_of(scene));
+  scene.effects.pop();
+  const once = await run_of(text_of(scene));
+  assert.match(finding_of(once.said, twice.said), /Changed in the plan: linear damping is gone\.$/, 'one of two lines of a name');
+  assert.match(finding_of(twice.said, once.said), /Changed in the plan: linear damping is new \(1 of 1\)\.$/);
 });

@@ -233,8 +233,10 @@ class Numbers(unittest.TestCase):
     def test_the_times_of_float_are_those_of_double(self):
         times = []
         for precision in ("double", "float"):
-            run(SCENE, "--dt", "0.001", "--csv", "times.csv", "--precision", precision)
-            times.append([row.split(",")[0] for row in (SCRATCH / "times.csv").read_text().splitlines()])
+            run(SCENE, "--dt", "0.001", "--until", "0.7", "--csv", "times.csv", "--books", "times.json", "--precision", precision)
+            books = json.loads((SCRATCH / "times.json").read_text())
+            rows = (SCRATCH / "times.csv").read_text().splitlines()
+            times.append([books["time_step"], books["time"], *[row.split(",")[0] for row in rows]])
         self.assertEqual(*times)
 
     def test_a_bill_adds_up(self):
@@ -274,11 +276,15 @@ class Numbers(unittest.TestCase):
             self.near(frame[:3], plus(position, turned(orientation, CENTRE), -1), relative=FLOAT_ROUNDING, angle=ANGLE_ERROR)
             self.near_orientation(frame[3:], orientation, relative=FLOAT_ROUNDING, angle=ANGLE_ERROR)
 
-    def test_a_last_moment_that_comes_early_is_in_the_table_and_not_in_the_view(self):
-        run(SCENE, "--csv", "early.csv", "--view", "early.html", "--every", "7")
+    def test_a_last_moment_that_comes_early_is_in_the_tables_and_the_plot_and_not_in_the_view(self):
+        run(SCENE, "--csv", "early.csv", "--jsonl", "early.jsonl", "--plot", "early.svg", "--view", "early.html", "--every", "7",
+            path=SCRATCH / "fake")
         self.assertEqual(len(recording("early.html")["frames"]), STEPS // 7 + 1)
-        *_, before, last = (SCRATCH / "early.csv").read_text().splitlines()
-        self.near([float(row.split(",")[0]) for row in (before, last)], [STEPS // 7 * 7 / RATE, STEPS / RATE])
+        rows = [row.split(",") for row in (SCRATCH / "early.csv").read_text().splitlines()[1:]]
+        lines = [json.loads(line) for line in (SCRATCH / "early.jsonl").read_text().splitlines()]
+        for times in ([row[0] for row in rows], [line["time"] for line in lines], [row[0] for row in table("energy.tsv")[1:]]):
+            self.near(map(float, times), [*(n * 7 / RATE for n in range(STEPS // 7 + 1)), STEPS / RATE])
+        self.near([float(cell) for cell in table("path1.tsv")[-1]], [float(cell) for cell in rows[-1][2:4]])
 
     def test_parts_of_the_view(self):
         parts = self.recording["bodies"][0]["parts"]
@@ -287,6 +293,12 @@ class Numbers(unittest.TestCase):
         for part, given in zip(parts, PARTS, strict=True):
             self.near(part["position"], given["position"], relative=FLOAT_ROUNDING)
             self.near(part["orientation"], given.get("orientation", [1, 0, 0, 0]), relative=FLOAT_ROUNDING)
+
+    def test_a_view_is_called_as_its_scene_and_its_bodies_as_the_file_does(self):
+        bodies = [{"name": "wall", "static": True}, {"name": "dust", "mass": 1, "many": {"count": 2, "seed": 1}}, {"name": "rock", "mass": 1}]
+        run({"title": "A view", "description": "Of walls.", "duration": 0.1, "bodies": bodies}, "--view", "names.html")
+        self.assertEqual(recording("names.html")["title"], "A view")
+        self.assertEqual([body["name"] for body in recording("names.html")["bodies"]], ["wall", "dust", "dust", "rock"])
 
     def test_every_shape_of_a_view(self):
         mesh = {"shape": "mesh", "corners": [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]],
@@ -345,6 +357,14 @@ class Numbers(unittest.TestCase):
             self.assertIn(f"paths=1; across='{'xyz'[across]}'; up='{'xyz'[up]}'; scene='It''s here'",
                           (SCRATCH / "drawn" / "words").read_text())
 
+    def test_it_looks_for_these_axes_in_all_paths(self):
+        moving = [{"name": "xyz"[axis], "mass": 1, "velocity": [speed * float(n == axis) for n in range(3)]}
+                  for axis, speed in enumerate((1, 3, 2))]
+        run({"duration": 1, "bodies": moving}, "--plot", "paths.svg", path=SCRATCH / "fake")
+        self.assertIn("across='y'; up='z'", (SCRATCH / "drawn" / "words").read_text())
+        for path, ends in enumerate(([0, 0], [3, 0], [0, 2]), 1):
+            self.near([float(cell) for cell in table(f"path{path}.tsv")[-1]], ends)
+
     def test_a_plot_of_few_bodies_shows_all_and_one_of_many_six_at_equal_distances(self):
         for count, shown in (3, (0, 1, 2)), (6, (0, 1, 2, 3, 4, 5)), (13, (0, 2, 4, 6, 8, 10)), (17, (0, 2, 5, 8, 11, 14)):
             bodies = [{"name": f'a\n"body"\t{n}', "mass": 1, "position": [n, 0, 0]} for n in range(count)]
@@ -381,6 +401,13 @@ class Numbers(unittest.TestCase):
         run({"duration": 0.1, "bodies": [{"name": "a", "mass": 1e20, "velocity": [1e150, 0, 0]}]}, "--books", "null.json")
         now = json.loads((SCRATCH / "null.json").read_text())["now"]
         self.assertEqual((now["energy"], now["momentum"]), (None, [1e170, 0, 0]))
+
+    def test_books_say_how_many_bodies_there_are_and_how_they_are_stepped(self):
+        bodies = [{"name": "a", "mass": 1, "many": {"count": 3, "seed": 1}}, {"name": "wall", "static": True}]
+        for scheme, name in ("semi_implicit_euler", "semi-implicit Euler"), ("verlet", "Verlet"), ("suzuki", "Suzuki"):
+            run({"duration": 0.1, "scheme": scheme, "bodies": bodies}, "--books", "many.json")
+            books = json.loads((SCRATCH / "many.json").read_text())
+            self.assertEqual((books["bodies"], books["scheme"]), (4, name))
 
     def test_books(self):
         books = json.loads((SCRATCH / "books.json").read_text())

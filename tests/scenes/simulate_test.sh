@@ -23,6 +23,8 @@ run t_handle --plan
 verify "--plan ends well" ends_with 0
 verify "--plan prints the plan" says "tumbling: splitting"
 verify "--plan takes no step" says_not "steps per second"
+run rain --plan --csv nowhere/rain.csv --view rain.html
+verify "and begins no output, be it where nothing can be written or a page that would be too large" ends_with 0
 run everything --check-plan --until 0.2
 verify "--check-plan ends well" ends_with 0
 verify "--check-plan goes as far as it is asked to" says "48 steps by plan"
@@ -42,8 +44,10 @@ verify "nor where the rule turns what is at rest" diff <(tail -1 <<<"$output") -
 6 steps by plan, and as many with nothing known of any body: every number of every motion is the same
 SAID
 verify "and a warning is that of the plan alone" [ "$errors$(grep -c ^warning: <<<"$output")" = 1 ]
-run rest.json
-verify "as where the scene is run" [ "$errors$(grep -c ^warning: <<<"$output")" = 1 ]
+for only in --plan=false --plan; do
+  run rest.json "$only"
+  verify "as where the scene is run, or only its plan is asked for" [ "$errors$(grep -c ^warning: <<<"$output")" = 1 ]
+done
 rm rest.json
 for option in csv jsonl plot view live books; do
   run t_handle --check-plan "--$option" file
@@ -56,6 +60,13 @@ verify "it tells the steps per second" says "steps per second"
 verify "it prints the books" says "unexplained"
 verify "without a terminal it tells calmly how far it is" says " 50 %: step 12 of 24"
 verify "and draws no bar" says_not "["
+run t_handle --until 0.1 --dt 0.01
+verify "after the first step that completes a quarter, where steps are no multiple of four" diff <(grep '%:' <<<"$output") - <<'SAID'
+ 30 %: step 3 of 10
+ 50 %: step 5 of 10
+ 80 %: step 8 of 10
+100 %: step 10 of 10
+SAID
 cat >fall.json <<'SCENE'
 {"title": "Fall", "description": "A stone.", "duration": 9, "bodies": [{"name": "stone", "mass": 2, "velocity": [1, 0, 0]}],
  "effects": [{"kind": "gravity", "acceleration": [0, 0, -8]}]}
@@ -122,6 +133,8 @@ rm billed.json
 run t_handle --until 1 --dt 0.0166666666666
 verify "--dt says how it is rounded" says "0.0166666666666 s is taken as 16666667 ns"
 verify "--dt changes the steps" says "60 steps of 0.0166667 s"
+run t_handle --plan --dt 0.0166666666666
+verify "which is said where there is only a plan, too" says "0.0166666666666 s is taken as 16666667 ns"
 run t_handle --until 0.1 --method axis_by_axis
 verify "--method changes the rule" says "tumbling: axis by axis"
 run t_handle --until 0.1 --method splitting_kahan_li_8
@@ -171,6 +184,8 @@ if command -v gnuplot >/dev/null 2>&1; then
   run tethered_box --until 0.5 --plot box.svg
   verify "--plot draws" grep -q '</svg>' box.svg
   verify "with the energies" grep -q 'kinetic' box.svg
+  verify "and says what goes upwards" [ "$(sed -n '/rotate(/{n;s/<[^>]*>//g;p}' box.svg | xargs)" = "z (m) energy (J)" ]
+  verify "and what to the right" [ "$(sed '/rotate(/,+1d; s/<[^>]*>//g' box.svg | grep -o '[a-z]* ([a-zA-Z])' | xargs)" = "x (m) time (s)" ]
 fi
 run t_handle --until 0.1 --csv every.csv --every 10
 verify "--every records each tenth step, the first and the last moment" lines every.csv 5
@@ -195,7 +210,7 @@ verify "a name with none of these stands in CSV as it is" grep -qF "0,a; b'\\,0,
 printf '{"duration": 0.05, "bodies": [{"name": "a", "mass": 1}]}' >untitled.json
 run untitled.json
 verify "a scene runs without a title and a description" ends_with 0
-verify "and is called as its file is" says untitled.json
+verify "and is called as its file is, with nothing in the place of a description" says $'untitled.json\n\n1 body, '
 output=$("$program" /dev/stdin --plan <untitled.json)
 code=$?
 verify "what is redirected to it can be the scene" ends_with 0
@@ -204,6 +219,12 @@ run rain --until 0.02 --csv file.csv --no-ledger
 verify "--seed 0 draws the random bodies as the file does" same_numbers seed1.csv file.csv
 verify "another seed draws others" different_numbers seed2.csv file.csv
 verify "and the same ones again" same_numbers seed2.csv seed3.csv
+cat >seed.json <<'SCENE'
+{"duration": 0.01, "bodies": [{"name": "a", "mass": 1, "many": {"count": 1, "seed": 1, "position_between": [[0, 0, 0], [1, 1, 1]]}}]}
+SCENE
+for seed in 0 4294967296 9007199254740992; do run seed.json --csv "large$seed.csv" --seed $seed; done
+verify "and others for one that no 32 bits hold" different_numbers large4294967296.csv large0.csv
+verify "up to the largest" different_numbers large9007199254740992.csv large0.csv
 rm -f -- *.csv *.jsonl *.html *.svg *.json
 
 # Mistakes: none leaves a file.
@@ -250,16 +271,38 @@ verify "what is called otherwise is listed" complains "The schemes are: semi_imp
 run t_handle --until 0.1 --no-ledger --books never.json
 verify "books that are not kept are not written" complains "--books writes the books that --no-ledger does not keep"
 verify "and end with 2" ends_with 2
-run t_handle --until 0.1 --csv ""
-verify "an output without a name is refused" complains "--csv needs the name of a file"
-verify "with 2" ends_with 2
+for option in csv jsonl plot view live books; do
+  run t_handle "--$option" ""
+  verify "an output without a name is refused" complains "--$option needs the name of a file"
+  verify "with 2" ends_with 2
+done
 run t_handle --dt
 verify "an option without its value is refused" ends_with 2
 run t_handle coin
 verify "a second scene is refused" complains "one word too many: coin"
-run t_handle --live page.html --dt 0.01
-verify "--live changes nothing of the scene" complains "--live writes a page of the scene as its file has it and runs nothing; --dt can't go with it"
-verify "and ends as for a wrong command line" ends_with 2
+while read -r option value; do
+  run t_handle --live page.html "--$option" ${value:+"$value"}
+  verify "--live changes nothing of the scene and runs nothing: --$option is refused" complains \
+    "--live writes a page of the scene as its file has it and runs nothing; --$option can't go with it"
+  verify "and ends as for a wrong command line" ends_with 2
+done <<'OPTIONS'
+dt 0.01
+until 1
+method steady
+scheme verlet
+precision double
+seed 0
+threads 1
+every 1
+csv page.csv
+jsonl page.jsonl
+plot page.svg
+view view.html
+books page.json
+no-ledger
+bill
+plan
+OPTIONS
 run rain --live page.html
 verify "nor does it write a page that nobody could wait for" complains "the scene has 100000 bodies; a page that runs it by itself draws at most 2000"
 verify "and ends with 2 as well" ends_with 2
@@ -298,6 +341,15 @@ nowhere/file.csv there is no directory $PWD/nowhere
 /proc/no_such.csv $([ "$(id -u)" = 0 ] && echo No such file or directory || echo no permission)
 PATHS
 verify "/dev/null is still there" test -c /dev/null
+if [ "$(id -u)" != 0 ]; then # whom nobody forbids anything
+  echo before >read_only.csv
+  chmod a-w read_only.csv
+  run t_handle --until 0.1 --csv read_only.csv
+  verify "what may not be written is told" complains "cannot write read_only.csv: no permission"
+  verify "and ends with 3" ends_with 3
+  verify "and is as it was" [ "$(cat read_only.csv)" = before ]
+  rm -f read_only.csv
+fi
 run t_handle --csv kept.csv --view nowhere/x.html
 verify "if one file can't be written, the others are not touched" test ! -e kept.csv
 rmdir folder
@@ -345,6 +397,19 @@ exit 130;130;gnuplot was interrupted
 kill -INT $PPID $$;130;gnuplot was interrupted
 kill -TERM $PPID $$;3;gnuplot says: broken
 ENDINGS
+mkdir "it's"
+path=$PWD/programs:$PATH TMPDIR=$PWD/it\'s run t_handle --until 0.1 --plot a.svg
+verify "the folder for that may have any name" complains "a.svg: gnuplot says: broken"
+rmdir "it's"
+output=$( (ulimit -f 10 && PATH=$PWD/programs:$PATH "$program" t_handle --until 0.1 --csv a.csv --plot a.svg --view a.html 2>errors.txt </dev/null))
+code=$?
+errors=$(cat errors.txt)
+rm errors.txt
+verify "of two outputs that can't be finished both are told" complains "a.html: the disk may be full"
+verify "the first of them at the end" [ "$(tail -1 <<<"$errors" | sed 's/.*: //')" = broken ]
+verify "and it ends with 3" ends_with 3
+verify "and what could be finished is there" [ "$(echo ./a*)" = ./a.csv ]
+rm a.csv
 # A gnuplot that shows what has been told before it is called.
 printf '#!/bin/sh\ncat "%s/told.txt" >&2; exit 1\n' "$PWD" >programs/gnuplot
 PATH=$PWD/programs:$PATH "$program" t_handle --until 0.1 --plot a.svg >told.txt 2>errors.txt
@@ -403,6 +468,15 @@ rm errors.txt
 verify "a file beyond the limit of its size is told" complains "simulate: cannot write"
 verify "at once where there is no other" says_not "steps per second"
 verify "and ends with 3" ends_with 3
+output=$( (ulimit -f 1 && "$program" t_handle --until 0.1 --csv short.csv --books books.json 2>errors.txt </dev/null))
+code=$?
+errors=$(cat errors.txt)
+rm errors.txt
+verify "so is one that meets the limit with its last letters" complains "short.csv: the disk may be full"
+verify "and that ends with 3 as well" ends_with 3
+verify "and what could be written of it is gone" test ! -e short.csv
+verify "and another one is there" grep -q '"unexplained"' books.json
+rm books.json
 output=$( (ulimit -f 10 && "$program" rain --until 0.1 --csv rain.csv --jsonl rain.jsonl --books books.json 2>errors.txt </dev/null))
 code=$?
 errors=$(cat errors.txt)
@@ -410,6 +484,7 @@ rm errors.txt
 for file in rain.csv rain.jsonl; do
   verify "$file, which is full while something is recorded, is given up" complains "$file is given up, and the other outputs go on"
 done
+verify "and each of them is given up once" [ "$(grep -c 'is given up' <<<"$errors")" = 2 ]
 verify "the first of them is told at the end too" [ "${errors##*/}" = "rain.csv: the disk may be full" ]
 verify "the run ends with 3" ends_with 3
 verify "and the output that isn't full is there" grep -q '"unexplained"' books.json
@@ -459,6 +534,7 @@ cat >crash.json <<'SCENE'
 SCENE
 run crash.json --csv crash.csv
 verify "a step that can't be taken ends with 1" ends_with 1
+verify "and says how many were taken" says $'\n2 steps in '
 verify "and names body and effect" complains "'comet' at 0.5 s (step 2): point gravity gives a force of"
 verify "and keeps what was computed" lines crash.csv 4
 verify "the books are printed" says "unexplained"
@@ -503,7 +579,7 @@ rm closed.csv
 # A signal, sent once the simulation has told that it runs.
 set -m
 while read -r signal expected; do
-  "$program" rain --until 1000 --csv rain.csv --every 1000000 >told.txt 2>&1 &
+  "$program" rain --until 1000 --csv rain.csv --every 1000000 --bill >told.txt 2>&1 &
   process=$!
   for ((i = 0; i < 300; ++i)); do
     ls rain.csv.partial-* >/dev/null 2>&1 && grep -q 'steps of' told.txt && break
@@ -515,8 +591,10 @@ while read -r signal expected; do
   code=$?
   output=$(cat told.txt) errors=""
   verify "SIG$signal ends with $expected" ends_with "$expected"
-  verify "it says how far it came" says "interrupted after"
+  steps=$(sed -n 's/^\([0-9]*\) steps in .*/\1/p' <<<"$output")
+  verify "it says how far it came" says "interrupted after $steps of 60000 steps"
   verify "and prints the books" says "unexplained"
+  verify "and measures nothing more" says_not "ns per body and step"
   verify "the file holds the first and the last moment, whole" lines rain.csv 200001
   verify "and nothing else is left" [ "$(echo ./*)" = "./rain.csv ./told.txt" ]
   rm rain.csv
