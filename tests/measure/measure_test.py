@@ -103,7 +103,7 @@ class Measurements(unittest.TestCase):
         self.measure("--shard", "1/1", "--part", "all")
         before = self.merged("all")
         slow = SCRATCH / "slow.sh"
-        slow.write_text(f'#!/bin/sh\n[ "${{TUMBLE_ITEMS%% *}}" != from ] || {{ touch "{self.begun}"; sleep 60; }}\nexec "{TINY}" "$@"\n')
+        slow.write_text(f'#!/bin/sh\n[ "${{TUMBLE_ITEMS%% *}}" != from ] || {{ touch "{self.begun}"; exec sleep 60 2>/dev/null; }}\nexec "{TINY}" "$@"\n')
         slow.chmod(0o755)
         self.programs[0]["program"] = str(slow)
         self.list_programs()
