@@ -20,10 +20,12 @@ class PackedUndoBuffer {
   }
 
   //! [remember]
-  void remember(const PackedArray<Particle, Real, width>& array, std::uint32_t pack) {
+  [[gnu::always_inline]] void remember(const PackedArray<Particle, Real, width>& array,
+                                       std::uint32_t pack) {
     centres_[pack] = motion_of(array.packs()[pack]);
   }
-  void remember(const PackedArray<Top, Real, width>& array, std::uint32_t pack) {
+  [[gnu::always_inline]] void remember(const PackedArray<Top, Real, width>& array,
+                                       std::uint32_t pack) {
     tops_[pack] = motion_of(array.packs()[pack]);
   }
   //! [remember]

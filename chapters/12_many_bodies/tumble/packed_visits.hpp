@@ -42,6 +42,14 @@ template <class Packs, class Kernel>
 }
 //! [visit_row]
 
+/// The same for a pack of which some are members.
+template <class Packed, class Kernel, class Members>
+[[gnu::flatten]] void visit_part(const Kernel& kernel, Packed& pack, const Members& members) {
+  Packed changed = pack;
+  kernel(changed);
+  take_over(pack, changed, members);
+}
+
 /// Calls `kernel` with each pack of `array`, between `begin` and `end`, that has members.
 //! [visit_packs]
 template <class Array, class Real, int width, class Kernel>
@@ -51,9 +59,7 @@ void visit_packs(Array& array, const PackedIndexSet<Real, width>& group, std::ui
     visit_row(kernel, array.packs().data() + first, array.packs().data() + last);
   });
   for_each_part(group, begin, end, [&](std::uint32_t pack, const auto& members) {
-    auto changed = array.packs()[pack];
-    kernel(changed);
-    take_over(array.packs()[pack], changed, members);
+    visit_part(kernel, array.packs()[pack], members);
   });
 }
 //! [visit_packs]
