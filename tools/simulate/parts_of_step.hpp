@@ -28,12 +28,9 @@ inline std::vector<PartOfStep> parts_of(const StepPlan<double>& plan) {
       return &instance_of(part.passes[0], plan) == &instance_of(pass, plan);
     });
   };
-  const auto is_idle = [&](const Pass<double>& pass) {
-    return pass.row.kind == PassKind::input || instance_of(pass, plan).members.size() == 0;
-  };
   for_each_pass(plan, substeps_of<double>(Scheme::semi_implicit_euler), plan.in_phase,
                 plan.motions_in_phase, [&](const Pass<double>& pass) {
-                  if (is_idle(pass)) return;
+                  if (pass.row.kind == PassKind::input) return;
                   const auto found = part_of(pass);
                   if (found == parts.end())
                     parts.push_back({instance_of(pass, plan).effect->name(), 0, &plan, {pass}});
@@ -41,7 +38,7 @@ inline std::vector<PartOfStep> parts_of(const StepPlan<double>& plan) {
                     found->passes.push_back(pass);
                 });
   for_each_pass(plan, [&](const Pass<double>& pass) {
-    if (!is_idle(pass) && pass.row.act == RotorAct::join) ++part_of(pass)->times;
+    if (pass.row.kind != PassKind::input && pass.row.act == RotorAct::join) ++part_of(pass)->times;
   });
   return parts;
 }
