@@ -1,6 +1,7 @@
 // The order of a step, written out by hand.
 #include <support/box_body.hpp>
 #include <support/checks.hpp>
+#include <support/conveyor.hpp>
 #include <support/random_world.hpp>
 #include <tumble/ledger.hpp>
 
@@ -65,17 +66,6 @@ struct Wheel {
   static constexpr std::string_view name = axis == 0 ? "wheel along x" : "wheel along y";
   Vec3<Real> rotor_momentum_body(Real time) const {
     return Vec3<Real>::Unit(axis) * (1 + time) / 8;
-  }
-};
-
-/// A motion of the user's own: whatever lies on it is carried along.
-struct Conveyor {
-  static constexpr std::string_view name = "conveyor";
-  static constexpr Phase phase = Phase::drift;
-  static constexpr Quantities reads = quantity::none, writes = quantity::position;
-  template <class Real>
-  void operator()(Particle<Real>& centre, const Real& time_step) const {
-    centre.position.x() += time_step / 4;
   }
 };
 

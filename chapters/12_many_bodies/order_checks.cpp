@@ -1,6 +1,7 @@
 // In which order a step in packs does its work, and what each part of it is called.
 #include <map>
 #include <support/beside_one_by_one.hpp>
+#include <support/conveyor.hpp>
 
 using namespace tumble;
 using namespace tumble::support;
@@ -33,17 +34,6 @@ struct Wheels {
   static constexpr std::string_view name = "wheels";
   Vec3<Real> rotor_momentum_body(Real time) const {
     return Vec3<Real>::Unit(axis) * (1 + time) / 16;
-  }
-};
-
-/// A motion of the user's own.
-struct Conveyor {
-  static constexpr std::string_view name = "conveyor";
-  static constexpr Phase phase = Phase::drift;
-  static constexpr Quantities reads = quantity::none, writes = quantity::position;
-  template <class Real>
-  void operator()(Particle<Real>& centre, const Real& time_step) const {
-    centre.position.x() += time_step / 4;
   }
 };
 

@@ -115,8 +115,8 @@ class InPacks final : public BodyStore<Real> {
   }
 
   /// One thread's share of the blocks of a row. Once an effect has `thrown`, the blocks to come are
-  /// remembered and not stepped, so that all can be put back. @return whether a body
-  /// diverged
+  /// remembered and not stepped, so that all can be put back. @return whether a
+  /// body diverged
   //! [run_row]
   template <class Array>
   bool run_row(const StepPlan<Real>& plan, const Row<Real, width>& row, Array& array,

@@ -12,8 +12,7 @@ namespace tumble {
 //! [stops]
 template <class Real>
 struct Stops {
-  std::vector<Real> events =
-      {};  ///< s, by the clock of `evaluate_forces`, each later than the one before
+  std::vector<Real> events = {};  ///< s, by the clock of the forces, in ascending order
   Real longest = std::numeric_limits<Real>::infinity();  ///< of a step, s
 };
 //! [stops]
