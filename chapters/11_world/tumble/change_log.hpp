@@ -3,8 +3,8 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <tumble/step_plan.hpp>
-#include <unordered_map>
 
 namespace tumble {
 
@@ -25,7 +25,7 @@ class ChangeLog {
   /// fewer.
   template <class Real>
   void tell(const StepPlan<Real>& plan, std::size_t bodies, std::int64_t tick) {
-    std::unordered_map<std::uint64_t, std::size_t> now;
+    std::map<std::uint64_t, std::size_t> now;
     const auto count = [&](const EffectInstance<Real>& instance, std::uint64_t number) {
       const std::size_t visited = now[number] = instance.members.size();
       const auto found = visited_.find(number);
@@ -59,7 +59,7 @@ class ChangeLog {
 
   std::vector<std::string> causes_;  // the first three
   std::size_t cause_count_ = 0;
-  std::unordered_map<std::uint64_t, std::size_t> visited_;  // how many, by effect and motion
+  std::map<std::uint64_t, std::size_t> visited_;  // how many, by effect and motion
   std::deque<std::string> sentences_;
 };
 

@@ -5,7 +5,6 @@
 
 #include <memory>
 #include <tumble/snapshot.hpp>
-#include <unordered_set>
 
 namespace tumble {
 
@@ -73,7 +72,8 @@ class Checkpoints {
       all_ = then.all;
     }
     if (others != then.moved) {  // else nobody has moved who had not then
-      const std::unordered_set<BodyIndex> moved(then.moved.begin(), then.moved.end());
+      IndexSet moved;
+      for (const BodyIndex body : then.moved) moved.insert(body);
       for (const BodyIndex body : others)
         if (!moved.contains(body)) move_as(body, (*then.all)[body], bodies, store, planner);
     }

@@ -140,9 +140,11 @@ class Responses {
          {std::pair(&stiff_, &response.turning_stiffness), {&damped_, &response.turning_damping}}) {
       const Real part = ends * K->norm();
       if (part == 0) continue;  // of most effects, and to turn a matrix takes its time
-      const Mat3<Real> R = matrix_of(q);
-      const Mat3<Real> K_half_turned = ends * R.transpose() * *K;
-      turnings->add(index, K_half_turned * R, part, last);
+      Mat3<Real> K_body;
+      for (int axis = 0; axis < 3; ++axis)
+        K_body.col(axis) =
+            rotate_back<Real>(q, ends * (*K * rotate<Real>(q, Vec3<Real>::Unit(axis))));
+      turnings->add(index, K_body, part, last);
       resists_turns = true;
     }
     is_damped_ |= response.damping != 0 || response.turning_damping != Mat3<Real>::Zero();

@@ -13,7 +13,6 @@
 #include <tumble/plan.hpp>
 #include <tumble/step_clock.hpp>
 #include <tumble/step_limits.hpp>
-#include <unordered_set>
 
 namespace tumble {
 
@@ -402,7 +401,7 @@ class World {
                              const std::vector<BodyHandle>& bodies) {
     const std::string name = erased->name();
     const std::size_t stride = erased->traits().joins_two() ? 2 : 1;
-    std::unordered_set<BodyIndex> meant_for;
+    IndexSet meant_for;
     if (!everyone && (bodies.empty() || bodies.size() % stride != 0))
       throw std::invalid_argument("'" + name + "' was given " + std::to_string(bodies.size()) +
                                   " bodies; it needs " +
@@ -411,8 +410,11 @@ class World {
       require_top_for(*erased, bodies[i], i);
       if (stride == 2 && i % 2 == 1 && bodies[i] == bodies[i - 1])
         throw std::invalid_argument("'" + name + "' joins '" + name_of(bodies[i]) + "' to itself");
-      if (stride == 1 && !meant_for.insert(registry_.index_of(bodies[i])).second)
+      if (stride == 2) continue;
+      const BodyIndex body = registry_.index_of(bodies[i]);
+      if (meant_for.contains(body))
         throw std::invalid_argument("'" + name + "' was given '" + name_of(bodies[i]) + "' twice");
+      meant_for.insert(body);
     }
     change_log_.note("'" + name + "' came");
     limit_changed_ |= erased->traits().changes_limit();
