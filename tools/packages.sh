@@ -7,7 +7,8 @@ scene_packages="nlohmann-json3-dev libcxxopts-dev" # scene files, simulate and a
 truth_packages="libboost-dev" # to hold the exact solutions against, and to compare with, in chapter 13
 speed_packages="ninja-build:ninja ccache:ccache" # used when present, never required
 book_packages="doxygen:doxygen doxygen-awesome-css libjs-katex nodejs:node gnuplot-nox:gnuplot
-  python3:python3 fonts-lato fonts-jetbrains-mono fonts-dejavu-core python3-fonttools python3-brotli libbenchmark-dev"
+  python3:python3 fonts-lato fonts-jetbrains-mono fonts-dejavu-core python3-fonttools python3-brotli librsvg2-bin:rsvg-convert
+  libbenchmark-dev"
 live_packages="clang:clang++ lld:wasm-ld wasi-libc libc++-dev-wasm32 libclang-rt-dev-wasm32" # the book's figures that one can touch; still without
 bits_packages="nodejs:node libc++-dev libc++abi-dev qemu-user:qemu-aarch64 g++-aarch64-linux-gnu:aarch64-linux-gnu-g++
   g++-riscv64-linux-gnu:riscv64-linux-gnu-g++ g++-s390x-linux-gnu:s390x-linux-gnu-g++ g++-i686-linux-gnu:i686-linux-gnu-g++"

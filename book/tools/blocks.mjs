@@ -7,12 +7,13 @@ import {list_of_exercises, semester, wrong_answers} from './exercise_tables.mjs'
 import {figure} from './figures.mjs';
 import {player} from './players.mjs';
 import {prediction} from './predictions.mjs';
+import {thumbnail} from './previews.mjs';
 import {BookError, table_in} from './results.mjs';
 import {table} from './tables.mjs';
 import {table_of_costs} from './costs.mjs';
 import {scene_keys} from './scene_keys.mjs';
 import {verdict_grid} from './verdict_grid.mjs';
-import {cell, escape, typeset} from './text.mjs';
+import {capitalised, cell, escape, typeset} from './text.mjs';
 
 /** A link to a line of a source; the address of the source's page is filled in once Doxygen has made it. */
 function source_link(path, line, html) {
@@ -74,6 +75,7 @@ export class Blocks {
       check: (page, argument) => this.#check(page, argument),
       other_checks: page => this.#other_checks(page),
       costs: (page, argument) => this.#costs(page, argument),
+      say: (page, argument) => this.#say(page, argument),
       map: () => this.#map(),
       chapters: () => this.#chapters(),
       headers: () => this.#headers(),
@@ -340,9 +342,18 @@ export class Blocks {
       .join('');
   }
 
+  /** A card for each chapter: its opening picture, its question, and what one can say afterwards, once all pages are read. */
   #chapters() {
-    const item = ({file, name, question}) =>
-      `<li><a href="${file}">${escape(name)}</a>${question ? `<span>${escape(question)}</span>` : ''}</li>`;
-    return `<ol class="chapters">${this.pages.chapters.filter(page => !page.further).map(item).join('')}</ol>`;
+    const item = ({file, name, question, picture, say}) =>
+      `<li><a href="${file}">${picture ? thumbnail(picture) : ''}<b>${escape(name)}</b><span>${escape(capitalised(question ?? ''))}</span></a>` +
+      `${say ? `<p>${say}</p>` : ''}</li>`;
+    return () => `<ol class="chapters unindexed">${this.pages.chapters.filter(page => !page.further).map(item).join('')}</ol>`;
+  }
+
+  /** What a reader of the page can say. */
+  #say(page, argument) {
+    if (page.say) throw new BookError('a page says once what its reader can say');
+    page.say = escape(argument).replace(/\{\{value\s+([^{}]*)\}\}/g, (_, value) => escape(typeset(this.value_of(page, value.trim()))));
+    return `<p class="say">${page.say}</p>`;
   }
 }

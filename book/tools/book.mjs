@@ -22,6 +22,7 @@ import {live_files} from './live.mjs';
 import {player_files} from './players.mjs';
 import {names_in, pruned} from './prune_style.mjs';
 import {read_pages} from './pages.mjs';
+import {preview} from './previews.mjs';
 import {Reference, lessons_of} from './reference.mjs';
 import {run_doxygen, write_expanded} from './doxygen.mjs';
 import {search_script, sections} from './search.mjs';
@@ -127,7 +128,8 @@ function write_pages(folder, pages, written, directives) {
         })),
       );
     const typeset_headings = headings.map(heading => ({...heading, html: formulas.in_page(heading.html, page)}));
-    const laid_out = layout(page, {html: formulas.in_page(whole, page), headings: typeset_headings}, pages, settings.book);
+    const head = by_file.has(file) && !page.is_being_made ? preview(page, whole, settings, folder) : '';
+    const laid_out = layout(page, {html: formulas.in_page(whole, page), headings: typeset_headings, head}, pages, settings.book);
     names_in(laid_out, names);
     writeFileSync(join(folder, file), laid_out);
   }
@@ -190,7 +192,7 @@ function build() {
 
   const fresh = `${settings.folder}.new`;
   rmSync(fresh, {recursive: true, force: true});
-  mkdirSync(fresh, {recursive: true});
+  mkdirSync(join(fresh, 'previews'), {recursive: true});
   copy_theme(fresh, write_pages(fresh, pages, written, directives), directives.makers.live_scripts);
   publish(fresh, settings.folder);
 

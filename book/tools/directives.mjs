@@ -2,6 +2,7 @@
 // in a warning of Doxygen is the author's. Doxygen sees a marker in place of each block; what the marker stands for
 // waits in a list until Doxygen is done.
 import {Blocks} from './blocks.mjs';
+import {drawing_in} from './previews.mjs';
 import {BookError} from './results.mjs';
 import {escape, typeset, typeset_in_formula, unescape} from './text.mjs';
 
@@ -14,6 +15,7 @@ export class Directives {
 
   /** The page's Markdown with every directive replaced; mistakes are added to `complaints`. */
   expand(page, complaints) {
+    const first = this.blocks.length;
     const folds = [];
     const inside = {code: false, formula: false};
     const lines = page.lines.map(({text, html, place}) => {
@@ -26,6 +28,7 @@ export class Directives {
       }
     });
     for (const {title, place} of folds) complaints.push(`${place}: {{fold ${title}}} has no {{end}}`);
+    page.picture = this.blocks.slice(first).map(html => drawing_in(String(html))).find(drawing => drawing);
     return lines.join('\n');
   }
 

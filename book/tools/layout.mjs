@@ -56,16 +56,17 @@ const style_and_script = (name, is_needed) =>
 const breakable = html => html.replace(/[/_]/g, '$&<wbr>');
 
 /** The whole page. `page` is one of `pages` or {name, title, file, under} for a page of the reference. */
-export function layout(page, {html, headings}, pages, book) {
+export function layout(page, {html, headings, head = ''}, pages, book) {
   const reference = pages.all.find(each => each.id === 'reference');
-  const title = page.file === 'index.html' ? book.name : `${page.title} · ${book.name}`;
+  const is_landing = page.file === 'index.html';
+  const title = is_landing ? book.name : `${page.title} · ${book.name}`;
   const kind = page.under ? (page.file.endsWith('_source.html') ? 'source' : 'reference') : 'prose';
   return `<!DOCTYPE html>
 <html lang="en-GB">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-${page.is_being_made ? `<meta http-equiv="refresh" content="${seconds_until_next_look}">\n` : ''}<title>${escape(title)}</title>
+${head}${page.is_being_made ? `<meta http-equiv="refresh" content="${seconds_until_next_look}">\n` : ''}<title>${escape(title)}</title>
 <link rel="icon" href="icon.svg">
 <link rel="stylesheet" href="doxygen.css">
 <link rel="stylesheet" href="fonts.css">
@@ -78,7 +79,7 @@ ${style_and_script('player', /<figure class="(?:player|live)/.test(html))}${styl
 <script src="reading.js" defer></script>
 <script src="search.js" defer></script>
 ${/<form class="prediction\b/.test(html) ? '<script src="predict.js" defer></script>\n' : ''}</head>
-<body class="${kind}${page.id === 'cheat_sheet' ? ' cheat-sheet' : ''}"${page.chapter && !page.is_being_made ? ' data-kept' : ''}>
+<body class="${kind}${page.id === 'cheat_sheet' ? ' cheat-sheet' : is_landing ? ' landing' : ''}"${page.chapter && !page.is_being_made ? ' data-kept' : ''}>
 <a class="skip" href="#text">Skip to the text</a>
 <header id="sidebar">
 <div class="brand"><a href="index.html">${escape(book.name)}</a><button id="dark" type="button" aria-pressed="false">Dark</button><button id="menu" type="button" aria-expanded="false" aria-controls="navigation">Pages</button></div>
@@ -88,7 +89,7 @@ ${navigation(pages, page)}
 <main id="text" tabindex="-1">
 ${way_here(page, reference)}
 <h1>${page.under ? breakable(escape(plain(escape(page.title)))) : escape(page.title)}</h1>
-${kind === 'source' ? '' : table_of_contents(headings)}
+${kind === 'source' || is_landing ? '' : table_of_contents(headings)}
 <div class="contents">
 ${html}
 </div>

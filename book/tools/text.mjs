@@ -14,6 +14,8 @@ export function unescape(text) {
     .replace(/&amp;/g, '&');
 }
 
+export const capitalised = text => text.charAt(0).toUpperCase() + text.slice(1);
+
 /** "a, b and c" */
 export function listed(words) {
   return words.length < 2 ? words.join('') : `${words.slice(0, -1).join(', ')} and ${words.at(-1)}`;

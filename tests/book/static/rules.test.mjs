@@ -45,6 +45,8 @@ const broken = [
   ['every_link_leads_somewhere', '<script src="missing.js"></script>', '"missing.js" leads to no file of the book'],
   ['every_link_leads_somewhere',
     '<p style="background: url(missing.png)">A paragraph.</p>', '"missing.png" leads to no file of the book'],
+  ['every_page_says_what_it_is_about', '<meta name="description" content="A page of chapter 11."/>', 'is no sentence: "A page of chapter 11."'],
+  ['every_page_says_what_it_is_about', '<meta property="og:image" content="previews/gone.png"/>', 'its preview is missing: previews/gone.png'],
   ['every_player_has_a_still_picture',
     '<figure class="player"><div class="player-view"><svg aria-hidden="true" class="player-still"><polygon points="0,0 1,0 0,1"></polygon></svg></div></figure>', 'has no alternative text'],
   ['every_player_has_a_still_picture',

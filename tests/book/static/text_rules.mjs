@@ -56,6 +56,19 @@ export function* every_code_in_a_line_is_marked(book) {
   }
 }
 
+export function* every_page_says_what_it_is_about(book) {
+  // In its head, for search engines and messengers; where it has a preview, that is a picture of the book.
+  for (const page of book.pages.values()) {
+    const said = name => page.elements.find(({attributes}) => [attributes.name, attributes.property].includes(name))?.attributes.content;
+    const body = page.elements.find(({name}) => name === 'body');
+    const [description, picture] = [said('description') ?? (body.has_class('prose') ? '' : undefined), said('og:image')];
+    if (description !== undefined && !/^.{30,}[.?!]$/.test(description))
+      yield {path: page.path, line: 1, problem: `its description is no sentence: "${description}"`};
+    if (picture && !book.files.has(picture.replace(/^https:.*\/(?=previews\/)/, '')))
+      yield {path: page.path, line: 1, problem: `its preview is missing: ${picture}`};
+  }
+}
+
 export function* every_formula_is_valid(book) {
   for (const page of book.pages.values()) {
     for (const element of page.elements) {

@@ -1,0 +1,66 @@
+// What a page looks like from outside: its first sentence, and its first drawing as a card on the landing page and in a link to it.
+import {spawnSync} from 'node:child_process';
+import {readFileSync, writeFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {with_own_names} from './figures.mjs';
+import {without_formulas} from './formulas.mjs';
+import {capitalised, escape, plain} from './text.mjs';
+
+/** The first drawing in a block of HTML; drawings hold others. */
+export function drawing_in(html) {
+  const start = html.indexOf('<svg');
+  let depth = 0;
+  for (const tag of html.matchAll(/<(\/?)svg\b[^>]*>/g)) {
+    depth += tag[1] ? -1 : 1;
+    if (depth === 0) return html.slice(start, tag.index + tag[0].length);
+  }
+  return undefined;
+}
+
+/** For a place with room for a few moments of a motion, of the six that a still shows. */
+function shortened(svg) {
+  return svg.replace(/(<svg class="player-still" viewBox=")0 0 3600 616"/, '$11200 0 1200 540"');
+}
+
+/** The drawing, small and silent: whoever hears the page hears the chapter's question. */
+export function thumbnail(svg) {
+  return with_own_names(shortened(svg).replace(/ role="img" aria-label="[^"]*"/, '')).replace('<svg', '<svg aria-hidden="true"');
+}
+
+/** What a search engine or a messenger shows of a page: its first sentences, to at least 70 letters. */
+export function description_of(html) {
+  const paragraphs = html.replace(/<(figure|form|nav|details)\b[\s\S]*?<\/\1>/g, '').match(/<p\b[^>]*>[\s\S]*?<\/p>/g) ?? [];
+  const text = plain(without_formulas(paragraphs.join(' '))).replace(/^A page of .*?\. /, '').trim();
+  return /^.{70,}?[.?!](?=\s|$)/.exec(text)?.[0] ?? text;
+}
+
+const [width, height, margin] = [1200, 630, 60];
+
+/** A card for links to the page: its title over its drawing, in the colours of paper. */
+function card(page, book, style) {
+  const colour = name => new RegExp(`--${name}: (#\\w{6});`).exec(style)[1];
+  const [left, top, wide, high] = /viewBox="([^"]*)"/.exec(shortened(page.picture))[1].split(' ').map(Number);
+  const scale = Math.min((width - 2 * margin) / wide, (height - 4 * margin) / high);
+  const drawing = shortened(page.picture)
+    .replace(/var\(--([\w-]+)\)/g, (_, name) => colour(name))
+    .replace(/ style="[^"]*"/, '')
+    .replace('<svg', `<svg x="${(width - wide * scale) / 2}" y="${3 * margin}" width="${wide * scale}" height="${high * scale}"`);
+  const line = (y, size, weight, text) =>
+    `<text x="${margin}" y="${y}" font-family="Lato, sans-serif" font-size="${size}" font-weight="${weight}" fill="${colour('figure-ink')}">${escape(text)}</text>`;
+  return `<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" width="${width}" height="${height}">` +
+    `<rect width="${width}" height="${height}" fill="${colour('figure-paper')}"/>` +
+    `${line(80, 44, 700, capitalised(page.question ?? page.name))}${line(128, 28, 400, `${book.name} · ${page.name}`)}${drawing}</svg>`;
+}
+
+/** Makes the page's preview, previews/ID.png. @return what its head says of it */
+export function preview(page, html, {book, source, rsvg, address}, folder) {
+  const meta = (name, content) => `<meta ${name.startsWith('og:') ? 'property' : 'name'}="${name}" content="${escape(content)}">\n`;
+  const description = page.id === 'mainpage' ? `${book.brief}.` : description_of(html);
+  const words = meta('description', description) + meta('og:title', page.title) + meta('og:description', description) + meta('og:type', 'article');
+  if (!rsvg || !page.picture) return words;
+  const file = `previews/${page.id}.png`;
+  const svg = card(page, book, readFileSync(join(source, 'book/theme/book.css'), 'utf8'));
+  const {status, stderr} = spawnSync(rsvg, ['--output', join(folder, file)], {input: svg});
+  if (status !== 0) throw new Error(`${rsvg} could not draw the preview of ${page.path}: ${stderr}`);
+  return words + meta('og:image', `${address}${file}`) + meta('twitter:card', 'summary_large_image');
+}
