@@ -1,4 +1,5 @@
-# cmake --install: the headers of every floor, and what find_package(Tumble) needs.
+# cmake --install: the headers of every floor, of the exact solutions and, where nlohmann-json is, of the reader of scene files,
+# and what find_package(Tumble) needs.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -7,6 +8,15 @@ get_property(header_folders GLOBAL PROPERTY TUMBLE_HEADER_FOLDERS)
 list(TRANSFORM floors PREPEND tumble_ OUTPUT_VARIABLE floor_targets)
 
 install(DIRECTORY ${header_folders} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+if(TARGET tumble_exact)  # a course of a few chapters has none
+  list(APPEND floor_targets tumble_exact)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/exact/tumble DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+endif()
+if(TARGET tumble_scene)
+  install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/scene_reader/tumble DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} FILES_MATCHING PATTERN "*.hpp")
+  install(TARGETS tumble_scene EXPORT TumbleSceneTargets)
+  install(EXPORT TumbleSceneTargets NAMESPACE tumble:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Tumble)
+endif()
 install(TARGETS ${floor_targets} tumble_tumble EXPORT TumbleTargets)
 install(EXPORT TumbleTargets NAMESPACE tumble:: DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/Tumble)
 

@@ -84,7 +84,7 @@ TEST_CASE_TEMPLATE(
   world.add("stone", make_particle<Real>(2, {0, 0, 100}));
   world.add(Gravity<Real>{.gravity = {0, 0, -8}});
   Ledger<Real> ledger(world);
-  const double before = Ledger<Real>::stored(world);
+  const double before = stored_energy(world);
   for (int n = 0; n < 64; ++n) ledger.step(world);
   const double fallen =
       100 - static_cast<double>(world.body(world.find("stone")).centre.position.z());
@@ -96,8 +96,10 @@ TEST_CASE_TEMPLATE(
   CHECK(ledger.lines()[0].energy == 64);  // ½ · 2 kg · (8 m/s)²
   CHECK(ledger.lines()[0].momentum == Vec3d(0, 0, -16));
   // Stored energy fell by m g times the height, which is more by half a step at 8 m/s.
-  CHECK(before - Ledger<Real>::stored(world) == 2 * 8 * 4.0625);
+  CHECK(before - stored_energy(world) == 2 * 8 * 4.0625);
   CHECK(ledger.lines()[0].energy == 2 * 8 * (4.0625 - 8.0 / 64 / 2));
+  CHECK(energy_of(world).motion == 64);
+  CHECK(energy_of(world).sum() == before - 2 * 8 * 4.0625 + 64);
 }
 
 TEST_CASE_TEMPLATE("A spring between bodies puts in no momentum and no angular momentum", Real,
@@ -194,9 +196,11 @@ TEST_CASE_TEMPLATE("What an effect on tops stores is asked of their bodies, also
   RigidBody<Real> body;
   body.centre = make_particle<Real>(1, {6, 0, 0});
   body.top.inverse_moments = {1, 1, 1};
+  body.top.angular_momentum_body = {0, 2, 0};
   world.add("body", body);
   world.add(Shelf<Real>{});
-  CHECK(Ledger<Real>::stored(world) == 6);
+  CHECK(stored_energy(world) == 6);
+  CHECK(energy_of(world).turning == 2);
 }
 
 TEST_CASE_TEMPLATE("The books close for a push of one step, however often the scheme kicks in it",

@@ -130,7 +130,7 @@ TEST_CASE_TEMPLATE("Two springs and two weights store the sum of their energies"
   world.add(Gravity<Real>{.gravity = {0, 0, -2}}, {a, b});
   world.add(SpringBetween<Real>{.spring = {.stiffness = 2, .rest_length = 1}}, {a, b, b, c});
   // m g z of two: 2 + 16; k s²/2 of stretches 2 and 3: 4 + 9. Small whole numbers round nothing.
-  CHECK(Ledger<Real>::stored(world) == 31);
+  CHECK(stored_energy(world) == 31);
 }
 
 TEST_CASE("Plans and books are tables whose columns are in line") {

@@ -2,6 +2,7 @@
 #include <support/checks.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/ledger.hpp>
+#include <tumble/springs.hpp>
 #include <tumble/thruster.hpp>
 #include <tumble/world.hpp>
 
@@ -28,6 +29,17 @@ struct Elsewhere : Named {
   static constexpr Phase phase = Phase::drift;
   Vec3<Real> place;
   Vec3<Real> position(const Particle<Real>&, const StepTime<Real>&) const { return place; }
+};
+/// Gives the velocity that leads to where the path t² is at the end of the step.
+template <class Real>
+struct OnPath : Named {
+  //! [on_path]
+  static constexpr Phase phase = Phase::damping;  // after the kicks and blows
+  Vec3<Real> velocity(const Particle<Real>& centre, const StepTime<Real>& at) const {
+    const Real end = at.time + at.time_step;
+    return (Vec3<Real>(end * end, 0, 0) - centre.position) / at.time_step;
+  }
+  //! [on_path]
 };
 template <class Real>
 struct Facing : Named {
@@ -92,6 +104,45 @@ struct OneSided : Named {
   Real potential_energy(const BodyState<Real>& first, const BodyState<Real>&) const {
     return first.centre.position.x();
   }
+};
+
+/// A force whose other members are each in a form that nobody asks for.
+template <class Real>
+struct Plain : Named {
+  Vec3<Real> force(const Particle<Real>&, Real) const { return {1, 0, 0}; }
+};
+template <class Real>
+struct OfACentre : Plain<Real> {
+  Real potential_energy(const Particle<Real>&) const { return 2; }
+};
+/// An effect that has a number where the world asks for a function.
+#define TUMBLE_NUMBER(member)              \
+  template <class Real>                    \
+  struct NumberOf_##member : Plain<Real> { \
+    int member = 0;                        \
+  }
+TUMBLE_NUMBER(skip_reason);
+TUMBLE_NUMBER(check);
+TUMBLE_NUMBER(prepare);
+TUMBLE_NUMBER(response);
+TUMBLE_NUMBER(gives_torque);
+TUMBLE_NUMBER(needs_top);
+TUMBLE_NUMBER(needs_second_top);
+TUMBLE_NUMBER(depends_on_speed);
+TUMBLE_NUMBER(smoothness);
+TUMBLE_NUMBER(find_pairs);
+TUMBLE_NUMBER(broadcast);
+#undef TUMBLE_NUMBER
+template <class Real>
+struct Misspelt : Plain<Real> {
+  std::string_view why_skiped(const BodyFlags&) const { return "never"; }
+};
+template <class Real>
+struct Heard : Plain<Real> {
+  std::string_view skip_reason(const BodyFlags&) const { return ""; }
+  Real potential_energy(const BodyState<Real>&) const { return 2; }
+  bool depends_on_speed() const { return false; }
+  int smoothness() const { return 1; }
 };
 
 }  // namespace
@@ -200,7 +251,7 @@ TEST_CASE_TEMPLATE("The energy of a joint is asked with the first body first; ot
   const BodyHandle second = world.add("second", make_particle<Real>(1, {5, 0, 0}));
   world.add(OneSided<Real>{}, {first, second});
   world.add(TorqueOnBody<Real>{});
-  CHECK(Ledger<Real>::stored(world) == 3);
+  CHECK(stored_energy(world) == 3);
   const Particle<Real> centre = make_particle<Real>(1, {3, 0, 0});
   const Top<Real> top;
   const EffectOf<Real, TorqueOnBody<Real>> torque(TorqueOnBody<Real>{});
@@ -218,4 +269,38 @@ TEST_CASE_TEMPLATE("A thruster for everyone pushes no point and leaves no torque
   CHECK(same_bits(world.body(locked).centre.velocity, Vec3<Real>(2, 0, 0)));
   CHECK(same_bits(world.body(locked).top.torque, Vec3<Real>(0, 0, 0)));
   CHECK(world.plan().rows[0].reason == "not 1: points have no orientation");
+}
+
+TEST_CASE_TEMPLATE("A body that is given the velocity towards a path is there after each step",
+                   Real, float, double) {
+  World<Real> world(steps_per_second(64));  // in 1/64 s no square of a time is rounded
+  const BodyHandle lift = world.add("lift", make_particle<Real>(1, {0, 0, 0}));
+  world.add(Gravity<Real>{});
+  world.add(OnPath<Real>{}, {lift});
+  for (int n = 0; n < 64; ++n) {
+    world.step();
+    const Vec3<Real> there(world.time() * world.time(), 0, 0);
+    CHECK(same_bits(world.body(lift).centre.position, there));
+  }
+}
+
+TEST_CASE_TEMPLATE(
+    "No member of an effect goes unheard: another form of it, or nearly its name, is none", Real,
+    float, double) {
+  CHECK(unheard_member<Real, Plain<Real>>().empty());
+  CHECK(unheard_member<Real, Heard<Real>>().empty());
+  CHECK(unheard_member<Real, SpringBetween<Real>>().empty());
+  CHECK(unheard_member<Real, OfACentre<Real>>() == "potential_energy");
+  CHECK(unheard_member<Real, NumberOf_skip_reason<Real>>() == "skip_reason");
+  CHECK(unheard_member<Real, NumberOf_check<Real>>() == "check");
+  CHECK(unheard_member<Real, NumberOf_prepare<Real>>() == "prepare");
+  CHECK(unheard_member<Real, NumberOf_response<Real>>() == "response");
+  CHECK(unheard_member<Real, NumberOf_gives_torque<Real>>() == "gives_torque");
+  CHECK(unheard_member<Real, NumberOf_needs_top<Real>>() == "needs_top");
+  CHECK(unheard_member<Real, NumberOf_needs_second_top<Real>>() == "needs_second_top");
+  CHECK(unheard_member<Real, NumberOf_depends_on_speed<Real>>() == "depends_on_speed");
+  CHECK(unheard_member<Real, NumberOf_smoothness<Real>>() == "smoothness");
+  CHECK(unheard_member<Real, NumberOf_find_pairs<Real>>() == "find_pairs");
+  CHECK(unheard_member<Real, NumberOf_broadcast<Real>>() == "broadcast");
+  CHECK(unheard_member<Real, Misspelt<Real>>() == "nearly");
 }

@@ -2,6 +2,11 @@
 /// The numbers and vectors that every chapter computes with.
 #pragma once
 
+#if __cplusplus < 202002L && (!defined(_MSVC_LANG) || _MSVC_LANG < 202002L)
+// There is no such file, at which a compiler stops; after an #error it would go on.
+#include "Tumble is written in C++20: compile with -std=c++20"
+#endif
+
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "Tumble's results hold for exact IEEE rounding: compile without -ffast-math and -Ofast."
 #endif

@@ -38,7 +38,7 @@ std::string books_of(const Ledger<Real>& ledger, Scene<Real, Backend>& scene,
   text.append(",\"time_step\":").append(json_number(h));
   text.append(",\"time\":").append(json_number(static_cast<double>(world.ticks()) * h));
   text.append(",\"stored_at_the_start\":").append(json_number(stored_at_the_start));
-  text.append(",\"stored_now\":").append(json_number(Ledger<Real>::stored(scene.world)));
+  text.append(",\"stored_now\":").append(json_number(stored_energy(scene.world)));
   text.append(",\n\"at_the_start\":{").append(json_of(ledger.start()));
   text.append("},\n\"effects\":[");
   const char* comma = "\n";

@@ -25,7 +25,7 @@ class LiveRun {
         file_(std::move(file)),
         scene_(read_scene<double, OneByOne<double>, support::SceneRules>(text_, file_)),
         ledger_(scene_.world),
-        stored_at_the_start_(Ledger<double>::stored(scene_.world)),
+        stored_at_the_start_(stored_energy(scene_.world)),
         steps_(steps_until(scene_)) {
     require_drawable(scene_);
     scene_.world.on_warning([](const std::string&) {});  // the plan has them
@@ -96,7 +96,7 @@ class LiveRun {
       for (const double part : pose.orientation.imaginary) frames_.poses.push_back(part);
     }
     frames_.kinetic.push_back(holdings_of(scene_.world.bodies()).energy);
-    frames_.stored.push_back(Ledger<double>::stored(scene_.world));
+    frames_.stored.push_back(stored_energy(scene_.world));
   }
 
   std::string text_, file_;

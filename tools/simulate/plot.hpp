@@ -61,7 +61,7 @@ class Plot {
   void record(double time, Scene<Real, Backend>& scene) {
     const std::size_t count = scene.world.body_count();
     const double kinetic = holdings_of(scene.world.bodies()).energy;
-    energies_.push_back({time, kinetic, Ledger<Real>::stored(scene.world)});
+    energies_.push_back({time, kinetic, stored_energy(scene.world)});
     for (std::size_t k = 0; k < std::min(count, most_paths); ++k) {
       const auto body = static_cast<BodyIndex>(count <= most_paths ? k : k * count / most_paths);
       const BodyHandle handle = scene.world.handle_at(body);

@@ -166,7 +166,7 @@ ExitCode run(const Options& options) {
   const World<Real, Backend> start = scene.world;
   scene.world.backend().use_threads(options.threads);
   Ledger<Real> ledger(scene.world);
-  const double stored_at_the_start = outputs.books ? Ledger<Real>::stored(scene.world) : 0;
+  const double stored_at_the_start = outputs.books ? stored_energy(scene.world) : 0;
   std::string failure;
   const ExitCode code = take_steps(scene, ledger, options, steps, outputs, failure);
   if (code == step_failed) std::fprintf(stderr, "simulate: %s\n", failure.c_str());

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <memory>
-#include <tumble/effect_traits.hpp>
+#include <tumble/effect_members.hpp>
 #include <tumble/index_set.hpp>
 #include <utility>
 
@@ -54,6 +54,7 @@ class EffectOf : public AnyEffect<Real> {
   static_assert(ActsInItsPhase<Effect, Real>,
                 "a force or a torque acts in the phase force, a blow in the phase impulse and a "
                 "rotor, but nothing else, in the phase turn, whatever the effect names");
+  static_assert(HeardMembers<Real, Effect>::value);
 
  public:
   explicit EffectOf(const Effect& effect)

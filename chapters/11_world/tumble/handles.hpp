@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <compare>
 #include <stdexcept>
 #include <string>
 #include <tumble/bodies.hpp>
@@ -11,19 +12,20 @@ namespace tumble {
 
 /// A body of a world. The generation tells a body from one that had its slot before, and the family
 /// tells its world, and the copies of that, from others. A handle that no world gave out has
-/// generation 0, which is nobody's.
+/// generation 0, which is nobody's. Handles have an order, so that a std::map can keep what a user
+/// has to remember of each body.
 struct BodyHandle {
   std::uint32_t slot = 0;
   std::uint32_t generation = 0;
   std::uint64_t family = 0;
-  friend bool operator==(const BodyHandle&, const BodyHandle&) = default;
+  friend auto operator<=>(const BodyHandle&, const BodyHandle&) = default;
 };
 
 /// An effect of a world.
 struct EffectHandle {
   std::uint64_t number = 0;
   std::uint64_t family = 0;
-  friend bool operator==(const EffectHandle&, const EffectHandle&) = default;
+  friend auto operator<=>(const EffectHandle&, const EffectHandle&) = default;
 };
 
 /// Which body has which place in the arrays.

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstdio>
+#include <tumble/energy.hpp>
 #include <tumble/ledger_line.hpp>
-#include <tumble/world.hpp>
 
 namespace tumble {
 
@@ -45,27 +45,6 @@ class Ledger {
     rest -= start_;
     for (const LedgerLine& line : lines_) rest -= line;
     return rest;
-  }
-
-  /// The energy (J) stored in the effects that know theirs: gravity and springs.
-  template <class Backend>
-  static double stored(const World<Real, Backend>& world) {
-    const Bodies<Real>& bodies = world.bodies();
-    double sum = 0;
-    for (const EffectInstance<Real>& instance : world.effects()) {
-      const EffectTraits<Real>& traits = instance.effect->traits();
-      if (!traits.stores_energy || traits.finds_pairs) continue;
-      const auto add = [&](BodyIndex first, BodyIndex second) {
-        sum += static_cast<double>(
-            instance.effect->potential_energy(state_of(bodies, first), state_of(bodies, second)));
-      };
-      instance.members.indices.for_each([&](BodyIndex i) {
-        const BodyIndex body = traits.visits_tops() ? bodies.body_of[i] : i;
-        add(body, body);
-      });
-      for (const BodyPair& pair : instance.members.pairs) add(pair.first, pair.second);
-    }
-    return sum;
   }
 
  private:

@@ -87,6 +87,7 @@ class World {
   decltype(auto) bodies() const { return backend_.bodies(); }
   /// What keeps and steps the bodies, for instance to set the number of threads.
   Backend& backend() { return backend_; }
+  const Backend& backend() const { return backend_; }
 
   // --- Changes while it runs --------------------------------------------------------------------
 

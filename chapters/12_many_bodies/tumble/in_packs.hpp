@@ -19,6 +19,8 @@ class InPacks final : public BodyStore<Real> {
   static constexpr std::size_t smallest_share = 512;
 
   Bodies<Real> bodies() const { return unpacked(acts_.bodies); }
+  /// The same as they lie, for whoever reads them without a copy.
+  const PackedBodies<Real, width>& packed_bodies() const { return acts_.bodies; }
   void set_bodies(const Bodies<Real>& bodies) { acts_.bodies = packed<Real, width>(bodies); }
 
   const BodyMap& map() const override { return acts_.bodies; }

@@ -1,10 +1,16 @@
 // What another project may do with tumble::tumble. The README shows the lines between its marks.
+#include <cmath>
 #include <iostream>
+#include <numbers>
 // README
 #include <tumble/gravity.hpp>
 #include <tumble/solids.hpp>
 #include <tumble/world.hpp>
 // end
+#include <tumble/exact/oscillator.hpp>
+#ifdef HAS_SCENES
+#include <tumble/scene/read_scene.hpp>
+#endif
 
 namespace {
 
@@ -15,6 +21,22 @@ bool rounds_twice() {
   const double factor = given;
   const double rounded = 1 + 0x1p-29;
   return factor * factor - rounded == 0;
+}
+
+/// What lies beside the library: an oscillator without damping is at its start again after a period.
+bool has_exact_solutions() {
+  const tumble::exact::Oscillator<double> oscillator({.position = 1}, 1, 0);
+  return std::abs(oscillator.at(2 * std::numbers::pi).position - 1) < 1e-15;
+}
+
+bool reads_scenes() {
+#ifdef HAS_SCENES
+  const char* const text = R"({"duration": 1, "step": {"per_second": 60}, "bodies": [
+    {"name": "ball", "mass": 1}]})";
+  return tumble::read_scene<double>(text, "a text").world.body_count() == 1;
+#else
+  return true;
+#endif
 }
 
 }  // namespace
@@ -30,5 +52,5 @@ int main() {
   std::cout << world.body(world.find("brick")).centre.position.transpose() << " m\n";
   // end
   // clang-format on
-  return rounds_twice() ? 0 : 1;
+  return rounds_twice() && has_exact_solutions() && reads_scenes() ? 0 : 1;
 }
