@@ -25,10 +25,9 @@ inline std::string json_of(const LedgerLine& line) {
   return text;
 }
 
-/// The whole books, with the energy (J) that gravity and springs had stored at the start.
+/// The whole books, with the energy (J) that gravity and springs store.
 template <class Real, class Backend>
-std::string books_of(const Ledger<Real>& ledger, Scene<Real, Backend>& scene,
-                     double stored_at_the_start) {
+std::string books_of(const Ledger<Real>& ledger, Scene<Real, Backend>& scene) {
   const World<Real, Backend>& world = scene.world;
   const double h = time_step_of<double>(world.step_length());
   std::string text = "{\"bodies\":" + std::to_string(world.body_count());
@@ -37,7 +36,7 @@ std::string books_of(const Ledger<Real>& ledger, Scene<Real, Backend>& scene,
   text.append(",\"steps\":").append(std::to_string(world.ticks()));
   text.append(",\"time_step\":").append(json_number(h));
   text.append(",\"time\":").append(json_number(static_cast<double>(world.ticks()) * h));
-  text.append(",\"stored_at_the_start\":").append(json_number(stored_at_the_start));
+  text.append(",\"stored_at_the_start\":").append(json_number(ledger.stored_at_start()));
   text.append(",\"stored_now\":").append(json_number(stored_energy(scene.world)));
   text.append(",\n\"at_the_start\":{").append(json_of(ledger.start()));
   text.append("},\n\"effects\":[");

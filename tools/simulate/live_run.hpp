@@ -25,7 +25,6 @@ class LiveRun {
         file_(std::move(file)),
         scene_(read_scene<double, OneByOne<double>, support::SceneRules>(text_, file_)),
         ledger_(scene_.world),
-        stored_at_the_start_(stored_energy(scene_.world)),
         steps_(steps_until(scene_)) {
     require_drawable(scene_);
     scene_.world.on_warning([](const std::string&) {});  // the plan has them
@@ -54,7 +53,6 @@ class LiveRun {
 
   Scene<double>& scene() { return scene_; }
   const Ledger<double>& ledger() const { return ledger_; }
-  double stored_at_the_start() const { return stored_at_the_start_; }
   std::int64_t steps() const { return steps_; }
   std::int64_t every() const { return every_; }  ///< steps from one frame to the next
   double time_step() const { return time_step_of<double>(scene_.world.step_length()); }
@@ -102,7 +100,6 @@ class LiveRun {
   std::string text_, file_;
   Scene<double> scene_;
   Ledger<double> ledger_;
-  double stored_at_the_start_;
   std::int64_t steps_, every_ = 1;
   World<double> start_;
   Frames frames_;

@@ -166,7 +166,6 @@ ExitCode run(const Options& options) {
   const World<Real, Backend> start = scene.world;
   scene.world.backend().use_threads(options.threads);
   Ledger<Real> ledger(scene.world);
-  const double stored_at_the_start = outputs.books ? stored_energy(scene.world) : 0;
   std::string failure;
   const ExitCode code = take_steps(scene, ledger, options, steps, outputs, failure);
   if (code == step_failed) std::fprintf(stderr, "simulate: %s\n", failure.c_str());
@@ -177,7 +176,7 @@ ExitCode run(const Options& options) {
   if (options.bill && code == all_simulated)
     std::printf("\n%s", Bill<Real, Backend>(start, steps).table().c_str());
   outputs.finish(scene.title,
-                 outputs.books ? books_of(ledger, scene, stored_at_the_start) : std::string());
+                 outputs.books ? books_of(ledger, scene) : std::string());
   return ended_by != 0 ? static_cast<ExitCode>(interrupted + ended_by) : code;
 }
 

@@ -79,7 +79,7 @@ void tumble::support::run_live(Live& live) {
   });
   live.say("recording", drawn());
   live.say("plan", json_of(kept->scene().world.plan()));
-  live.say("books", simulate::books_of(kept->ledger(), kept->scene(), kept->stored_at_the_start()));
+  live.say("books", simulate::books_of(kept->ledger(), kept->scene()));
   live.say("units", units_of_keys());
   live.say("methods", json(turning_method_words<SceneRules>()).dump());
   live.say("schemes", json(scheme_words()).dump());

@@ -14,7 +14,8 @@ template <class Real>
 class Ledger {
  public:
   template <class Backend>
-  explicit Ledger(const World<Real, Backend>& world) : start_(holdings_of(world.bodies())) {}
+  explicit Ledger(const World<Real, Backend>& world)
+      : start_(holdings_of(world.bodies())), stored_at_start_(stored_energy(world)) {}
 
   /// One step of the world, booked. If it fails, nothing is booked.
   template <class Backend>
@@ -27,6 +28,8 @@ class Ledger {
 
   /// What the bodies had when the books were opened.
   const LedgerLine& start() const { return start_; }
+  /// What the effects had stored then, J: see stored_energy().
+  double stored_at_start() const { return stored_at_start_; }
 
   /// What they have now.
   template <class Backend>
@@ -127,8 +130,39 @@ class Ledger {
   }
 
   LedgerLine start_;
+  double stored_at_start_;
   Lines lines_;
 };
+
+/// Kinetic and stored energy then and now, if anything stores some; else nothing. The books close
+/// whatever a step does, so where no effect takes or gives energy it is their sum that tells of a
+/// step too long for a force, such as near a point that attracts.
+template <class Real, class Backend>
+std::string energies_of(const Ledger<Real>& ledger, const World<Real, Backend>& world) {
+  bool is_stored = false, is_kept = true;
+  for (const EffectInstance<Real>& instance : world.effects()) {
+    const EffectTraits<Real>& traits = instance.effect->traits();
+    if (instance.members.size() == 0 && !traits.finds_pairs) continue;
+    is_stored |= traits.stores_energy;
+    is_kept &= traits.stores_energy && !traits.depends_on_speed;
+  }
+  for (const LedgerLine& line : ledger.lines()) is_kept &= line.name != "input";
+  if (!is_stored) return {};
+  const double before = ledger.start().energy, after = ledger.now(world).energy;
+  const double stored_before = ledger.stored_at_start(), stored = stored_energy(world);
+  char text[256];
+  std::snprintf(
+      text, sizeof text,
+      "kinetic + stored = sum, J: %.3g + %.3g = %.3g at the start, %.3g + %.3g = %.3g now\n",
+      before, stored_before, before + stored_before, after, stored, after + stored);
+  const bool has_drifted =
+      std::abs(after + stored - before - stored_before) > std::max(before, after) / 10;
+  return std::string(text) + (is_kept && has_drifted
+                                  ? "no effect takes or gives energy, but the sum has changed by "
+                                    "more than a tenth of the "
+                                    "kinetic energy: steps were too long for a force\n"
+                                  : "");
+}
 
 /// The books as a table of text: energy in J, momentum in kg m/s, and angular momentum about the
 /// origin in kg m²/s.
@@ -155,7 +189,7 @@ std::string table_of(const Ledger<Real>& ledger, const World<Real, Backend>& wor
     }
     text += '\n';
   }
-  return text;
+  return text + energies_of(ledger, world);
 }
 
 }  // namespace tumble
