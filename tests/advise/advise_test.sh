@@ -82,8 +82,7 @@ verify "--help ends well" ends_with 0
 "$program" --help >/dev/full 2>errors.txt
 code=$? output="" errors=$(cat errors.txt)
 rm errors.txt
-verify "help that can't be written is told" complains "the answer can't be written"
-verify "and ends with 1" ends_with 1
+verify "help that can't be written is told" fails 1 "the answer can't be written"
 run --inertia 2,2,2 --spin 1,2,3 --for 5 --angle 1e-9 --json=false
 verify "--json=false is no JSON" [ "${output:0:1}" != "{" ]
 
@@ -238,8 +237,7 @@ refuses() { # COMPLAINT ARGUMENT...
   local complaint=$1
   shift
   run "$@"
-  verify "refused: $complaint" complains "$complaint"
-  verify "with exit code 2" ends_with 2
+  verify "refused: $complaint" fails 2 "$complaint"
 }
 top="--inertia 1,2,3 --spin 1,2,0.5 --for 10"
 # shellcheck disable=SC2086  # lists of words
@@ -293,8 +291,7 @@ verify "what float can't hold is answered in double" says ", in double"
 verify "by the first runs of which three extrapolations agree" says "runs with 3 and 5 steps a state, sure to 0 m"
 printf '{"duration": 1, "bodies": [{"name": "a", "mass": 1}], "effects": [{"kind": "point_gravity", "strength": 1}]}' >centre.txt
 run centre.txt --for 1 --place 1
-verify "a scene that can't be run is told" complains "the scene can't be run: 'a' at 0 s (step 0): point gravity gives a force of"
-verify "and ends with 1" ends_with 1
+verify "a scene that can't be run is told" fails 1 "the scene can't be run: 'a' at 0 s (step 0): point gravity gives a force of"
 printf '{"title": ' >bad_scene.txt
 refuses "bad_scene.txt: line 1, column 11: not valid JSON" bad_scene.txt --for 1 --angle 1
 
