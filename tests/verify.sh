@@ -28,4 +28,5 @@ says() { [[ $output == *"$1"* ]]; }
 says_not() { ! says "$1"; }
 complains() { [[ $errors == *"$1"* ]]; }
 ends_with() { [ "$code" -eq "$1" ]; }
+answers() { ends_with "$1" && says "$2"; }
 fails() { ends_with "$1" && complains "$2"; }

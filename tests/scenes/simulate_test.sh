@@ -20,14 +20,12 @@ different_numbers() { ! cmp -s "$1" "$2"; }
 
 # What it prints.
 run t_handle --plan
-verify "--plan ends well" ends_with 0
-verify "--plan prints the plan" says "tumbling: splitting"
+verify "--plan prints the plan" answers 0 "tumbling: splitting"
 verify "--plan takes no step" says_not "steps per second"
 run rain --plan --csv nowhere/rain.csv --view rain.html
 verify "and begins no output, be it where nothing can be written or a page that would be too large" ends_with 0
 run everything --check-plan --until 0.2
-verify "--check-plan ends well" ends_with 0
-verify "--check-plan goes as far as it is asked to" says "48 steps by plan"
+verify "--check-plan goes as far as it is asked to" answers 0 "48 steps by plan"
 verify "--check-plan prints the plan" says "tumbling: splitting"
 verify "--check-plan finds no difference" says "every number of every motion is the same"
 run t_handle --check-plan --precision float --method splitting_without_sine --until 0.2
@@ -168,8 +166,7 @@ verify "and for the largest seed, the most seldom record and the shortest step" 
 run t_handle --until 0.1 --precision float
 verify "--precision float is said" says "in float"
 run --help
-verify "--help tells the options" says "--csv FILE"
-verify "--help ends well" ends_with 0
+verify "--help tells the options" answers 0 "--csv FILE"
 verify "nothing of this leaves a file" leaves_nothing
 
 # Files.
@@ -208,8 +205,7 @@ verify "and one text of JSON" grep -qF '"body":"a \"b\", c"' name.jsonl
 verify "a name with none of these stands in CSV as it is" grep -qF "0,a; b'\\,0,0,0,1,0,0,0,0" name.csv
 printf '{"duration": 0.05, "bodies": [{"name": "a", "mass": 1}]}' >untitled.json
 run untitled.json
-verify "a scene runs without a title and a description" ends_with 0
-verify "and is called as its file is, with nothing in the place of a description" says $'untitled.json\n\n1 body, '
+verify "a scene runs without a title and a description" answers 0 $'untitled.json\n\n1 body, '
 output=$("$program" /dev/stdin --plan <untitled.json)
 code=$?
 verify "what is redirected to it can be the scene" ends_with 0
@@ -488,8 +484,7 @@ cat >crash.json <<'SCENE'
  "effects": [{"kind": "point_gravity", "strength": 1e-200}]}
 SCENE
 run crash.json --csv crash.csv
-verify "a step that can't be taken ends with 1" ends_with 1
-verify "and says how many were taken" says $'\n2 steps in '
+verify "a step that can't be taken ends with 1" answers 1 $'\n2 steps in '
 verify "and names body and effect" complains "'comet' at 0.5 s (step 2): point gravity gives a force of"
 verify "and keeps what was computed" lines crash.csv 4
 verify "the books are printed" says "unexplained"
@@ -512,8 +507,7 @@ run crash.json --bill
 verify "of a run that could not be ended there is no bill" says_not "a whole step"
 verify "and that is its only failure" ends_with 1
 run crash.json --until 0.5 --bill
-verify "a bill is that of the steps that were taken" says "a whole step"
-verify "and takes none beyond them" ends_with 0
+verify "a bill is that of the steps that were taken" answers 0 "a whole step"
 sed 's/\[2, 0, 0\]/[3, 0, 0]/' crash.json >later.json
 run later.json --until 0.75 --bill
 verify "nor beyond three, which are no power of two" ends_with 0
