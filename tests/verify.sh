@@ -2,8 +2,11 @@
 # What a test of a command's answers is made of: sourced, and ended with [ "$failures" -eq 0 ].
 failures=0
 
-run() { # ARGUMENT...: what `program` answers, with PATH as `path` has it if that is set, as `output`, `errors` and `code`
-  output=$(PATH=${path:-$PATH} "$program" "$@" 2>errors.txt </dev/null)
+# ARGUMENT...: what `program` answers, with PATH as `path` has it and within ulimit's `limit`, if these are set, as `output`, `errors`
+# and `code`
+run() {
+  # shellcheck disable=SC2086
+  output=$( ([ -z "${limit-}" ] || ulimit $limit; PATH=${path:-$PATH} "$program" "$@" 2>errors.txt </dev/null))
   code=$?
   errors=$(cat errors.txt)
   rm errors.txt
@@ -25,3 +28,5 @@ says() { [[ $output == *"$1"* ]]; }
 says_not() { ! says "$1"; }
 complains() { [[ $errors == *"$1"* ]]; }
 ends_with() { [ "$code" -eq "$1" ]; }
+answers() { ends_with "$1" && says "$2"; }
+fails() { ends_with "$1" && complains "$2"; }

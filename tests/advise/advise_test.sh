@@ -71,27 +71,23 @@ verify "a ball has no need of steps that are chosen" says "no method with such s
 run tethered_box --for 1 --angle 0.1 --rate 1 --longest-run 60
 verify "no step that is tried, too long for a rope though it may be, warns of itself" [ -z "$errors" ]
 run magnus_ball --for 1 --place 0.1 --longest-run 60
-verify "a scene is answered" ends_with 0
-verify "against Richardson's extrapolation" says "Richardson's extrapolation of runs with"
+verify "a scene is answered" answers 0 "Richardson's extrapolation of runs with"
 verify "with its bodies" says "The scene magnus_ball.json: 2 bodies, for 1 s, 60 states a second"
 run --inertia 1,2,3 --spin 1,2,0.5 --for 0.29 --rate 100 --angle 0.1
 verify "0.29 * 100 is a little less than 29, and that is taken for 29" says "for 0.29 s, 100 states a second"
 run --help
-verify "--help tells the options" says "--inertia A,B,C"
-verify "--help ends well" ends_with 0
+verify "--help tells the options" answers 0 "--inertia A,B,C"
 "$program" --help >/dev/full 2>errors.txt
 code=$? output="" errors=$(cat errors.txt)
 rm errors.txt
-verify "help that can't be written is told" complains "the answer can't be written"
-verify "and ends with 1" ends_with 1
+verify "help that can't be written is told" fails 1 "the answer can't be written"
 run --inertia 2,2,2 --spin 1,2,3 --for 5 --angle 1e-9 --json=false
 verify "--json=false is no JSON" [ "${output:0:1}" != "{" ]
 
 # What can't be confirmed is not promised.
 for tolerance in 1e-17 1e-16; do
   run --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle $tolerance
-  verify "$tolerance rad is refused" says "refused"
-  verify "and ends with 1" ends_with 1
+  verify "$tolerance rad is refused" answers 1 "refused"
 done
 run --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle 1e-9 --precision float
 verify "what float can't store is refused with the reason" says "the exact orientations, rounded to float, are off by up to"
@@ -106,8 +102,7 @@ verify "where double stores everything exactly, the finest tolerance is met" say
 verify "and no quotient by zero is told" says_not "inf"
 run --inertia 1,2,3 --spin 1,2,0.5 --for 10 --angle 3e-7 --precision float --rate 10 --longest-run 0.01
 verify "what float can store and no method keeps is refused" says "no method here could be confirmed to be that accurate"
-verify "with what came nearest" says "nearest "
-verify "and ends with 1" ends_with 1
+verify "with what came nearest" answers 1 "nearest "
 run --inertia 1,2,3 --spin 1e-20,2e-20,0.5e-20 --for 1 --angle 8e-18 --rate 1
 verify "a reference that is off by a third of what is wanted confirms nothing" says "the reference is not sure enough"
 if [ -n "$python" ]; then
@@ -154,8 +149,7 @@ printf '%s\n' "$output" >refused.json
 verify "JSON says it too" says '"confirmed": false'
 run t_handle --for 1 --angle 1e-15 --json
 printf '%s\n' "$output" >refused_scene.json
-verify "a scene's reference that is not sure enough confirms nothing" says "the reference is not sure enough"
-verify "and ends with 1" ends_with 1
+verify "a scene's reference that is not sure enough confirms nothing" answers 1 "the reference is not sure enough"
 # A rounding decides when this one flips, and the exact solution itself has the flips early or late.
 run --inertia 1,2,3 --spin 0.3,1,0.17320508075688772 --for 200 --angle 1e-6
 verify "beside the separatrix the exact solution confirms nothing" says "the reference is not sure enough"
@@ -238,8 +232,7 @@ refuses() { # COMPLAINT ARGUMENT...
   local complaint=$1
   shift
   run "$@"
-  verify "refused: $complaint" complains "$complaint"
-  verify "with exit code 2" ends_with 2
+  verify "refused: $complaint" fails 2 "$complaint"
 }
 top="--inertia 1,2,3 --spin 1,2,0.5 --for 10"
 # shellcheck disable=SC2086  # lists of words
@@ -293,8 +286,7 @@ verify "what float can't hold is answered in double" says ", in double"
 verify "by the first runs of which three extrapolations agree" says "runs with 3 and 5 steps a state, sure to 0 m"
 printf '{"duration": 1, "bodies": [{"name": "a", "mass": 1}], "effects": [{"kind": "point_gravity", "strength": 1}]}' >centre.txt
 run centre.txt --for 1 --place 1
-verify "a scene that can't be run is told" complains "the scene can't be run: 'a' at 0 s (step 0): point gravity gives a force of"
-verify "and ends with 1" ends_with 1
+verify "a scene that can't be run is told" fails 1 "the scene can't be run: 'a' at 0 s (step 0): point gravity gives a force of"
 printf '{"title": ' >bad_scene.txt
 refuses "bad_scene.txt: line 1, column 11: not valid JSON" bad_scene.txt --for 1 --angle 1
 

@@ -69,11 +69,9 @@ fresh debian 12
 course
 verify "alone it prints a menu of six lines" [ "$(wc -l <<<"$output")" -eq 6 ]
 course chekc
-verify "a word that is no command ends with an error" ends_with 2
-verify "the nearest command is offered" says "Did you mean check?"
+verify "the nearest command is offered" answers 2 "Did you mean check?"
 course check fource
-verify "an unknown chapter ends with an error" ends_with 2
-verify "the nearest chapter is offered" says "Did you mean force?"
+verify "the nearest chapter is offered" answers 2 "Did you mean force?"
 verify "the chapters are listed" says "02_torque"
 course check
 verify "a missing chapter is asked for" says "which chapter?"
@@ -99,8 +97,7 @@ for word in 1 01 force 01_force chapters/01_force/ /a/b/chapters/01_force/tumble
   verify "check understands $word" says "The checks of 01_force hold."
 done
 course check chapters/01_force/tumble/fource.hpp
-verify "a file that is not there is no file to check" ends_with 2
-verify "and the nearest one is offered" says "Did you mean force.hpp?"
+verify "a file that is not there is no file to check" answers 2 "Did you mean force.hpp?"
 touch "$scratch/tree/chapters/01_force/force_checks.cpp"
 for word in chapters/01_force/tumble/force.hpp /a/b/chapters/01_force/force_checks.cpp; do
   course check $word
@@ -160,16 +157,13 @@ verify "and for a page that computes, its engine" called "--target simulate live
 stand_in_python 'echo "python3 $PWD ${*@Q}"; exit 7'
 course sweep "a sweep.json" --shard 3/16 --no-install
 verify "sweep gives its options to its tool, in the caller's folder" says "python3 / "
-verify "and all of them" says "programs/simulate/simulate' 'a sweep.json' '--shard' '3/16'"
-verify "and ends as it does" ends_with 7
+verify "and all of them" answers 7 "programs/simulate/simulate' 'a sweep.json' '--shard' '3/16'"
 course book --full --shard 3/16 --part "a part" --resume --no-install
 verify "a share of the measurements is measured in the caller's folder" says "python3 / "
-verify "with its options" says "default/long_programs.json' '--shard=3/16' '--part=a part' '--resume'"
-verify "and ends as its tool does" ends_with 7
+verify "with its options" answers 7 "default/long_programs.json' '--shard=3/16' '--part=a part' '--resume'"
 verify "and makes no book" says_not "Set the book"
 course book merge "a part" b.part --no-install
-verify "parts are put together" says "default/measured' '--merge' 'a part' 'b.part'"
-verify "and where that fails there is no book" ends_with 1
+verify "parts are put together" answers 1 "default/measured' '--merge' 'a part' 'b.part'"
 stand_in_python 'exit 0'
 course book merge a.part b.part --no-install
 verify "the book is set from what they make" called "-DTUMBLE_FULL=ON -DTUMBLE_MEASURED:PATH=$scratch/tree/build/default/measured"
@@ -177,8 +171,7 @@ course book --no-install
 verify "and the next one measures for itself" called "-DTUMBLE_FULL=OFF -DTUMBLE_MEASURED:PATH= "
 rm "$scratch/bin/python3"
 course advise --spin -1,2,3 --json --no-install
-verify "advise gives its options to the adviser" says "/ '--spin' '-1,2,3' '--json'"
-verify "and ends as it does" ends_with 130
+verify "advise gives its options to the adviser" answers 130 "/ '--spin' '-1,2,3' '--json'"
 verify "advise compiles the adviser alone" called "--target advise"
 verify "advise needs cxxopts" says "libcxxopts-dev"
 
@@ -209,8 +202,7 @@ verify "--all WORD runs the slow tests whose name holds it" called "--tests-rege
 verify "and tells the time of each" says "12.5 s  Passed: build.races"
 verify "and nothing else" says_not "sanitizers"
 course test --all nothing --no-install
-verify "a word that no slow test's name holds is refused" ends_with 2
-verify "and the names are listed" says "build.races book.browser.dark layout sanitizers tidy"
+verify "a word that no slow test's name holds is refused" answers 2 "build.races book.browser.dark layout sanitizers tidy"
 DIRTY=yes course test --exhaustive --no-install
 verify "an exhaustive run is one of a commit" says "commit first what has changed"
 RED=yes course test --exhaustive --no-install
@@ -241,8 +233,7 @@ verify "where nothing is missing, apt is left alone" [ "${called/apt-get/}" = "$
 fresh debian 12
 stand_in id <<<'echo 1000'
 course book
-verify "without rights it ends with an error" ends_with 2
-verify "without rights it names the one command" says "sudo apt-get install --no-install-recommends g++ make"
+verify "without rights it ends with an error" answers 2 "sudo apt-get install --no-install-recommends g++ make"
 verify "without rights nothing is started" called_nothing
 stand_in sudo <<<'exit 1'
 course book
@@ -295,14 +286,12 @@ verify "a Debian before 12 is not touched" [ "${called/apt-get/}" = "$called" ]
 fresh debian 12
 stand_in apt-get <<<'echo "E: Unable to locate package"; exit 100'
 course check 1
-verify "a failed installation ends with an error" ends_with 1
-verify "and shows what apt said" says "E: Unable to locate package"
+verify "a failed installation ends with an error" answers 1 "E: Unable to locate package"
 
 fresh debian 12
 stand_in cmake <<<'echo "one line of many"; echo "force.hpp:3:1: error: expected a semicolon"; exit 1'
 course check 1
-verify "a failed compilation ends with an error" ends_with 1
-verify "and shows the compiler's first error" says "error: expected a semicolon"
+verify "a failed compilation ends with an error" answers 1 "error: expected a semicolon"
 verify "and nothing of what went well" [ "${output/one line of many/}" = "$output" ]
 verify "and names the log" says "build/log/check.txt"
 

@@ -2,14 +2,13 @@
 simulate.txt and advise.txt for these programs, in which a file's path stands in place of a header's name. Such as
 
     tumble/force.hpp: a force replaces those before it
-    - particle.force += force;
-    + particle.force = force;
+    particle.force += force; → particle.force = force;
     equivalent: a sentence that proves that nothing is broken
 
-The first line names the header and says what breaks. What stands behind "- " must occur exactly once in the header, and
-what stands behind "+ " takes its place; both may run over several lines, and "+" alone deletes. "equivalent",
-which is seldom needed, says that no check can see the mutation. Blank lines stand between mutations, and lines that begin with #
-are remarks."""
+The first line names the header and says what breaks. What stands before the arrow must occur exactly once in the header, and what
+stands behind it takes its place; nothing there deletes. What doesn't fit into a line stands behind "- ", as many lines as it has, and
+what takes its place behind "+ ". "equivalent", which is seldom needed, says that no check can see the mutation. Blank lines stand
+between mutations, and lines that begin with # are remarks."""
 import re
 from dataclasses import dataclass
 from pathlib import Path
@@ -52,11 +51,15 @@ def read_mutation(chapter, block):
             lines[line[0]].append(line[2:])
         elif line.startswith("equivalent: "):
             mutation.proof = line.removeprefix("equivalent: ")
+        elif " →" in line:
+            old, _, new = line.partition(" →")
+            lines["-"].append(old)
+            lines["+"].append(new.removeprefix(" "))
         else:
-            raise ListError(f"{place}: \"{line}\" begins with none of \"- \", \"+ \", \"equivalent: \"")
+            raise ListError(f"{place}: \"{line}\" has no arrow and begins with none of \"- \", \"+ \", \"equivalent: \"")
     mutation.original, mutation.replacement = "\n".join(lines["-"]), "\n".join(lines["+"])
     if not mutation.original or not lines["+"] or mutation.original == mutation.replacement:
-        raise ListError(f"{place}: a mutation needs \"- \" lines and other \"+\" lines")
+        raise ListError(f"{place}: a mutation needs a text that is replaced, and another that replaces it")
     return mutation
 
 

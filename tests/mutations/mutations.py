@@ -30,7 +30,7 @@ import alone
 import by_hand
 from build_folder import Build
 from engine import Engine, EngineError
-from equal_list import lines_of, read_equal
+from equal_list import lines_of, names_of, read_equal
 from generator import Generator
 from mutation_list import ListError, read_list
 from since import changed_since_held
@@ -70,6 +70,10 @@ class Mutant:
 
     def lines(self):
         return lines_of(self.path.read_text(), self.start, self.end, self.replacement)
+
+    def names(self):
+        """Those by which a list of equal mutants may know it."""
+        return [(self.header, *name) for name in names_of(self.kind, self.path.read_text(), self.start, self.end, self.replacement)]
 
     def __str__(self):
         if self.listed:
@@ -130,7 +134,7 @@ def generated(chapters, build, equal):
                 site_text = " ".join(f"{first.kind}: {text[first.start:first.end]} in {line}".split())
                 made.append(Mutant(chapter, name, path, one.start, one.end, one.replacement, one.number, one.edits,
                                    f"{name} {one.site}", site_text, one.is_late, one.may_be_constant, one.kind))
-                made[-1].proof = equal.get((name, *made[-1].lines()), "")
+                made[-1].proof = next((equal[name] for name in made[-1].names() if name in equal), "")
     return made, late
 
 
@@ -228,7 +232,7 @@ def tell_of_generated(mutants, equal, path):
     for mutant in real:
         if mutant.result not in caught_ends and not mutant.proof:
             say(f"survivor, {mutant.result}: {mutant}")
-    used = {(m.header, *m.lines()) for m in mutants}
+    used = {name for m in mutants for name in m.names()}
     headers = {m.header for m in mutants}
     wrong += [f"{header}: the lists of equal mutants name one that is not made: {old}  becomes  {new}"
               for header, old, new in equal if header in headers and (header, old, new) not in used]

@@ -20,14 +20,12 @@ different_numbers() { ! cmp -s "$1" "$2"; }
 
 # What it prints.
 run t_handle --plan
-verify "--plan ends well" ends_with 0
-verify "--plan prints the plan" says "tumbling: splitting"
+verify "--plan prints the plan" answers 0 "tumbling: splitting"
 verify "--plan takes no step" says_not "steps per second"
 run rain --plan --csv nowhere/rain.csv --view rain.html
 verify "and begins no output, be it where nothing can be written or a page that would be too large" ends_with 0
 run everything --check-plan --until 0.2
-verify "--check-plan ends well" ends_with 0
-verify "--check-plan goes as far as it is asked to" says "48 steps by plan"
+verify "--check-plan goes as far as it is asked to" answers 0 "48 steps by plan"
 verify "--check-plan prints the plan" says "tumbling: splitting"
 verify "--check-plan finds no difference" says "every number of every motion is the same"
 run t_handle --check-plan --precision float --method splitting_without_sine --until 0.2
@@ -51,8 +49,7 @@ done
 rm rest.json
 for option in csv jsonl plot view live books; do
   run t_handle --check-plan "--$option" file
-  verify "--check-plan writes no file of --$option" complains "--check-plan compares two runs and writes no files; --$option can't go with it"
-  verify "and ends as for a wrong command line" ends_with 2
+  verify "--check-plan writes no file of --$option" fails 2 "--check-plan compares two runs and writes no files; --$option can't go with it"
 done
 run t_handle --until 0.1
 verify "it simulates until the time that is asked for" says "1 body, 24 steps of 0.00416667 s, in double"
@@ -169,8 +166,7 @@ verify "and for the largest seed, the most seldom record and the shortest step" 
 run t_handle --until 0.1 --precision float
 verify "--precision float is said" says "in float"
 run --help
-verify "--help tells the options" says "--csv FILE"
-verify "--help ends well" ends_with 0
+verify "--help tells the options" answers 0 "--csv FILE"
 verify "nothing of this leaves a file" leaves_nothing
 
 # Files.
@@ -209,8 +205,7 @@ verify "and one text of JSON" grep -qF '"body":"a \"b\", c"' name.jsonl
 verify "a name with none of these stands in CSV as it is" grep -qF "0,a; b'\\,0,0,0,1,0,0,0,0" name.csv
 printf '{"duration": 0.05, "bodies": [{"name": "a", "mass": 1}]}' >untitled.json
 run untitled.json
-verify "a scene runs without a title and a description" ends_with 0
-verify "and is called as its file is, with nothing in the place of a description" says $'untitled.json\n\n1 body, '
+verify "a scene runs without a title and a description" answers 0 $'untitled.json\n\n1 body, '
 output=$("$program" /dev/stdin --plan <untitled.json)
 code=$?
 verify "what is redirected to it can be the scene" ends_with 0
@@ -231,15 +226,12 @@ rm -f -- *.csv *.jsonl *.html *.svg *.json
 run
 verify "without a scene it asks for one" complains "which scene?"
 run t_handel
-verify "an unknown scene gets the nearest" complains "did you mean t_handle?"
-verify "an unknown scene ends with 2" ends_with 2
+verify "an unknown scene gets the nearest" fails 2 "did you mean t_handle?"
 run t_handle --pln
-verify "an unknown option gets the nearest" complains "there is no option --pln; did you mean --plan?"
-verify "an unknown option ends with 2" ends_with 2
+verify "an unknown option gets the nearest" fails 2 "there is no option --pln; did you mean --plan?"
 while read -r option value complaint; do
   run t_handle "--$option" "$value" --csv never.csv
-  verify "--$option $value is refused" complains "$complaint"
-  verify "with exit code 2" ends_with 2
+  verify "--$option $value is refused" fails 2 "$complaint"
 done <<'CASES'
 dt 0 --dt is 0 s; it must lie between 1e-6 and 3600 s
 dt -1 --dt is -1 s; it must lie between 1e-6 and 3600 s
@@ -269,12 +261,10 @@ CASES
 run t_handle --scheme euler
 verify "what is called otherwise is listed" complains "The schemes are: semi_implicit_euler, verlet, suzuki"
 run t_handle --until 0.1 --no-ledger --books never.json
-verify "books that are not kept are not written" complains "--books writes the books that --no-ledger does not keep"
-verify "and end with 2" ends_with 2
+verify "books that are not kept are not written" fails 2 "--books writes the books that --no-ledger does not keep"
 for option in csv jsonl plot view live books; do
   run t_handle "--$option" ""
-  verify "an output without a name is refused" complains "--$option needs the name of a file"
-  verify "with 2" ends_with 2
+  verify "an output without a name is refused" fails 2 "--$option needs the name of a file"
 done
 run t_handle --dt
 verify "an option without its value is refused" ends_with 2
@@ -282,9 +272,8 @@ run t_handle coin
 verify "a second scene is refused" complains "one word too many: coin"
 while read -r option value; do
   run t_handle --live page.html "--$option" ${value:+"$value"}
-  verify "--live changes nothing of the scene and runs nothing: --$option is refused" complains \
+  verify "--live changes nothing of the scene and runs nothing: --$option is refused" fails 2 \
     "--live writes a page of the scene as its file has it and runs nothing; --$option can't go with it"
-  verify "and ends as for a wrong command line" ends_with 2
 done <<'OPTIONS'
 dt 0.01
 until 1
@@ -304,8 +293,7 @@ bill
 plan
 OPTIONS
 run rain --live page.html
-verify "nor does it write a page that nobody could wait for" complains "the scene has 100000 bodies; a page that runs it by itself draws at most 2000"
-verify "and ends with 2 as well" ends_with 2
+verify "nor does it write a page that nobody could wait for" fails 2 "the scene has 100000 bodies; a page that runs it by itself draws at most 2000"
 run t_handle --live page.html
 if ends_with 0; then
   verify "a page with the engine holds the scene" grep -q 'class="live-texts">{"scene":"{.u000a  ...schema.*"file":"t_handle.json"}' page.html
@@ -313,8 +301,7 @@ if ends_with 0; then
   verify "and the engine" grep -q "tumble_live.modules.scene = 'AGFzbQ" page.html
   rm page.html
 else
-  verify "without the engine it says what is missing" complains "the engine for pages was not built; that takes clang++ with Debian's packages"
-  verify "and ends with 3" ends_with 3
+  verify "without the engine it says what is missing" fails 3 "the engine for pages was not built; that takes clang++ with Debian's packages"
 fi
 verify "and leaves no page" test ! -e page.html
 printf '{"duration": 0.001, "bodies": [{"name": "a", "mass": 1}]}' >short.json
@@ -332,8 +319,7 @@ rm -f crowd.json page.html
 mkdir folder
 while read -r path why; do
   run t_handle --until 0.1 --csv "$path"
-  verify "$path can't be written" complains "cannot write $path: $why"
-  verify "and ends with 3" ends_with 3
+  verify "$path can't be written" fails 3 "cannot write $path: $why"
 done <<PATHS
 folder it is a directory
 nowhere/file.csv there is no directory $PWD/nowhere
@@ -345,8 +331,7 @@ if [ "$(id -u)" != 0 ]; then # whom nobody forbids anything
   echo before >read_only.csv
   chmod a-w read_only.csv
   run t_handle --until 0.1 --csv read_only.csv
-  verify "what may not be written is told" complains "cannot write read_only.csv: no permission"
-  verify "and ends with 3" ends_with 3
+  verify "what may not be written is told" fails 3 "cannot write read_only.csv: no permission"
   verify "and is as it was" [ "$(cat read_only.csv)" = before ]
   rm -f read_only.csv
 fi
@@ -355,14 +340,12 @@ verify "if one file can't be written, the others are not touched" test ! -e kept
 rmdir folder
 name=$(printf 'n%.0s' {1..300})
 run t_handle --until 0.1 --csv "$name"
-verify "a name of 300 letters is told" complains "File name too long"
-verify "and ends with 3" ends_with 3
+verify "a name of 300 letters is told" fails 3 "File name too long"
 run "$name"
 verify "and so is one of a scene" complains "no scene and no file is called"
 ln -s loop loop
 run t_handle --until 0.1 --csv loop
-verify "a link that leads to itself is told" complains "Too many levels of symbolic links"
-verify "and ends with 3" ends_with 3
+verify "a link that leads to itself is told" fails 3 "Too many levels of symbolic links"
 rm loop
 
 # No output goes where what is printed goes.
@@ -370,8 +353,7 @@ echo before >log.txt
 for path in /dev/stdout /proc/self/fd/1 /dev/fd/1 log.txt /dev/stderr /proc/self/fd/7; do
   "$program" t_handle --until 0.1 --csv "$path" >>log.txt 2>>log.txt 7>>log.txt
   code=$? output=$(cat log.txt) errors=$output
-  verify "$path is refused where something is printed" complains "cannot write $path: it is open already"
-  verify "and ends with 3" ends_with 3
+  verify "$path is refused where something is printed" fails 3 "cannot write $path: it is open already"
   verify "and nothing is lost" [ "$(head -1 log.txt)" = before ]
   verify "nor simulated" says_not "steps per second"
   echo before >log.txt
@@ -384,8 +366,7 @@ while IFS=';' read -r ending expected complaint; do
   printf '#!/bin/sh\necho broken >&2\n%s\n' "$ending" >programs/gnuplot
   chmod +x programs/gnuplot
   path=$PWD/programs:$PATH TMPDIR=$PWD/tmp run t_handle --until 0.1 --csv a.csv --plot a.svg --view a.html --books a.json
-  verify "where gnuplot ends with '$ending' it is told" complains "a.svg: $complaint"
-  verify "and simulate ends with $expected" ends_with "$expected"
+  verify "where gnuplot ends with '$ending' it is told" fails "$expected" "a.svg: $complaint"
   verify "and all but the figure are there" [ "$(echo ./a*)" = "./a.csv ./a.html ./a.json" ]
   verify "and whole" grep -q '"unexplained"' a.json
   verify "and of what gnuplot should draw nothing is left" rmdir tmp
@@ -401,10 +382,7 @@ mkdir "it's"
 path=$PWD/programs:$PATH TMPDIR=$PWD/it\'s run t_handle --until 0.1 --plot a.svg
 verify "the folder for that may have any name" complains "a.svg: gnuplot says: broken"
 rmdir "it's"
-output=$( (ulimit -f 10 && PATH=$PWD/programs:$PATH "$program" t_handle --until 0.1 --csv a.csv --plot a.svg --view a.html 2>errors.txt </dev/null))
-code=$?
-errors=$(cat errors.txt)
-rm errors.txt
+limit="-f 10" path=$PWD/programs:$PATH run t_handle --until 0.1 --csv a.csv --plot a.svg --view a.html
 verify "of two outputs that can't be finished both are told" complains "a.html: the disk may be full"
 verify "the first of them at the end" [ "$(tail -1 <<<"$errors" | sed 's/.*: //')" = broken ]
 verify "and it ends with 3" ends_with 3
@@ -425,16 +403,14 @@ ln -s scene.json soft.json
 for path in scene.json ./scene.json hard.json soft.json "$PWD/scene.json"; do
   for option in csv jsonl plot view live books; do
     run scene.json "--$option" "$path"
-    verify "--$option $path does not overwrite the scene" complains "that is the scene itself"
-    verify "and ends with 2" ends_with 2
+    verify "--$option $path does not overwrite the scene" fails 2 "that is the scene itself"
   done
 done
 ln -s . linked
 for other in ./a linked/a "$PWD/a"; do
   for two in "a|$other" "$other|a"; do
     run scene.json --csv "${two%|*}" --jsonl "${two#*|}"
-    verify "two outputs into one file, ${two%|*} and ${two#*|}, are refused" complains "--jsonl is ${two#*|}; that is where --csv goes, and each needs a file of its own"
-    verify "and end with 2" ends_with 2
+    verify "two outputs into one file, ${two%|*} and ${two#*|}, are refused" fails 2 "--jsonl is ${two#*|}; that is where --csv goes, and each needs a file of its own"
   done
 done
 rm linked
@@ -445,42 +421,22 @@ verify "the scene is as it was" cmp -s scene.json kept.json
 rm ./*.json
 
 # What the system lacks is a sentence, and nothing is left.
-run_within() { # KIBIBYTES ARGUMENT...: with so much memory
-  local limit=$1
-  shift
-  output=$( (ulimit -v "$limit" && "$program" "$@" 2>errors.txt </dev/null))
-  code=$?
-  errors=$(cat errors.txt)
-  rm errors.txt
-}
 if ! grep -q __asan_init "$program"; then # the address sanitizer needs terabytes of addresses
-  run_within 60000 rain --until 1 --csv rain.csv
-  verify "too little memory is told" complains "the memory does not suffice"
-  verify "and ends with 4" ends_with 4
-  run_within 400000 t_handle --until 1 --csv handle.csv --threads 1024
-  verify "too few threads are told" complains "fewer --threads may do"
-  verify "and ends with 4" ends_with 4
+  limit="-v 60000" run rain --until 1 --csv rain.csv
+  verify "too little memory is told" fails 4 "the memory does not suffice"
+  limit="-v 400000" run t_handle --until 1 --csv handle.csv --threads 1024
+  verify "too few threads are told" fails 4 "fewer --threads may do"
 fi
-output=$( (ulimit -f 10 && "$program" rain --until 1 --csv rain.csv 2>errors.txt </dev/null))
-code=$?
-errors=$(cat errors.txt)
-rm errors.txt
+limit="-f 10" run rain --until 1 --csv rain.csv
 verify "a file beyond the limit of its size is told" complains "simulate: cannot write"
 verify "at once where there is no other" says_not "steps per second"
 verify "and ends with 3" ends_with 3
-output=$( (ulimit -f 1 && "$program" t_handle --until 0.1 --csv short.csv --books books.json 2>errors.txt </dev/null))
-code=$?
-errors=$(cat errors.txt)
-rm errors.txt
-verify "so is one that meets the limit with its last letters" complains "short.csv: the disk may be full"
-verify "and that ends with 3 as well" ends_with 3
+limit="-f 1" run t_handle --until 0.1 --csv short.csv --books books.json
+verify "so is one that meets the limit with its last letters" fails 3 "short.csv: the disk may be full"
 verify "and what could be written of it is gone" test ! -e short.csv
 verify "and another one is there" grep -q '"unexplained"' books.json
 rm books.json
-output=$( (ulimit -f 10 && "$program" rain --until 0.1 --csv rain.csv --jsonl rain.jsonl --books books.json 2>errors.txt </dev/null))
-code=$?
-errors=$(cat errors.txt)
-rm errors.txt
+limit="-f 10" run rain --until 0.1 --csv rain.csv --jsonl rain.jsonl --books books.json
 for file in rain.csv rain.jsonl; do
   verify "$file, which is full while something is recorded, is given up" complains "$file is given up, and the other outputs go on"
 done
@@ -492,8 +448,7 @@ rm books.json
 "$program" t_handle --until 0.1 >/dev/full 2>errors.txt
 code=$? errors=$(cat errors.txt) output=""
 rm errors.txt
-verify "if what is printed can't be written it says so" complains "what is printed can't be written"
-verify "and ends with 3" ends_with 3
+verify "if what is printed can't be written it says so" fails 3 "what is printed can't be written"
 "$program" t_handle --plan >/dev/full 2>errors.txt
 code=$? errors=$(cat errors.txt)
 rm errors.txt
@@ -502,8 +457,7 @@ run rain --view rain.html
 verify "a page that would be too large is refused" complains "poses"
 printf '{"duration": 1, "bodies": [{"name": "far", "mass": 1, "position": [1e40, 0, 0]}]}' >far.json
 run far.json --view far.html
-verify "and so is a place that it can't hold" complains "a recording holds finite floats only"
-verify "with exit code 3" ends_with 3
+verify "and so is a place that it can't hold" fails 3 "a recording holds finite floats only"
 run far.json --check-plan --precision float
 verify "--check-plan in float refuses what float can't hold" ends_with 2
 run far.json --check-plan
@@ -511,19 +465,16 @@ verify "which double can" ends_with 0
 rm far.json
 if command -v gnuplot >/dev/null 2>&1; then
   path=$PATH TMPDIR=/nowhere run t_handle --until 0.1 --plot t.svg
-  verify "without a place for what gnuplot draws from it says so" complains "there is no folder for temporary files"
-  verify "and ends with 3" ends_with 3
+  verify "without a place for what gnuplot draws from it says so" fails 3 "there is no folder for temporary files"
   path=$PATH TMPDIR=/proc run t_handle --until 0.1 --plot t.svg
-  verify "and so it does where none can be made" complains "no folder for what gnuplot draws from"
-  verify "with 3" ends_with 3
+  verify "and so it does where none can be made" fails 3 "no folder for what gnuplot draws from"
 fi
 path=/nowhere run t_handle --plot t.svg
 verify "without gnuplot it says so" complains "gnuplot draws it and is not installed"
 verify "no mistake leaves a file" leaves_nothing
 printf '{"title": "", "description": "",\n "duration": }' >bad.json
 run bad.json
-verify "a scene that is no JSON gets line and column" complains "bad.json: line 2, column 14: not valid JSON"
-verify "and ends with 2" ends_with 2
+verify "a scene that is no JSON gets line and column" fails 2 "bad.json: line 2, column 14: not valid JSON"
 rm bad.json
 
 # A step that can't be taken: what was computed before is kept.
@@ -533,8 +484,7 @@ cat >crash.json <<'SCENE'
  "effects": [{"kind": "point_gravity", "strength": 1e-200}]}
 SCENE
 run crash.json --csv crash.csv
-verify "a step that can't be taken ends with 1" ends_with 1
-verify "and says how many were taken" says $'\n2 steps in '
+verify "a step that can't be taken ends with 1" answers 1 $'\n2 steps in '
 verify "and names body and effect" complains "'comet' at 0.5 s (step 2): point gravity gives a force of"
 verify "and keeps what was computed" lines crash.csv 4
 verify "the books are printed" says "unexplained"
@@ -557,8 +507,7 @@ run crash.json --bill
 verify "of a run that could not be ended there is no bill" says_not "a whole step"
 verify "and that is its only failure" ends_with 1
 run crash.json --until 0.5 --bill
-verify "a bill is that of the steps that were taken" says "a whole step"
-verify "and takes none beyond them" ends_with 0
+verify "a bill is that of the steps that were taken" answers 0 "a whole step"
 sed 's/\[2, 0, 0\]/[3, 0, 0]/' crash.json >later.json
 run later.json --until 0.75 --bill
 verify "nor beyond three, which are no power of two" ends_with 0

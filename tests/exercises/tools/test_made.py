@@ -12,7 +12,7 @@ from unittest import mock
 
 from made import CommandFailed, dependencies_in, held, make
 from programs import build_show, build_worker, compile_shared
-from test_student_files import InAFolder
+from test_texts import InAFolder
 
 
 def make_slowly(folder):

@@ -9,7 +9,7 @@ import zlib
 
 from complaint import Complaint
 from shards import WHOLE, Job, Part, Shard, Stopped, _line, merge, run, share, shard_of
-from test_student_files import InAFolder
+from test_texts import InAFolder
 
 NAMES = [f"task {number}" for number in range(20)] + ["caf\udce9", "line\nend", "merge"]
 JOB = Job({"seed": 7, "inputs": {"a": "1", "b": "2"}}, NAMES)

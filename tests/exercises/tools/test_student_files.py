@@ -2,25 +2,15 @@
 
 import os
 import resource
-import tempfile
 import threading
 import time
-import unittest
-from pathlib import Path
 
 from complaint import Complaint
 from progress import Progress, bar
 from submission import LARGEST, why_not_taken
-from test_texts import exercise
+from test_texts import InAFolder, exercise
 from watch import Watch
 from workplace import Workplace
-
-
-class InAFolder(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory(prefix="with a blank ")
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
 
 
 class ProgressFile(InAFolder):

@@ -21,7 +21,7 @@ def exercise(**changes):
 
 class InAFolder(unittest.TestCase):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
+        folder = tempfile.TemporaryDirectory(prefix="with a blank ")
         self.addCleanup(folder.cleanup)
         self.folder = Path(folder.name)
 
