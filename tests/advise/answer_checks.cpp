@@ -63,6 +63,8 @@ TEST_CASE("The answer in words says steps, prices and bodies in their units") {
   CHECK(text_of(answer_about_a_scene()) ==
         R"(The scene five.json: 5 bodies, for 10 s, 10 states a second
 wanted             errors of at most 1e-06 rad and 0.001 m, all the way
+tried              every method that a scene can name, and each scheme that may pay,
+                   whatever the file names
 cheapest           quick, scheme verlet, in double, 3 steps a state: 0.0333333 s, 30 a
                    second
 expected error     2.5e-07 rad and 2e-05 m, 4 times less than wanted
@@ -106,6 +108,8 @@ ten times cheaper  2 rad: own, in float, angle 0.25 rad a step: 1 step in all, 0
 TEST_CASE("A refusal in words says why, and no line of it is longer than 92 letters") {
   CHECK(text_of(refused_answer()) == R"(The scene five.json: 1 body, for 10 s, 10 states a second
 wanted             errors of at most 1e-06 rad and 0.001 m, all the way
+tried              every method that a scene can name, and each scheme that may pay,
+                   whatever the file names
 refused            of a a a a a a a a a a a a a a a a a a a a a a a a a a a a a a a a a a a
                    a
 reference          a reference, sure to inf rad and inf m

@@ -30,7 +30,8 @@ std::vector<Candidate> candidates_for(const Options& asked, Answer& answer) {
       answer.refusal = std::string("the exact orientations, rounded to ") +
                        (asked.precisions.twice ? "double" : "float") + ", are off by up to " +
                        support::number("%.2g rad", least_lost(asked, answer.rounded)) +
-                       " already, so no method was tried";
+                       " already, so no method was tried; ask for more than that" +
+                       (asked.precisions.twice ? "" : ", or let double be tried");
     return free_top_candidates(*asked.top, asked.frames, fine_enough(asked, answer.rounded),
                                asked.kinds, asked.longest_run);
   }
@@ -55,15 +56,17 @@ Answer answer_to(const Options& asked) {
     answer.refusal =
         "the reference is not sure enough of itself to confirm that: it would have to be four "
         "times "
-        "as accurate as what is wanted";
+        "as accurate as what is wanted. Ask for four times what it is sure to, or for a shorter "
+        "time";
     return answer;
   }
   if (!answer.refusal.empty()) return answer;
   if (answer.candidates.empty()) {
-    answer.refusal = asked.kinds.any()
-                         ? "the precision that is asked for can't hold these numbers"
-                         : "no method with such steps is needed for this top, or none "
-                           "in a precision that can hold its numbers";
+    answer.refusal =
+        asked.kinds.any()
+            ? "the precision that is asked for can't hold these numbers; let another be tried"
+            : "no method with such steps is needed for this top, or none "
+              "in a precision that can hold its numbers";
     return answer;
   }
   std::string wanted = "what was asked for";
@@ -75,7 +78,9 @@ Answer answer_to(const Options& asked) {
                         });
   answer.verdict = advisor.cheapest(asked.tolerance);
   if (!answer.verdict.winner) {
-    answer.refusal = "no method here could be confirmed to be that accurate";
+    answer.refusal =
+        "no method here could be confirmed to be that accurate. Ask for no less than the nearest "
+        "reaches, for a shorter time, or for a --longest-run of more seconds";
   } else {
     const Tolerance tenth{asked.tolerance.angle / 10, asked.tolerance.place / 10};
     wanted = "a tenth of the error";

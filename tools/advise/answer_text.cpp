@@ -92,7 +92,12 @@ std::string question(const Answer& answer) {
   return text +
          formatted(", for %g s, %ld state%s a second\n", asked.frames.seconds(), asked.frames.rate,
                    asked.frames.rate == 1 ? "" : "s") +
-         line("wanted", "errors of at most " + wanted(asked.tolerance) + ", all the way");
+         line("wanted", "errors of at most " + wanted(asked.tolerance) + ", all the way") +
+         (asked.top
+              ? ""
+              : line("tried",
+                     "every method that a scene can name, and each scheme that may pay, whatever "
+                     "the file names"));
 }
 
 std::string frame_of(const Answer& answer, const Found& found) {
