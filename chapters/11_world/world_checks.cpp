@@ -357,3 +357,22 @@ TEST_CASE_TEMPLATE("A body that does nothing to the others changes no bit of how
   CHECK(a.top.orientation.real == b.top.orientation.real);
   CHECK(same_bits(a.top.angular_momentum_body, b.top.angular_momentum_body));
 }
+
+TEST_CASE("Bodies without a name come in any number, and a sentence calls them by their slot") {
+  World<double> world;
+  world.add("named", make_particle<double>(1, {0, 0, 0}));
+  const BodyHandle one = world.add(make_particle<double>(1, {1, 0, 0}));
+  const BodyHandle other = world.add(make_static_body<double>("wall", {}));
+  CHECK(world.name_of(one) == "body 1");
+  CHECK(world.name_of(other) == "body 2");
+  CHECK(complaint_of([&] { (void)world.find("body 1"); }) == "no body is called 'body 1'");
+  CHECK(complaint_of([&] {
+          world.add("", make_particle<double>(1, {0, 0, 0}));
+        }) == "a body needs a name");
+  Particle<double> lost = make_particle<double>(1, {0, 0, 0});
+  lost.velocity.x() = std::numeric_limits<double>::infinity();
+  CHECK(complaint_of([&] { world.add(lost); }).find("a body: velocity is (inf, 0, 0) m/s") == 0);
+  world.remove(one);
+  CHECK(world.name_of(other) == "body 2");
+  CHECK(world.body_count() == 2);
+}

@@ -18,7 +18,10 @@ class BodyRegistry {
   /// @throws std::out_of_range if the handle is stale, or another world's, or nobody's.
   BodyIndex index_of(BodyHandle body) const { return slots_.index_of(body); }
   BodyHandle handle_at(BodyIndex index) const { return slots_.handle_of(index); }
-  const std::string& name_of(BodyIndex index) const { return names_[index]; }
+  /// Of a body that was given none, "body 7", after its slot.
+  std::string name_of(BodyIndex index) const {
+    return names_[index].empty() ? "body " + std::to_string(handle_at(index).slot) : names_[index];
+  }
   std::uint64_t family() const { return slots_.family(); }
 
   /// @throws std::invalid_argument if no body has that name.
@@ -35,11 +38,11 @@ class BodyRegistry {
       throw std::invalid_argument("two bodies are called '" + name + "'; names must differ");
   }
 
-  /// A body comes, behind all others.
+  /// A body comes, behind all others; with an empty name it can't be found by one.
   BodyHandle append(const std::string& name) {
     const BodyHandle handle = slots_.take(static_cast<BodyIndex>(names_.size()));
     names_.push_back(name);
-    handles_.emplace(name, handle);
+    if (!name.empty()) handles_.emplace(name, handle);
     return handle;
   }
 

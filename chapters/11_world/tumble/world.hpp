@@ -43,11 +43,16 @@ class World {
   /// inverse mass or moment is negative, if the orientation is not nearly of norm 1, or if there is
   /// angular momentum about a locked axis.
   BodyHandle add(const std::string& name, const Particle<Real>& point) {
+    registry_.require_free(name);
     return append_body(name, point, nullptr);
   }
   BodyHandle add(const std::string& name, const RigidBody<Real>& body) {
+    registry_.require_free(name);
     return append_body(name, body.centre, &body.top);
   }
+  /// The same without a name, for many of a kind: a sentence calls it "body 7", after its slot.
+  BodyHandle add(const Particle<Real>& point) { return append_body({}, point, nullptr); }
+  BodyHandle add(const RigidBody<Real>& body) { return append_body({}, body.centre, &body.top); }
 
   /// Removes a body, and the effects that are fixed to it.
   void remove(BodyHandle body) {
@@ -66,7 +71,7 @@ class World {
   std::size_t top_count() const { return named_bodies().top_count(); }
   /// @throws std::invalid_argument if no body has that name.
   BodyHandle find(const std::string& name) const { return registry_.find(name); }
-  const std::string& name_of(BodyHandle body) const {
+  std::string name_of(BodyHandle body) const {
     return registry_.name_of(registry_.index_of(body));
   }
   /// All bodies, in the order of the arrays.
@@ -333,15 +338,15 @@ class World {
   /// `top` is null for a point.
   BodyHandle append_body(const std::string& name, const Particle<Real>& centre,
                          const Top<Real>* top) {
-    registry_.require_free(name);
-    check_body(name, centre);
-    if (top) check_body(name, *top);
+    const std::string called = name.empty() ? "a body" : name;
+    check_body(called, centre);
+    if (top) check_body(called, *top);
     RigidBody<Real> appended{.centre = centre, .top = top ? *top : Top<Real>{}};
     appended.top.orientation = renormalized(appended.top.orientation);
     clear_forces(appended);
     backend_.append(appended.centre, top ? &appended.top : nullptr);
     const BodyHandle body = registry_.append(name);
-    change_log_.note("'" + name + "' came");
+    change_log_.note("'" + name_of(body) + "' came");
     checkpoints_.forget_all();
     planner_.add_body(named_bodies());
     limit_changed_ |= planner_.is_limiting(registry_.index_of(body));
