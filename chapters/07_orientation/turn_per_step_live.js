@@ -8,7 +8,7 @@
   };
 
   live.figures.turn_per_step = {
-    title: 'The first-order rule turns by 2 atan(ωh/2), and on the wrong side about the wrong axis',
+    title: 'How far does a step turn, and about which axis?',
     hint: 'Drag along the curve, or turn the globe.',
     knobs: {
       asked: {label: 'Turn asked for, ωh'},

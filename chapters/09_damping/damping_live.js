@@ -4,7 +4,7 @@
   const forms = ['exp(−k h)', '1 − k h', '1/(1 + k h)', 'the same part in every step'];
 
   live.figures.damping = {
-    title: 'Beyond k h = 1 the linear form turns the speed round, beyond 2 it makes it grow',
+    title: 'Which form turns the puck round, and which one speeds it up?',
     hint: 'Drag in the first picture to choose k h by the step.',
     knobs: {
       form: {label: 'What a step leaves', choices: forms},
