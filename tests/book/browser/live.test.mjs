@@ -143,10 +143,10 @@ test('What a reader predicted is kept in the browser and shown beside what happe
   const choice = form.locator('input[type="radio"]').nth(1);
   await choice.check();
   const words = await choice.getAttribute('value');
-  assert.equal(await form.locator('.predicted').textContent(), `You predicted: ${words}`);
+  assert.equal(await form.locator('.predicted').textContent(), `You predicted: ${words}. Now look.`);
   assert.ok(await form.locator('details p').last().isVisible());
   await page.reload();
-  assert.equal(await form.locator('.predicted').textContent(), `You predicted: ${words}`);
+  assert.equal(await form.locator('.predicted').textContent(), `You predicted: ${words}. Now look.`);
   await page.context().close();
 });
 
