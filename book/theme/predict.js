@@ -24,6 +24,7 @@
         localStorage.setItem(key, text);
       } catch { /* a browser that keeps nothing */ }
       show(text);
+      dispatchEvent(new Event('predicted')); // a figure draws the guess
     };
     let kept = null; // null until the reader answers; empty for one who only wants to see
     try {

@@ -150,6 +150,20 @@ test('What a reader predicted is kept in the browser and shown beside what happe
   await page.context().close();
 });
 
+test('A guess is drawn into the figure that answers it as soon as it is made, where its axis has it.', async () => {
+  const {page, figure} = await open_figure('turn_per_step');
+  const input = page.locator('form[data-prediction="turn_per_step"] input');
+  const drawn = () => figure.locator('canvas').first().evaluate(canvas => canvas.toDataURL());
+  await told(figure);
+  const without = await drawn();
+  for (const [guess, is_seen] of [['2.5', true], ['90', false]]) {
+    await input.fill(guess);
+    await input.press('Enter');
+    assert.equal(await drawn() !== without, is_seen, guess);
+  }
+  await page.context().close();
+});
+
 test('Out of sight nothing moves, and a reader who wants little motion begins at rest.', async () => {
   const moving = figures.find(name => name === 'energy_sphere') ?? figures[0];
   const {page, figure} = await open_figure(moving);
