@@ -335,6 +335,7 @@
         this.#request();
       }, {threshold: 0.2}).observe(this.stage);
       const resized = new ResizeObserver(() => this.draw());
+      addEventListener('predicted', () => this.draw());
       for (const {canvas} of this.panels) resized.observe(canvas);
       const recolour = () => {
         this.palette = undefined;

@@ -140,6 +140,18 @@
       this.painter.text(words, x + {left: 6, right: -6, center: 0}[align], y - 8, align, colour);
     }
 
+    /** The number that a reader predicted, along x in units of the axis; nothing where there is none. */
+    guess(prediction, unit = 1) {
+      let kept = null;
+      try {
+        kept = globalThis.localStorage?.getItem(`tumble.prediction.${prediction}`);
+      } catch { /* a browser that keeps nothing */ }
+      const {x, y, palette} = this, at = unit * Number.parseFloat(kept);
+      if (!(at >= x.least && at <= x.most)) return;
+      this.line([at, at], [y.least, y.most], palette.ink, {width: 1, dash: [2, 3]});
+      this.note('your guess', [at, y.least], palette.ink, at > (x.least + x.most) / 2 ? 'right' : 'left');
+    }
+
     /** What the colours mean, at the top right: [[words, colour, dash]]. */
     legend(entries) {
       let right = this.box.left + this.box.width;

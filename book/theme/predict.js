@@ -1,34 +1,61 @@
-// Places to answer before the page does: what a reader predicted is kept in the browser, and shown beside what happens.
+// Places to answer before the page does: what a reader predicted is kept in the browser, shown beside what happens, and opens the
+// gates before what answers it.
 (() => {
+  const open_gates = name => {
+    for (const gate of document.querySelectorAll(`[data-gate="${name}"]`)) gate.classList.add('open');
+  };
+
   function keep_prediction(form) {
-    const key = `tumble.prediction.${form.dataset.prediction}`;
+    const name = form.dataset.prediction,
+      key = `tumble.prediction.${name}`;
     const fold = form.querySelector('details');
     const said = document.createElement('p');
     said.className = 'predicted';
     said.setAttribute('role', 'status');
-    fold.querySelector('summary').after(said);
+    fold.before(said);
     const show = text => {
-      said.textContent = text ? `You predicted: ${text}` : '';
+      said.textContent = text ? `You predicted: ${text}. Now look.` : '';
+      form.classList.add('answered');
+      fold.open = true;
+      open_gates(name);
     };
     const keep = text => {
       try {
         localStorage.setItem(key, text);
       } catch { /* a browser that keeps nothing */ }
       show(text);
-      fold.open = true;
+      dispatchEvent(new Event('predicted')); // a figure draws the guess
     };
-    let kept = '';
+    let kept = null; // null until the reader answers; empty for one who only wants to see
     try {
-      kept = localStorage.getItem(key) ?? '';
+      kept = localStorage.getItem(key);
     } catch { /* as above */ }
-    show(kept);
+    if (kept !== null) show(kept);
     for (const input of form.querySelectorAll('input')) {
       if (input.type === 'radio') input.checked = input.value === kept;
-      else input.value = kept.split(' ')[0];
-      input.addEventListener('change', () => keep(input.type === 'radio' ? input.value : `${input.value} ${input.dataset.unit}`.trim()));
+      else input.value = (kept ?? '').split(' ')[0];
+      input.addEventListener('change', () => {
+        if (input.value) keep(input.type === 'radio' ? input.value : `${input.value} ${input.dataset.unit}`.trim());
+      });
     }
     form.addEventListener('submit', event => event.preventDefault());
+    for (const gate of document.querySelectorAll(`[data-gate="${name}"]`))
+      gate.querySelector('.shut button').addEventListener('click', () => {
+        keep('');
+        gate.querySelector('.gated').focus({preventScroll: true}); // the button is gone
+      });
+  }
+
+  /** A link to what stands behind a gate opens it, for this visit. */
+  function follow_address() {
+    const target = document.getElementById(decodeURIComponent(location.hash.slice(1)).split('?')[0]);
+    const gate = target?.closest('.gate:not(.open)');
+    if (!gate) return;
+    open_gates(gate.dataset.gate);
+    target.scrollIntoView();
   }
 
   for (const form of document.querySelectorAll('form.prediction')) keep_prediction(form);
+  addEventListener('hashchange', follow_address);
+  follow_address();
 })();

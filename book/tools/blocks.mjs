@@ -6,7 +6,7 @@ import {live_figure, live_link} from './live.mjs';
 import {list_of_exercises, semester, wrong_answers} from './exercise_tables.mjs';
 import {figure} from './figures.mjs';
 import {player} from './players.mjs';
-import {prediction} from './predictions.mjs';
+import {answers, gate, prediction} from './predictions.mjs';
 import {thumbnail} from './previews.mjs';
 import {BookError, table_in} from './results.mjs';
 import {table} from './tables.mjs';
@@ -56,7 +56,7 @@ export class Blocks {
   live_scripts = new Map(); // what brings a figure to life: the text of a script by its file's name
   quoted = new Set(); // the checks, and the programs as CHAPTER/PROGRAM, that some page shows
   folded = new Set(); // the chapters that show all their other checks
-  predicted = new Set(); // the names of predictions, under which a browser keeps the answers
+  predictions = new Map(); // by their names, under which a browser keeps the answers
 
   constructor(settings, results, pages, exercises) {
     this.settings = settings;
@@ -71,7 +71,7 @@ export class Blocks {
       player: (page, argument) => this.#player(page, argument, 'player', 1),
       players: (page, argument) => this.#player(page, argument, 'players', 2),
       live: (page, argument) => this.#live(page, argument),
-      predict: (page, argument) => this.#predict(page, argument),
+      predict: (page, argument, place) => this.#predict(page, argument, place),
       check: (page, argument) => this.#check(page, argument),
       other_checks: page => this.#other_checks(page),
       costs: (page, argument) => this.#costs(page, argument),
@@ -242,17 +242,33 @@ export class Blocks {
     return html;
   }
 
-  #predict(page, argument) {
+  #predict(page, argument, place) {
     const [name, question, choices, answer] = argument.split('|').map(part => part.trim());
     if (!answer || !/^\w+$/.test(name)) {
       throw new BookError(`{{predict ${argument}}} should read {{predict name | question | choice; other choice | what happens}}, or ` +
         '"number unit" in place of the choices');
     }
-    if (this.predicted.has(name)) throw new BookError(`there is a prediction "${name}" already; browsers keep the answers by this name`);
-    this.predicted.add(name);
+    if (this.predictions.has(name)) throw new BookError(`there is a prediction "${name}" already; browsers keep the answers by this name`);
     const [shown, told] = [question, answer].map(text =>
       text.replace(/\{\{value\s+([^{}]*)\}\}/g, (_, value) => typeset(this.value_of(page, value.trim()))));
+    this.predictions.set(name, {page, place, question: shown, answer: told, is_gated: false});
     return prediction(name, shown, choices.split(';').map(choice => choice.trim()), told);
+  }
+
+  /** [opening, closing] of what stays shut until the reader has answered. */
+  gate(page, name) {
+    const asked = this.predictions.get(name);
+    if (asked?.page !== page) throw new BookError(`{{gate ${name}}} shuts what answers a prediction, and no prediction "${name}" stands before it on this page`);
+    asked.is_gated = true;
+    return gate(name);
+  }
+
+  /** The answers of a page's predictions, each of which must have a gate; a mistake is added to `complaints`. */
+  answers(page, complaints) {
+    const asked = [...this.predictions].filter(([, each]) => each.page === page);
+    for (const [name, {place, is_gated}] of asked)
+      if (!is_gated) complaints.push(`${place}: the prediction "${name}" has no gate; what answers it stands between {{gate ${name}}} and {{end}}`);
+    return asked.length ? answers(asked.map(([, each]) => each)) : '';
   }
 
   /** {{set NAME knob=value&other=value | words}} inside a sentence. */

@@ -2,7 +2,7 @@
 // in a warning of Doxygen is the author's. Doxygen sees a marker in place of each block; what the marker stands for
 // waits in a list until Doxygen is done.
 import {Blocks} from './blocks.mjs';
-import {drawing_in} from './previews.mjs';
+import {first_drawing} from './previews.mjs';
 import {BookError} from './results.mjs';
 import {escape, typeset, typeset_in_formula, unescape} from './text.mjs';
 
@@ -27,9 +27,10 @@ export class Directives {
         return '';
       }
     });
-    for (const {title, place} of folds) complaints.push(`${place}: {{fold ${title}}} has no {{end}}`);
-    page.picture = this.blocks.slice(first).map(html => drawing_in(String(html))).find(drawing => drawing);
-    return lines.join('\n');
+    for (const {opened, place} of folds) complaints.push(`${place}: ${opened} has no {{end}}`);
+    page.picture = first_drawing(this.blocks.slice(first).map(String));
+    const answers = this.makers.answers(page, complaints);
+    return [...lines, ...(answers ? ['', this.#marker(answers), ''] : [])].join('\n');
   }
 
   #expand_line(page, line, inside, folds, place) {
@@ -65,19 +66,24 @@ export class Directives {
   #block(page, name, argument, folds, place) {
     if (name === 'fold') {
       if (!argument) throw new BookError('{{fold}} needs a title: {{fold Title}}');
-      folds.push({title: argument, place});
+      folds.push({opened: `{{fold ${argument}}}`, closing: '</details>', place});
       return this.#marker(`<details class="fold"><summary>${escape(argument)}</summary>`);
     }
+    if (name === 'gate') {
+      const [opening, closing] = this.makers.gate(page, argument);
+      folds.push({opened: `{{gate ${argument}}}`, closing, place});
+      return this.#marker(opening);
+    }
     if (name === 'end') {
-      if (!folds.pop()) throw new BookError('{{end}} closes no {{fold Title}}');
-      return this.#marker('</details>');
+      if (!folds.length) throw new BookError('{{end}} closes no {{fold Title}} and no {{gate name}}');
+      return this.#marker(folds.pop().closing);
     }
     if (name === 'snippet') {
       const {caption, command} = this.makers.snippet(page, argument);
       return this.#marker(caption, 'listing') + command;
     }
     if (!(name in this.makers.kinds)) throw this.#unknown(name);
-    return this.#marker(this.makers.kinds[name](page, argument));
+    return this.#marker(this.makers.kinds[name](page, argument, place));
   }
 
   #marker(html, kind = 'block') {
@@ -86,7 +92,7 @@ export class Directives {
   }
 
   #unknown(name) {
-    const known = ['value', 'set', 'section', 'snippet', ...Object.keys(this.makers.kinds), 'fold', 'end'].join(', ');
+    const known = ['value', 'set', 'section', 'snippet', ...Object.keys(this.makers.kinds), 'fold', 'gate', 'end'].join(', ');
     return new BookError(`unknown directive {{${name}}}; there are ${known}`);
   }
 }

@@ -1,4 +1,4 @@
-// Questions with a place to answer, before the page answers them.
+// Questions with a place to answer, and the gates before what answers them.
 import {escape} from './text.mjs';
 
 /** Choices, or "number UNIT"; what happens is folded until the reader has chosen. The name is the browser's key, once in the book. */
@@ -7,6 +7,22 @@ export function prediction(name, question, choices, answer) {
   const inputs = unit !== undefined
     ? [`<label><input type="number" step="any" data-unit="${escape(unit)}"> ${escape(unit)}</label>`]
     : choices.map(choice => `<label><input type="radio" name="${name}" value="${escape(choice)}"> ${escape(choice)}</label>`);
-  return `<form class="prediction unindexed" data-prediction="${name}"><fieldset><legend>${escape(question)}</legend>${inputs.join('')}</fieldset>` +
+  return `<form class="prediction unindexed" id="predict_${name}" data-prediction="${name}">` +
+    `<fieldset><legend>${escape(question)}</legend>${inputs.join('')}</fieldset>` +
     `<details class="fold"><summary>What happens</summary><p>${escape(answer)}</p></details></form>`;
+}
+
+/** [opening, closing] of what answers the prediction: shut by the script alone, so that it is open without, and in no search. */
+export function gate(name) {
+  return [
+    `<div class="gate unindexed" data-gate="${name}"><p class="shut"><a href="#predict_${name}">Answer first</a>, then look. ` +
+      '<button type="button">Just show me</button></p><div class="gated" tabindex="-1">',
+    '</div></div>',
+  ];
+}
+
+/** For paper, where nothing folds: what happens, at the page's end. */
+export function answers(predictions) {
+  const told = predictions.map(({question, answer}) => `<li>${escape(question)} <b>${escape(answer)}</b></li>`);
+  return `<div class="on-paper answers unindexed"><p><b>Answers</b></p><ol>${told.join('')}</ol></div>`;
 }

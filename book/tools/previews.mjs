@@ -6,13 +6,24 @@ import {with_own_names} from './figures.mjs';
 import {without_formulas} from './formulas.mjs';
 import {capitalised, escape, plain} from './text.mjs';
 
-/** The first drawing in a block of HTML; drawings hold others. */
-export function drawing_in(html) {
+/** The drawing in a block of HTML; drawings hold others. */
+function drawing_in(html) {
   const start = html.indexOf('<svg');
   let depth = 0;
   for (const tag of html.matchAll(/<(\/?)svg\b[^>]*>/g)) {
     depth += tag[1] ? -1 : 1;
     if (depth === 0) return html.slice(start, tag.index + tag[0].length);
+  }
+  return undefined;
+}
+
+/** The first drawing of a page that answers no question of it: behind a gate there may be answers. */
+export function first_drawing(blocks) {
+  let gates = 0;
+  for (const html of blocks) {
+    if (html.startsWith('<div class="gate')) ++gates;
+    else if (html === '</div></div>') --gates;
+    else if (gates === 0 && drawing_in(html)) return drawing_in(html);
   }
   return undefined;
 }

@@ -1,4 +1,4 @@
-set title "The coarser the step, the lower the ball"
+set title "A thrown ball, stepped 10 and 60 times a second"
 set xlabel "distance (m)"
 set ylabel "height (m)"
 set xrange [0:16.5]

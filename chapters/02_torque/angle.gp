@@ -1,4 +1,4 @@
-set title "Only the part of the push that is perpendicular to the door turns it"
+set title "How does the torque depend on the direction of the push?"
 set xlabel "angle between door and push (degrees)"
 set ylabel "torque about the hinge (N m)"
 set xtics 30

@@ -1,4 +1,4 @@
-set title "Four times the random particles, half the error; a lattice does better"
+set title "How many particles does half the error take?"
 set xlabel "particles"
 set ylabel "relative error of the tensor"
 set logscale xy

@@ -1,6 +1,6 @@
 @drawing 640,250
 set output name.".svg"
-set title "Two quarter turns in two orders leave the book in two poses"
+set title "Where do two quarter turns leave the book?"
 unset border
 unset tics
 unset grid

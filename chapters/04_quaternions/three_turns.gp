@@ -1,4 +1,4 @@
-set title "Half the angle, a quarter of the error: three turns in a row err by second order"
+set title "How wrong are three turns in a row?"
 set xlabel "angle of the whole turn (rad)"
 set ylabel "error (rad)"
 set logscale xy

@@ -23,7 +23,7 @@
   };
 
   live.figures.two_turns = {
-    title: 'Two turns in two orders end differently, and 720° bring a quaternion back',
+    title: 'Two turns in two orders, and a turn of 720°',
     hint: 'Drag a body to see it from elsewhere, or the point along the curves; by keys, with the arrows.',
     knobs: {
       first: {label: 'Turn about the world’s x'},

@@ -1,4 +1,4 @@
-set title "The swing grows towards w h = 2, and beyond it without bound"
+set title "How far does the weight get?"
 set xlabel "w h"
 set ylabel "largest |x| (m)"
 set logscale y

@@ -1,4 +1,4 @@
-set title "One order of the lines gains energy for ever; with the other it only oscillates"
+set title "What becomes of the energy?"
 set xlabel "swings"
 set ylabel "energy (J)"
 set logscale y

@@ -1,4 +1,4 @@
-set title "Explicit Euler lets the satellite escape"
+set title "What becomes of the ellipse?"
 set xlabel "x (smallest distance = 1)"
 set ylabel "y"
 set size ratio -1

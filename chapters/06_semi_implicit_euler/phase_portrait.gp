@@ -1,6 +1,6 @@
 @drawing 480,470
 set output name.".svg"
-set title "Explicit Euler spirals out; kick and drift goes round"
+set title "With which order does the weight swing farther every time?"
 set xlabel "position x (m)"
 set ylabel "velocity v (m/s)"
 set size ratio -1

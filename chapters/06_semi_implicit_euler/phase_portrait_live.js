@@ -4,7 +4,7 @@
   const rules = ['explicit Euler', 'kick, then drift', 'implicit Euler'];
 
   live.figures.phase_portrait = {
-    title: 'One order spirals out, one in, and one stays',
+    title: 'Where does each rule lead the weight?',
     hint: 'Drag in the plane to start the weight elsewhere.',
     knobs: {
       rule: {label: 'Rule', choices: rules},

@@ -1,4 +1,4 @@
-set title "The first-order rule falls behind, and never reaches half a turn"
+set title "How far does one step turn?"
 set xlabel "asked for: ωh (rad)"
 set ylabel "turned in one step (rad)"
 set xrange [0:6.2]

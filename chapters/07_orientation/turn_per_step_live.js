@@ -8,7 +8,7 @@
   };
 
   live.figures.turn_per_step = {
-    title: 'The first-order rule turns by 2 atan(ωh/2), and on the wrong side about the wrong axis',
+    title: 'How far does a step turn, and about which axis?',
     hint: 'Drag along the curve, or turn the globe.',
     knobs: {
       asked: {label: 'Turn asked for, ωh'},
@@ -29,6 +29,7 @@
           const turned = columns['curve asked'].map((_, n) => half_angle(columns['curve cosine'][n], columns['curve sine'][n]));
           plot.line(columns['curve asked'], turned, palette.bodies[1]);
           plot.points([values.asked], [half_angle(columns.cosine[0], columns.sine[0])], palette.bodies[values.rule ? 0 : 1], 6);
+          plot.guess('turn_per_step');
           plot.legend([['exponential', palette.bodies[0]], ['first order', palette.bodies[1]]]);
         },
         drag: (plot, at) => ({asked: plot.value_at(at)[0]}),

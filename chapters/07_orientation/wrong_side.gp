@@ -1,4 +1,4 @@
-set title "On the wrong side, a world turn becomes one about the body's own axis"
+set title "Where does the nose go?"
 unset border
 unset tics
 unset grid

@@ -1,5 +1,5 @@
 @drawing 540,420
-set title "With its gyroscopic motion the handle flips; without, it never does"
+set title "What becomes of the spin about the shaft?"
 set xlabel "time (s)"
 set ylabel "rate (rad/s)"
 set ytics 5

@@ -91,10 +91,10 @@ int main(int argument_count, char** arguments) {
   std::printf(
       "\nafter %.0f s the angular momentum points off by %.1e deg with the term, %.2f without\n",
       seconds, tilt(handle.body.top), tilt(steady.body.top));
-  recorded("With its gyroscopic motion", [](Topd& top, double h) {
+  recorded("A", [](Topd& top, double h) {
     drift(top, h);
   }).write(notebook.file_in_folder("t_handle.recording.json"));
-  recorded("Without its gyroscopic motion", [](Topd& top, double h) {
+  recorded("B", [](Topd& top, double h) {
     turn_steadily(top, h);
   }).write(notebook.file_in_folder("t_handle_steady.recording.json"));
 }

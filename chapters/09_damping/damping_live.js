@@ -4,7 +4,7 @@
   const forms = ['exp(−k h)', '1 − k h', '1/(1 + k h)', 'the same part in every step'];
 
   live.figures.damping = {
-    title: 'Beyond k h = 1 the linear form turns the speed round, beyond 2 it makes it grow',
+    title: 'Which form turns the puck round, and which one speeds it up?',
     hint: 'Drag in the first picture to choose k h by the step.',
     knobs: {
       form: {label: 'What a step leaves', choices: forms},
@@ -24,6 +24,7 @@
           plot.line([0, 3], [-1, -1], palette.ink, {width: 1, dash: [4, 4]});
           ['exponential', 'linear', 'fractional'].forEach((name, n) => plot.line(columns['k h'], columns[name], palette.bodies[n]));
           plot.points([Math.min(3, values.rate * values.h)], columns.fraction, palette.bodies[Math.min(3, values.form)], 6);
+          plot.guess('damping', 0.05); // the question's step
           plot.legend(forms.slice(0, 3).map((words, n) => [words, palette.bodies[n]]));
         },
         drag: (plot, at, {values}) => ({h: plot.value_at(at)[0] / values.rate}),

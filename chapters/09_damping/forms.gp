@@ -1,4 +1,4 @@
-set title "Three forms agree while k h is small, and one changes sign"
+set title "What does a step leave of the speed?"
 set xlabel "k h"
 set ylabel "part of the speed left"
 set yrange [-1.3:1]

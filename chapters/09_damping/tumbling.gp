@@ -1,4 +1,4 @@
-set title "Energy and angular momentum fall; the angular speed may rise"
+set title "What does damping do to a tumbling body?"
 set xlabel "time (s)"
 set ylabel "relative to the start"
 plot "tumbling.tsv" using 1:2 with lines linestyle 1 title "  angular speed" at end, \

@@ -10,7 +10,7 @@
   }
 
   live.figures.frame_times = {
-    title: 'Without caps slow steps make longer frames, and longer frames make more steps',
+    title: 'What do slow steps do to the frames?',
     hint: 'Draw in the first picture how long a step takes to compute from moment to moment. By keys: left and right choose a ' +
       'quarter of a second, up and down change it.',
     knobs: {

@@ -1,4 +1,4 @@
-set title "With the cap the world slows down; without it, it stands still and leaps"
+set title "Which of the two games feels worse?"
 set xlabel "wall-clock time (s)"
 set ylabel "simulated time (s)"
 set xrange [0:10]

@@ -1,4 +1,4 @@
-set title "Without a cap each frame makes the next one longer"
+set title "How long do the frames get?"
 set xlabel "wall-clock time (s)"
 set ylabel "duration of a frame (ms)"
 set logscale y

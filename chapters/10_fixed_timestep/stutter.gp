@@ -1,4 +1,4 @@
-set title "Drawing the last state stutters; drawing between two states does not"
+set title "How far does the ball move in each frame?"
 set xlabel "frame"
 set ylabel "position (cm)"
 set xtics 4

@@ -1,5 +1,5 @@
 @drawing 560,420
-set title "With symmetric methods the energy wavers and stays; with the others it drifts"
+set title "Which methods keep the energy?"
 set xlabel "time (s)"
 set ylabel "relative error of the energy"
 set logscale y

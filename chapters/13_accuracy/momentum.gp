@@ -1,5 +1,5 @@
 @drawing 560,400
-set title "Rules that carry L along keep it to rounding"
+set title "Which methods keep the angular momentum?"
 set xlabel "time (s)"
 set ylabel "relative error of L in the world"
 set logscale y

@@ -1,5 +1,5 @@
 @drawing 545,480
-set title "A thin rod: one step of the splitting is worth dozens of evaluations"
+set title "A thin rod: what does an error cost?"
 set xlabel "time for a simulated second (ns)"
 set ylabel "error after 1 s (rad)"
 set logscale xy

@@ -143,8 +143,8 @@ int main(int argument_count, char** arguments) {
   energies(notebook, "needle", tumbling_problems[3]);
   chain(notebook);
   far_away(notebook);
-  plate_after_minutes("|L| restored", turn_restoring_momentum<double>)
+  plate_after_minutes("A", turn_restoring_momentum<double>)
       .write(notebook.file_in_folder("plate_restored.recording.json"));
-  plate_after_minutes("Splitting", turn_by_splitting<double>)
+  plate_after_minutes("B", turn_by_splitting<double>)
       .write(notebook.file_in_folder("plate.recording.json"));
 }

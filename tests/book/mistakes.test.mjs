@@ -24,6 +24,7 @@ test('The chapter without a mistake is made, and holds what its directives stand
   for (const expected of ['The stick is 1.25 m long.', 'stick_length', '<b>passed</b>', 'rises from zero to 1.25',
     'The other 2 checks of this chapter: <span class="verdict"><b>all passed</b>', 'class="verdict-of-all">✓ 3 checks of this chapter: <b>all passed</b>',
     '<summary>Why so short?</summary>', 'The line ends at the stick',
+    'data-gate="rising"><p class="shut">', '<li>How far does it rise? <b>By a metre.</b></li>', '<script src="predict.js" defer>',
     'The stick rises</p><svg class="player-still"', '"cylinder":[0.05,1.25]', 'A stick of 1.25', '<script src="player.js" defer>']) {
     assert.ok(page.includes(expected), expected);
   }
@@ -39,6 +40,10 @@ const mistakes = [
   ['an unknown live figure', '{{live circle | A circle that can be made larger.}}', /no live figure "circle"/],
   ['a live figure without alternative text', '{{live circle}}', /should read \{\{live name \| what it shows/],
   ['a prediction without an answer', '{{predict circle | How large? | large; small}}', /should read \{\{predict name \| question \| choice/],
+  ['a prediction without a gate', '{{predict circle | How large? | large; small | Large.}}', /prediction "circle" has no gate/],
+  ['a gate without a prediction', '{{gate circle}}\nIt is large.\n{{end}}', /no prediction "circle" stands before it on this page/],
+  ['a gate before its prediction', '{{gate rising}}\nIt is large.\n{{end}}', /no prediction "rising" stands before it on this page/],
+  ['a gate that does not end', '{{fold More}}\n{{predict circle | How large? | large; small | Large.}}\n{{end}}\n{{gate circle}}', /\{\{gate circle\}\} has no \{\{end\}\}/, 6],
   ['a link that sets nothing', 'Make it {{set circle | larger}}.', /should read \{\{set figure knob=value&other=value \| words/],
   ['an unknown recording', '{{player circle | A circle rolls along the ground.}}', /no recording "circle".*stick/],
   ['a player without alternative text', '{{player stick}}', /should read \{\{player recording \| what it shows/],
@@ -58,7 +63,7 @@ const mistakes = [
   ['a link to a page that is not there', 'See \\ref chapter_09_absent.', /chapter_09_absent/],
 ];
 
-for (const [what, line, message] of mistakes) {
+for (const [what, line, message, at = 3] of mistakes) {
   test(`The build refuses ${what}, and says where it stands.`, () => {
     const lines = sound.split('\n');
     // Before everything else, so that a tool that counts from elsewhere is found out.
@@ -66,7 +71,7 @@ for (const [what, line, message] of mistakes) {
     const {status, stderr} = make_book(lines.join('\n'));
     assert.notEqual(status, 0, 'the book was made all the same');
     assert.match(stderr, message);
-    assert.ok(stderr.includes(`${chapter}:3:`), `the message does not say ${chapter}:3\n${stderr}`);
+    assert.ok(stderr.includes(`${chapter}:${at}:`), `the message does not say ${chapter}:${at}\n${stderr}`);
     assert.ok(!stderr.includes(`${folder}/${chapter}`), `the message names the machine's folders\n${stderr}`);
   });
 }

@@ -58,7 +58,7 @@ test('Keys work the dark button, the folds, the copy buttons and the list of pag
   await page.locator('#dark').press('Space');
   assert.equal(await page.locator('#dark').getAttribute('aria-pressed'), 'true');
 
-  const fold = page.locator('details').first();
+  const fold = page.locator('details.spoiler').first();
   await fold.locator('summary').press('Enter');
   assert.equal(await fold.evaluate(details => details.open), true);
 

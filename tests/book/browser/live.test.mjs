@@ -143,10 +143,24 @@ test('What a reader predicted is kept in the browser and shown beside what happe
   const choice = form.locator('input[type="radio"]').nth(1);
   await choice.check();
   const words = await choice.getAttribute('value');
-  assert.equal(await form.locator('.predicted').textContent(), `You predicted: ${words}`);
+  assert.equal(await form.locator('.predicted').textContent(), `You predicted: ${words}. Now look.`);
   assert.ok(await form.locator('details p').last().isVisible());
   await page.reload();
-  assert.equal(await form.locator('.predicted').textContent(), `You predicted: ${words}`);
+  assert.equal(await form.locator('.predicted').textContent(), `You predicted: ${words}. Now look.`);
+  await page.context().close();
+});
+
+test('A guess is drawn into the figure that answers it as soon as it is made, where its axis has it.', async () => {
+  const {page, figure} = await open_figure('turn_per_step');
+  const input = page.locator('form[data-prediction="turn_per_step"] input');
+  const drawn = () => figure.locator('canvas').first().evaluate(canvas => canvas.toDataURL());
+  await told(figure);
+  const without = await drawn();
+  for (const [guess, is_seen] of [['2.5', true], ['90', false]]) {
+    await input.fill(guess);
+    await input.press('Enter');
+    assert.equal(await drawn() !== without, is_seen, guess);
+  }
   await page.context().close();
 });
 

@@ -25,7 +25,7 @@ function what_is_cut(width) {
 
 /// Folds that are printed as a title with nothing below it, where something is folded away that a reader of paper lacks.
 function empty_folds() {
-  return [...document.querySelectorAll('details.fold:not(.spoiler, .others)')].filter(fold =>
+  return [...document.querySelectorAll('details.fold:not(.others)')].filter(fold => fold.checkVisibility() &&
     [...fold.children].slice(1).every(child => !child.checkVisibility() || child.getBoundingClientRect().height === 0))
     .map(fold => fold.querySelector('summary').textContent);
 }

@@ -9,6 +9,7 @@ const patience = 120_000;    // only so that a page that never loads is named; n
 /// Runs in the page: comes to rest, and answers with the page's anchors and links as its scripts have left them.
 async function rest_and_tell() {
   await document.fonts.ready;
+  for (const button of document.querySelectorAll('.shut button')) button.click();
   // A figure that one can touch starts its program when a reader comes near.
   for (const figure of document.querySelectorAll('figure.live[data-script]')) {
     figure.scrollIntoView({behavior: 'instant'});

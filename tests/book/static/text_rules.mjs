@@ -111,11 +111,52 @@ export function* no_search_finds_a_spoiler(book) {
     .flatMap(text => JSON.parse(text.slice(start.length, text.lastIndexOf('}') + 1)).documents)
     .map(({section, text}) => `${section} ${text}`).join('\n');
   for (const page of book.pages.values()) {
-    for (const spoiler of page.with_class('spoiler')) {
+    for (const spoiler of [...page.with_class('spoiler'), ...page.with_class('gate')]) {
       const paragraphs = spoiler.find(({name}) => ['p', 'li', 'summary'].includes(name))
         .filter(paragraph => !paragraph.find(is_formula).length);
       const told = paragraphs.map(paragraph => said(paragraph.text())).find(text => text.length > 30 && found.includes(text));
       if (told) yield {path: page.path, line: spoiler.line, problem: `a search finds what is folded away: "${told}"`};
+    }
+  }
+}
+
+/// The words of a page below an element, less what is folded or behind a gate, and less what paper alone shows.
+function open_words_below(page, start) {
+  const is_shut = element => element.name === 'details' || ['gate', 'on-paper'].some(name => element.has_class(name));
+  let is_below = false, words = '';
+  const read = element => {
+    if (element === start) is_below = true;
+    else if (!is_shut(element) && !['script', 'style'].includes(element.name)) {
+      for (const child of element.children) {
+        if (typeof child !== 'string') read(child);
+        else if (is_below) words += child;
+      }
+      words += is_code(element) || ['p', 'li', 'td', 'th', 'figcaption'].includes(element.name) ? '\n' : '';
+    }
+  };
+  read(page.root);
+  return words.replace(/\u00a0/g, ' ');
+}
+
+/// Numbers in a text, {digits, value, unit}: how many count, and the word behind it.
+function numbers_in(text) {
+  const plain_power = (_, power) => `e${[...power].map(sign => '⁻⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(sign) - 1).join('').replace('-1', '-')}`;
+  const plain = text.replace(/\u00a0/g, ' ').replace(/−/g, '-').replace(/ × 10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)/g, plain_power);
+  return [...plain.matchAll(/(?<![\w./])(-?[\d.]*\d(?:e[+-]?\d+)?)(?: ?([a-zµ°%]+(?:\/\w+)?))?/gi)].map(([, number, unit = '']) =>
+    ({digits: number.replace(/e.*/, '').replace(/^[-0.]+/, '').replace(/\D/g, '').length, value: Number(number), unit}));
+}
+
+export function* no_page_answers_its_question(book) {
+  for (const page of book.pages.values()) {
+    for (const form of page.with_class('prediction')) {
+      const open = open_words_below(page, form), open_numbers = numbers_in(open);
+      const answer = form.find(({name}) => name === 'p').map(paragraph => paragraph.text()).join(' ');
+      // A number of two digits is like another only where it has the same unit.
+      const number = numbers_in(answer).find(told => told.digits >= (told.unit ? 2 : 3) && open_numbers.some(({digits, value, unit}) =>
+        digits >= told.digits && Number(value.toPrecision(told.digits)) === told.value && (!told.unit || unit === told.unit)));
+      const sentence = answer.split(/(?<=[.:]) /).find(told => told.length > 20 && open.includes(told.replace(/[.:]$/, '')));
+      const told = sentence ?? (number && `${number.value} ${number.unit}`);
+      if (told) yield {path: page.path, line: form.line, problem: `what answers "${form.attributes['data-prediction']}" stands outside its gate: "${told.trim()}"`};
     }
   }
 }
