@@ -12,6 +12,8 @@
     open_menu(false);
     menu.focus();
   });
+  // On a phone the first sentence comes before the contents.
+  if (matchMedia('(max-width: 55rem)').matches) document.querySelector('.contents-table details')?.removeAttribute('open');
   document.querySelector('#navigation [aria-current]')?.scrollIntoView({block: 'nearest'});
 
   for (const code of document.querySelectorAll(

@@ -25,7 +25,7 @@ function table_of_contents(headings) {
     else items.at(-1).below.push(heading);
   const item = ({heading, below}) =>
     `<li>${link(heading)}${below.length ? `<ul>${below.map(each => `<li>${link(each)}</li>`).join('')}</ul>` : ''}</li>`;
-  return `<nav class="contents-table" aria-label="On this page"><h2>On this page</h2><ul>${items.map(item).join('')}</ul></nav>`;
+  return `<nav class="contents-table" aria-label="On this page"><details open><summary>On this page</summary><ul>${items.map(item).join('')}</ul></details></nav>`;
 }
 
 function neighbours(pages, current) {

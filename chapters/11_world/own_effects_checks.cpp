@@ -1,5 +1,6 @@
 // What an effect of the user's own gives is what its bodies get, whatever it sees and gives.
 #include <support/checks.hpp>
+#include <support/on_path.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/ledger.hpp>
 #include <tumble/springs.hpp>
@@ -29,17 +30,6 @@ struct Elsewhere : Named {
   static constexpr Phase phase = Phase::drift;
   Vec3<Real> place;
   Vec3<Real> position(const Particle<Real>&, const StepTime<Real>&) const { return place; }
-};
-/// Gives the velocity that leads to where the path t² is at the end of the step.
-template <class Real>
-struct OnPath : Named {
-  //! [on_path]
-  static constexpr Phase phase = Phase::damping;  // after the kicks and blows
-  Vec3<Real> velocity(const Particle<Real>& centre, const StepTime<Real>& at) const {
-    const Real end = at.time + at.time_step;
-    return (Vec3<Real>(end * end, 0, 0) - centre.position) / at.time_step;
-  }
-  //! [on_path]
 };
 template <class Real>
 struct Facing : Named {
