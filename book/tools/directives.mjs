@@ -74,8 +74,12 @@ export class Directives {
       folds.push({opened: `{{gate ${argument}}}`, closing, place});
       return this.#marker(opening);
     }
+    if (name === 'note') {
+      folds.push({opened: '{{note}}', closing: '</aside>', place});
+      return this.#marker('<aside class="note">');
+    }
     if (name === 'end') {
-      if (!folds.length) throw new BookError('{{end}} closes no {{fold Title}} and no {{gate name}}');
+      if (!folds.length) throw new BookError('{{end}} closes no {{fold Title}}, no {{gate name}} and no {{note}}');
       return this.#marker(folds.pop().closing);
     }
     if (name === 'snippet') {
@@ -92,7 +96,7 @@ export class Directives {
   }
 
   #unknown(name) {
-    const known = ['value', 'set', 'section', 'snippet', ...Object.keys(this.makers.kinds), 'fold', 'gate', 'end'].join(', ');
+    const known = ['value', 'set', 'section', 'snippet', ...Object.keys(this.makers.kinds), 'fold', 'gate', 'note', 'end'].join(', ');
     return new BookError(`unknown directive {{${name}}}; there are ${known}`);
   }
 }
