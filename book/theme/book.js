@@ -16,6 +16,15 @@
   if (matchMedia('(max-width: 55rem)').matches) document.querySelector('.contents-table details')?.removeAttribute('open');
   document.querySelector('#navigation [aria-current]')?.scrollIntoView({block: 'nearest'});
 
+  // A link to an exercise opens its card.
+  const open_task = () => {
+    let next = document.querySelector(`h3[id="${CSS.escape(decodeURIComponent(location.hash.slice(1)))}"][id^="exercise_"]`);
+    while (next && !next.matches('details.task')) next = next.nextElementSibling;
+    if (next) next.open = true;
+  };
+  open_task();
+  addEventListener('hashchange', open_task);
+
   for (const code of document.querySelectorAll(
     'figure.listing .fragment, figure.listing pre, .contents > pre.fragment',
   )) {

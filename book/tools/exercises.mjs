@@ -89,6 +89,8 @@ function lines_of_exercise(exercise, exercises, pages) {
         `${before.length ? ` · after ${listed(before)}` : ''}<br>You will ${escape(exercise.goals.join('; '))}.</p>`,
     ),
     blank,
+    block('<details class="fold task"><summary>The task</summary>'),
+    blank,
     ...lines_of_plain_text(exercise.task),
     blank,
     text(`    ./course start ${exercise.name}`),
@@ -102,6 +104,7 @@ function lines_of_exercise(exercise, exercises, pages) {
       `<p class="on-paper">Hints${exercise.solution ? ' and the solution' : ''} are folded away on the screen, and not printed: ` +
         `<code>./course hint ${exercise.name}</code> gives one hint at a time.</p>`,
     ),
+    block('</details>'),
     blank,
   ];
 }

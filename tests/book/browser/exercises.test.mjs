@@ -16,11 +16,13 @@ const opened = () => page.locator('details.spoiler').evaluateAll(folds => folds
   .filter(fold => [...fold.children].slice(1).some(child => child.checkVisibility()))
   .map(fold => fold.querySelector('summary').textContent));
 
-test('Every chapter has exercises, and each of their hints is shut until a key opens it, alone.', async () => {
+test('Every chapter has exercises, shut until a link leads to one, and each of their hints until a key opens it, alone.', async () => {
   for (const name of chapter_pages) {
     await page.goto(address(name));
     const hint = page.locator('details.spoiler summary', {hasText: 'Hint 2'}).last();
     assert.ok(await hint.count(), `${name} has no hint`);
+    assert.equal(await hint.isVisible(), false, name);
+    await page.goto(`${address(name)}#${await page.locator('h3[id^="exercise_"]').last().getAttribute('id')}`);
     assert.deepEqual(await opened(), [], name);
     await hint.press('Enter');
     assert.deepEqual(await opened(), [await hint.textContent()], name);
