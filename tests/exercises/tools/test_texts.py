@@ -88,6 +88,14 @@ class WrongAnswers(InAFolder):
                 self.assertIn(expected, self.complaint(lambda: read_wrong_answers(exercise(), self.folder, self.solution)))
 
 
+    def test_what_is_right_as_well_is_told_from_what_is_wrong(self):
+        blocks = [f"{name}: m\n- one;\n+ {name};" for name in "abc"]
+        text = "\n\n".join(["caught by: It holds\n" + blocks[0], blocks[1], "right as well\n" + blocks[2]])
+        self.file("wrong.txt", text)
+        self.assertEqual([each.caught_by for each in read_wrong_answers(exercise(), self.folder, self.solution)], ["It holds", "It holds", ""])
+        self.file("wrong.txt", text.replace(f"{blocks[1]}\n\n", ""))
+        self.assertIn("has 1 wrong answers", self.complaint(lambda: read_wrong_answers(exercise(), self.folder, self.solution)))
+
 
 class Parameters(InAFolder):
     def test_without_a_key_they_are_the_usual_ones(self):
