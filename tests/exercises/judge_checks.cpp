@@ -352,6 +352,7 @@ TEST_CASE("A sentence of numbers that differ shows them with the digits in which
     CHECK(of_neighbours(number));
     if (number > 1e-30) CHECK(of_neighbours(float(number)));
   }
+  CHECK(counted(1, "step") + " or " + counted(2, "step") == "1 step or 2 steps");
   CHECK(sentence(0.0, " and ", -0.0) == "0 and 0");
   const double nan = std::numeric_limits<double>::quiet_NaN();
   CHECK(sentence(nan, " and ", -nan) == "nan and nan");

@@ -128,6 +128,11 @@ std::string sentence(const Parts&... parts) {
   return (shown(parts, digits) + ...);
 }
 
+/// "1 step", "2 steps".
+inline std::string counted(int count, const std::string& what) {
+  return sentence(count, " ", what, count == 1 ? "" : "s");
+}
+
 template <class Real>
 double farthest(Real a, Real b) requires std::is_arithmetic_v<Real> {
   return std::abs(double(a) - double(b));
