@@ -4,9 +4,10 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from catalogue import exercise_folders
 from compiler_says import first_message, why_not
 from complaint import Complaint
-from exercise import Check, Exercise, Parameter
+from exercise import Check, Exercise, Parameter, read_exercise
 from hints import read_hints
 from workplace import drawn_parameters, with_parameters
 from wrong_answers import read_wrong_answers
@@ -98,6 +99,12 @@ class WrongAnswers(InAFolder):
 
 
 class Parameters(InAFolder):
+    def test_no_task_says_that_something_is_taken_once(self):
+        for folder in exercise_folders(ROOT):
+            real = read_exercise(folder)
+            task = (folder / "task.md").read_text(encoding="utf-8")
+            self.assertNotIn(" 1 times ", with_parameters(task, real, drawn_parameters(real, "")))
+
     def test_without_a_key_they_are_the_usual_ones(self):
         self.assertEqual(drawn_parameters(exercise(), ""), [("mass", 1)])
 
