@@ -4,7 +4,7 @@
 
 Every starter is made from its solution and warning-free, and fails every check, also where its functions answer with something
 trivial such as 0, infinity or their input; every solution passes them all, warning-free, in both precisions, and a lab's makes its
-replay; every wrong answer is caught by the check that it names, with its message.
+replay; every wrong answer is caught by the check that it names, with its message, and what is right as well passes.
 --write makes the starters anew; --quick looks at starters and solutions alone.
 """
 
@@ -123,6 +123,10 @@ def look_at_behaviour(root, toolchain, exercise, quick=False):
             folder = folder_of(toolchain, exercise) / "wrong" / wrong.name
             write_if_new(folder / exercise.header, wrong.text.encode())
             for outcomes in verdicts(folder, f"wrong/{wrong.name}"):
+                if not wrong.caught_by:
+                    complaints += [f'{exercise.path}: "{sentence}" refuses {wrong.name}, which is right: {outcome.message}'
+                                   for sentence, outcome in outcomes.items() if outcome.status != PASSED]
+                    continue
                 outcome = outcomes[wrong.caught_by]
                 if outcome.status in (PASSED, TODO):
                     complaints.append(f'{exercise.path}: "{wrong.caught_by}" doesn\'t catch {wrong.name}')

@@ -202,6 +202,7 @@ class Student:
         self._times(began, compiled, f"{points} of {exercise.points} points {bar(points, exercise.points, 20)}")
         if has_replay(exercise) and (verdict.solved or show):
             page = header.with_suffix(".html")
+            say("\nMaking the replay, for which one more program is compiled: some seconds ...")
             failure, _ = make_replay(toolchain, exercise, alone, folder, page)
             say(f"\nThe replay was not made: {failure}" if failure else f"\nSee it move: open {self._shown(page)} in a browser.")
         if verdict.solved:

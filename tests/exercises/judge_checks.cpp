@@ -192,7 +192,7 @@ TEST_CASE("What is within the tolerance passes, and nothing that is not a number
   CHECK(judged(1.0, 1.0, 0.0) == "passed");
   CHECK(judged(2.0, 1.0, 0.5) == "failed: the speed is 2 m/s; it must be 1 m/s");
   CHECK(judged(0.0, 1.0, 0.5) == "failed: the speed is 0 m/s; it must be 1 m/s");
-  // Hardly to be told apart by five digits: then by how much it is off.
+  // Where one has to look for the digit in which they differ, also by how much it is off.
   CHECK(judged(1.005, 1.0, 1e-3) ==
         "failed: the speed is 1.005 m/s; it must be 1 m/s, and it is off by 0.005 m/s");
   CHECK(judged(1.02, 1.0, 1e-3) == "failed: the speed is 1.02 m/s; it must be 1 m/s");
@@ -320,6 +320,10 @@ TEST_CASE("A varied question meets what is declared of it, and differs in one nu
 
 TEST_CASE("Numbers are shown by five digits, a vector in a row and a matrix row by row") {
   CHECK(shown(1 / 3.0) == "0.33333");
+  CHECK(shown(16777217) == "16777217");
+  CHECK(shown(-0.0) == "0");
+  for (const double sign : {1.0, -1.0})
+    CHECK(shown(std::copysign(std::numeric_limits<double>::quiet_NaN(), sign)) == "nan");
   CHECK(shown(Vec3d(1, -2, 0.5)) == "(1, -2, 0.5)");
   Mat3d matrix;
   matrix << 1, 2, 3, 4, 5, 6, 7, 8, 9;
@@ -328,4 +332,30 @@ TEST_CASE("Numbers are shown by five digits, a vector in a row and a matrix row 
   CHECK(largest(-3.0) == 3);
   CHECK(one_line("two\nlines\tand\x01") == "two lines and ");
   CHECK(one_line(std::string(3000, 'x')).size() == 2000);
+}
+
+TEST_CASE("A sentence of numbers that differ shows them with the digits in which they differ") {
+  CHECK(sentence("it is ", 1 / 3.0, " instead of ", 0.5) == "it is 0.33333 instead of 0.5");
+  CHECK(sentence(0.5000004, " instead of ", 0.5) == "0.5000004 instead of 0.5");
+  CHECK(sentence(1024.01f, ", ", 1024, " and ", 1024.02f) == "1024.01, 1024 and 1024.02");
+  CHECK(sentence(0.5, " in place of ", 0.5) == "0.5 in place of 0.5");
+  const Vec3d vector(1, 2, 1 / 3.0);
+  CHECK(sentence(vector, " and ", Vec3d(vector + 1e-6 * Vec3d::UnitY())) ==
+        "(1, 2, 0.3333333) and (1, 2.000001, 0.3333333)");
+  // Neighbours, of every size and in both precisions; 0 and -0 are the same.
+  const auto of_neighbours = [](auto number) {
+    return sentence(number, " and ", std::nextafter(number, 2 * number)) !=
+           sentence(number, " and ", number);
+  };
+  for (const double number : {1e-300, 0.1, 1 / 3.0, 1.0, 16666.7, 1e22}) {
+    CAPTURE(number);
+    CHECK(of_neighbours(number));
+    if (number > 1e-30) CHECK(of_neighbours(float(number)));
+  }
+  CHECK(counted(1, "step") + " or " + counted(2, "step") == "1 step or 2 steps");
+  CHECK(sentence(0.0, " and ", -0.0) == "0 and 0");
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  CHECK(sentence(nan, " and ", -nan) == "nan and nan");
+  CHECK(judged(16666.676, 16666.667, 1e-3) ==
+        "failed: the speed is 16666.68 m/s; it must be 16666.67 m/s, and it is off by 0.009 m/s");
 }

@@ -79,9 +79,8 @@ EXERCISE_CHECK("Drag alone leaves v0 / (1 + c v0 t / m), however the time is cut
     for (int n = 0; n < pieces; ++n)
       stepped -= coefficient() / mass * stepped * stepped * time / pieces;
     const auto along = [&](double speed) { return Vec3<Real>(start * Real(speed / 100)); };
-    Found(
-        "what drag leaves of (80, 0, 60) m/s after 0.5 s in " + std::to_string(pieces) + " pieces",
-        "m/s", velocity)
+    Found("what drag leaves of (80, 0, 60) m/s after 0.5 s in " + counted(pieces, "piece"), "m/s",
+          velocity)
         .mistake(
             along(stepped),
             "that is the drag as a force, which turns the shuttle round. Integrate u' = -(c/m) "
@@ -98,7 +97,7 @@ EXERCISE_CHECK("Drag alone leaves v0 / (1 + c v0 t / m), however the time is cut
 EXERCISE_CHECK("What moves with the wind keeps its velocity, and what rests is blown along") {
   const Vec3<Real> wind(4, -3, 0);
   using Vector = Vec3<Real>;
-  Found("what is left after a second in a wind of (4, -3, 0) m/s, of a leaf that moves with it",
+  Found("after a second in a wind of (4, -3, 0) m/s, the velocity of a leaf that moves with it",
         "m/s", slowed<Real>(wind, wind, 1))
       .mistake(Vector::Zero(),
                "right as seen from the air: it does not move through it. Seen from the ground it "
@@ -107,8 +106,8 @@ EXERCISE_CHECK("What moves with the wind keeps its velocity, and what rests is b
                "it was braked, though it does not move through the air. Where is the wind?")
       .must_be(wind, few_roundings<Real> * 5);
   const double left = 1 / (1 + coefficient() / mass * 5);
-  Found("and of one that rests on the ground at first", "m/s",
-        slowed<Real>(Vector::Zero(), wind, 1))
+  Found("after a second in a wind of (4, -3, 0) m/s, the velocity of a leaf that was at rest",
+        "m/s", slowed<Real>(Vector::Zero(), wind, 1))
       .mistake(Vector(-wind * Real(left)),
                "right as seen from the air. Seen from the ground, the wind is added to it")
       .mistake(Vector::Zero(), "the wind does nothing to it")
@@ -117,6 +116,21 @@ EXERCISE_CHECK("What moves with the wind keeps its velocity, and what rests is b
 }
 
 EXERCISE_CHECK("It flies where ever shorter steps say, and half the step is half the error") {
+  const Vec3d up = Vec3d::UnitZ(), at_first = 2 * up, none = Vec3d::Zero();
+  const double blink = 1.0 / 64, fallen = blink * blink * g;
+  // The air takes the part c h (h g) / m of it, less than a thousandth.
+  Found("from rest 2 m up in still air, the place after a step of 1/64 s", "m",
+        flown<Real>(none, none, blink, 1))
+      .mistake(at_first - fallen * Vec3d::UnitY(), "it fell along y. Here z points up")
+      .mistake(at_first + fallen * up, "it fell upward. z points up, so gravity's kick is negative")
+      .mistake(at_first - fallen * mass * up,
+               "gravity's kick was multiplied by the mass. It is -h g, without a mass")
+      .mistake(at_first - fallen / mass * up,
+               "gravity's kick was divided by the mass. It is -h g, without a mass")
+      .mistake(at_first,
+               "it has not moved, as with the old velocity. The drift comes last, with the new one")
+      .must_be(at_first - fallen * up,
+               fallen * fallen * coefficient() / mass + few_roundings<Real> * 2);
   const double time = 1.5;
   const Vec3d shot(24, 3, 20), wind(-2, 1, 0);
   const Vec3d truth = reference(shot, wind, time);
@@ -127,21 +141,22 @@ EXERCISE_CHECK("It flies where ever shorter steps say, and half the step is half
           "it flies on the parabola of chapter 1. Where is the air?");
   // The kick of a step, h g, and what the drag makes of h, h c v²/m at v = 31 m/s, each for the
   // time of the flight, bound the error of the longer step; it is a few centimetres.
-  require(error < 0.5, "after 1.5 s in 75 steps the shuttle is at " + shown(coarse) +
-                           " m; it must be within half a metre of " + shown(truth) +
-                           " m. Is gravity's kick -h g, without a mass, and is the position moved "
-                           "with the new velocity?");
+  require(error < 0.5,
+          sentence("after 1.5 s in 75 steps the shuttle is at ", coarse,
+                   " m; it must be within half a metre of ", truth,
+                   " m. Is gravity's kick -h g, without a mass, and is the position moved with the "
+                   "new velocity?"));
   // First order: half the step, half the error. The next order changes the ratio by some percent.
   require(error > 1.7 * error_of_half && error < 2.4 * error_of_half,
-          "with half the step the error went from " + shown(error) + " to " + shown(error_of_half) +
-              " m; it must halve");
+          sentence("with half the step the error went from ", error, " to ", error_of_half,
+                   " m; it must halve"));
   // One long step, whose order shows: kicked, slowed, moved.
   const double h = 0.5;
   const auto left = [&](const Vec3d& v) {
     return Vec3d(wind + (v - wind) / (1 + coefficient() / mass * (v - wind).norm() * h));
   };
   const Vec3d start(0, 0, 2), kick(0, 0, -g * h);
-  Found("where a single step of half a second leads", "m", flown<Real>(shot, wind, h, 1))
+  Found("the place after a single step of half a second", "m", flown<Real>(shot, wind, h, 1))
       .mistake(start + h * shot, "it was moved with the old velocity. The drift comes last")
       .mistake(start + h * (left(shot) + kick),
                "it was slowed first and kicked then. Gravity's kick comes before the drag")

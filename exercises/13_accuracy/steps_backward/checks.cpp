@@ -9,19 +9,18 @@ namespace {
 const Precondition pairs_of_steps[] = {
     {"weights", 0, 1, 9}, {"error_for_the_same_work", 0, 1, 9}, {"momentum_after", 3, 1, 9}};
 
+std::string with(int pairs) {
+  return "with " + counted(pairs, "pair") + " ";
+}
+
 template <class Real>
 std::vector<Real> weights(int pairs) {
   auto found = ask<std::vector<Real>>("weights", pairs);
   const auto count = static_cast<std::size_t>(2 * pairs + 1);
-  require(found.size() == count, "with " + std::to_string(pairs) + " pairs there are " +
-                                     std::to_string(found.size()) + " weights; there must be " +
-                                     std::to_string(count) +
-                                     ", the middle one and so many on each side");
+  require(found.size() == count,
+          sentence(with(pairs), "there are ", found.size(), " weights; there must be ", count,
+                   ", the middle one and so many on each side"));
   return found;
-}
-
-std::string with(int pairs) {
-  return "with " + std::to_string(pairs) + (pairs == 1 ? " pair " : " pairs ");
 }
 
 /// Weights are below 2 in size; each is rounded a few times, so that their sum is off by no more.
@@ -75,11 +74,10 @@ EXERCISE_CHECK("The steps add up to the whole and read the same backwards") {
         .must_be(1, tolerance<Real>(pairs));
     for (std::size_t i = 0; i < parts.size(); ++i)
       require(parts[i] == parts[parts.size() - 1 - i],
-              with(pairs) + "weight " + std::to_string(i + 1) + " is " + shown(parts[i]) +
-                  ", and as many from the end stands " + shown(parts[parts.size() - 1 - i]) +
-                  ". The backward step belongs in the middle: else the rule is not symmetric in "
-                  "time, and "
-                  "has errors of even powers too");
+              sentence(with(pairs), "weight ", i + 1, " is ", parts[i],
+                       ", and as many from the end stands ", parts[parts.size() - 1 - i],
+                       ". The backward step belongs in the middle: else the rule is not symmetric "
+                       "in time, and has errors of even powers too"));
   }
 }
 
@@ -118,15 +116,17 @@ EXERCISE_CHECK("Their cubes add up to zero, for every number of pairs") {
   }
 }
 
-EXERCISE_CHECK("Two pairs are Suzuki's row of the chapter") {
+EXERCISE_CHECK("Two pairs are Suzuki's row of the chapter, and four need no root") {
   const auto parts = weights<Real>(2);
   for (std::size_t i = 0; i < parts.size(); ++i)
-    Found("weight " + std::to_string(i + 1) + " of five", "", double(parts[i]))
+    Found(sentence("with two pairs, Suzuki's row, weight ", i + 1), "", double(parts[i]))
         .must_be(double(Suzuki::row.drifts[i]), 8 * unit_roundoff<Real>);
   const auto simple = weights<Real>(4);
-  Found("with four pairs an outer weight", "", double(simple[0]))
+  Found("with four pairs, where the third root of 2m is 2, an outer weight", "", double(simple[0]))
       .must_be(1.0 / 6, 4 * unit_roundoff<Real>);
-  Found("and the middle one", "", double(simple[4])).must_be(-1.0 / 3, 16 * unit_roundoff<Real>);
+  Found("with four pairs, where the third root of 2m is 2, the middle weight", "",
+        double(simple[4]))
+      .must_be(-1.0 / 3, 16 * unit_roundoff<Real>);
 }
 
 EXERCISE_CHECK("A tumbling top is turned to fourth order") {
@@ -139,9 +139,8 @@ EXERCISE_CHECK("A tumbling top is turned to fourth order") {
     };
     const int steps = pairs == 1 ? 8 : 4;  // so long that rounding does not count
     const double coarse = error(steps), fine = error(2 * steps);
-    const std::string runs = with(pairs) + "the error is " + shown(coarse) + " kg m²/s in " +
-                             std::to_string(steps) + " steps and " + shown(fine) +
-                             " in twice as many. ";
+    const std::string runs = sentence(with(pairs), "the error is ", coarse, " kg m²/s in ", steps,
+                                      " steps and ", fine, " in twice as many. ");
     require(fine < 0.25,
             runs +
                 "The top is not where it should be. Is each step of the splitting made with "

@@ -50,10 +50,10 @@ EXERCISE_CHECK("Carrying whole cells moves nothing, to the bit") {
       for (int axis = 0; axis < 3; ++axis) {
         const double cells = double(now.cell[axis] - cell[axis]);
         const double moved = 1024 * cells + (double(now.offset[axis]) - double(offset[axis]));
-        const std::string what = "an offset of " + shown(offset[axis]) + " m in cell " +
-                                 shown(cell[axis]) + " became " + shown(now.offset[axis]) + " m, " +
-                                 shown(cells) + " cells further: the place has moved by " +
-                                 shown(moved) + " m. ";
+        const std::string what =
+            sentence("an offset of ", offset[axis], " m in cell ", cell[axis], " became ",
+                     now.offset[axis], " m, ", cells, cells == 1 ? " cell" : " cells",
+                     " further: the place has moved by ", moved, " m. ");
         require(cells != 0 || !(std::abs(offset[axis]) > 1024),
                 "an offset of " + shown(offset[axis]) + " m was left, and no cell was carried");
         if (moved == 0) continue;
@@ -74,11 +74,10 @@ EXERCISE_CHECK("Then no offset is beyond half a cell, however far it was and to 
     for (int axis = 0; axis < 3; ++axis) {
       const Real before = offset[axis], after = now.offset[axis];
       require(after == before || !(std::abs(before) < 256),
-              "an offset of " + shown(before) + " m became " + shown(after) +
-                  " m. It was well within its cell: there is nothing to carry");
+              sentence("an offset of ", before, " m became ", after,
+                       " m. It was well within its cell: there is nothing to carry"));
       if (std::abs(after) <= 512) continue;
-      const std::string what =
-          "an offset of " + shown(before) + " m was left at " + shown(after) + " m. ";
+      const std::string what = sentence("an offset of ", before, " m was left at ", after, " m. ");
       // Its opposite came before, and was right.
       require(after >= 0 || before >= 0 || before < -1024,
               what + "It may be beyond the other side as well");
@@ -141,18 +140,37 @@ EXERCISE_CHECK("A slow rover arrives, far away as near the origin") {
 EXERCISE_CHECK(
     "Nothing slower than said moves in the farthest corner of a cell, and what is faster moves "
     "anywhere") {
-  const Real h = Real(1) / 64, corner = std::nextafter(Real(512), Real(0));
-  const Real slowest = ask<Real>("slowest_drive", h);
-  const double spacing = double(Real(512) - corner);
-  Found("the slowest speed that moves a rover in steps of 1/64 s", "m/s", double(slowest))
-      .mistake(double(slowest_drift_at<Real>(1024, h)),
-               "that is for an offset of a whole cell. It is never beyond half of one")
-      .mistake(double(slowest_drift_at<Real>(512, h)),
-               "at 512 m, a power of two, the spacing outward is twice what it is inward. The "
-               "offset just "
-               "below counts")
-      .mistake(spacing / 2 * double(h), "divide by the time step: a speed is a way by a time")
-      .mistake(spacing / double(h),
-               "half of a spacing is enough, for a sum is rounded to the nearest")
-      .must_be(spacing / 2 / double(h), 4 * unit_roundoff<Real> * spacing / double(h));
+  const Real half = 512;
+  const double spacing = double(half - std::nextafter(half, Real(0)));
+  // Exactly half a cell may be left or carried to the other side. Where it is left the spacing
+  // outward counts, for 512 is a power of two: twice that inward.
+  may_be_off() = 1;
+  const auto is_left_at = [&](Real offset) {
+    const double between = 1.5 * spacing / 2 * 64;
+    const Vec3<Real> outward(std::copysign(Real(between), offset), 0, 0), zero(0, 0, 0);
+    return ask<Vec3<Real>>("driven", zero, Vec3<Real>(offset, 0, 0), outward, Real(1) / 64, 64)
+        .isZero(0);
+  };
+  const bool is_left = is_left_at(half) || is_left_at(-half);
+  may_be_off() = is_left ? 1 : 0;
+  for (const Real h : {Real(1) / 64, Real(0.5)}) {
+    const double inward = spacing / 2 / double(h), truth = is_left ? 2 * inward : inward;
+    Found("the slowest speed that moves a rover in steps of " + shown(h) + " s", "m/s",
+          double(ask<Real>("slowest_drive", h)))
+        .mistake(double(slowest_drift_at<Real>(1024, h)),
+                 "that is for an offset of a whole cell. It is never beyond half of one")
+        .mistake(is_left ? inward : 2 * inward,
+                 is_left
+                     ? "at 1.5 times that speed your rover doesn't get away from 512 m, half a "
+                       "cell: that is a power of two, where the spacing outward is twice what it "
+                       "is inward. Twice the speed is right, or a settle that carries half a cell "
+                       "to the other side"
+                     : "twice what it should be. At 512 m, a power of two, the spacing outward "
+                       "is twice what it is inward, but your settle carries a rover from there "
+                       "to the other side. The offset just below counts; and half of a spacing "
+                       "is enough, for a sum is rounded to the nearest")
+        .mistake(truth * double(h) * double(h),
+                 "divide by the time step: a speed is a way by a time")
+        .must_be(truth, 4 * unit_roundoff<Real> * truth);
+  }
 }

@@ -84,8 +84,9 @@ void require_agreement() {
     const auto found =
         agreement(sample.kept, of_reference, of_student, varied, may_be_off(), rounding);
     require(found.is_enough(),
-            function + " answers what this check asks, and hardly anything else: of " +
-                std::to_string(found.cases) + " questions that differ from it in one number, " +
+            function + " is right where this check asks, and hardly anywhere else: of " +
+                std::to_string(found.cases) +
+                " questions that differ from its own in one number, " +
                 std::to_string(found.right) +
                 " got a right answer. It must answer whatever it is asked, from what it is asked");
   }

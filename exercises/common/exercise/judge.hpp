@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exercise/reference.hpp>
 #include <limits>
@@ -75,20 +76,61 @@ std::string ask_refusal(const std::string& otherwise, const char* function,
   return rest;
 }
 
-/// A number, vector or tensor as a sentence shows it.
+constexpr int usual_digits = 5;
+
+/// A number, vector or tensor as a sentence shows it. A count has all its digits; neither 0 nor
+/// what is no number has a sign.
 template <class Real>
-std::string shown(Real number) requires std::is_arithmetic_v<Real> {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.5g", double(number));
-  return text;
+std::string shown(Real number, int digits = usual_digits) requires std::is_arithmetic_v<Real> {
+  if constexpr (std::is_integral_v<Real>) {
+    return std::to_string(number);
+  } else {
+    if (std::isnan(number)) return "nan";
+    char text[32];
+    std::snprintf(text, sizeof text, "%.*g", digits, number == 0 ? 0.0 : double(number));
+    return text;
+  }
 }
 template <class Real, int rows, int columns>
-std::string shown(const Eigen::Matrix<Real, rows, columns>& matrix) {
+std::string shown(const Eigen::Matrix<Real, rows, columns>& matrix, int digits = usual_digits) {
   std::string text = "(";
   for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < columns; ++j)
-      text += (j > 0 ? ", " : i == 0 ? "" : columns > 1 ? "; " : ", ") + shown(matrix(i, j));
+    for (int j = 0; j < columns; ++j) {
+      if (i + j > 0) text += j == 0 && columns > 1 ? "; " : ", ";
+      text += shown(matrix(i, j), digits);
+    }
   return text + ")";
+}
+inline std::string shown(const std::string& text, int) {
+  return text;
+}
+
+/// How many digits it takes to tell apart those of the values that differ: the usual ones, or more.
+template <class... Values>
+int digits_apart(const Values&... values) {
+  const auto shown_with = [&](int digits) { return std::array{shown(values, digits)...}; };
+  const auto exact = shown_with(std::numeric_limits<double>::max_digits10);
+  for (int digits = usual_digits;; ++digits) {
+    const auto texts = shown_with(digits);
+    bool apart = true;
+    for (std::size_t i = 0; i < texts.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        apart = apart && (texts[i] != texts[j] || exact[i] == exact[j]);
+    if (apart) return digits;
+  }
+}
+
+/// A sentence of texts and of values, which are shown with so many digits that it never says "is
+/// 0.5 instead of 0.5".
+template <class... Parts>
+std::string sentence(const Parts&... parts) {
+  const int digits = digits_apart(parts...);
+  return (shown(parts, digits) + ...);
+}
+
+/// "1 step", "2 steps".
+inline std::string counted(int count, const std::string& what) {
+  return sentence(count, " ", what, count == 1 ? "" : "s");
 }
 
 template <class Real>
@@ -138,7 +180,8 @@ class Found {
   void must_be(const Value& truth, double tolerance) const {
     if (!std::isfinite(tolerance)) throw std::logic_error("a tolerance is not finite");
     if (farthest(value_, truth) <= tolerance) return;
-    const std::string found = what_ + " is " + shown(value_) + unit_;
+    const int digits = digits_apart(value_, truth);
+    const std::string found = what_ + " is " + shown(value_, digits) + unit_;
     for (const auto& [value, message] : mistakes_) {
       // A mistake rounds in its own way, and in proportion to its own size.
       const double times_larger = largest(truth) > 0 ? largest(value) / largest(truth) : 1;
@@ -148,9 +191,9 @@ class Found {
     }
     const double off = farthest(value_, truth);
     if (std::isnan(off)) fail(found + ": " + nan_message_);
-    // So near that five digits hardly tell them apart.
+    // So near that one has to look for the digit in which they differ.
     const bool is_near = off < largest(truth) / 100;
-    fail(found + "; it must be " + shown(truth) + unit_ +
+    fail(found + "; it must be " + shown(truth, digits) + unit_ +
          (is_near ? ", and it is off by " + shown(off) + unit_ : ""));
   }
 

@@ -4,7 +4,7 @@
 
 #include <exercise/todo.hpp>
 #include <tumble/drag.hpp>
-#include <tumble/particle.hpp>
+#include <tumble/force.hpp>
 
 /// How fast everything falls that meets no air, m/s².
 template <class Real>
@@ -30,7 +30,7 @@ tumble::Vec3<Real> slowed(const tumble::Vec3<Real>& velocity, const tumble::Vec3
   //! [end]
 }
 
-/// One step of `time_step` seconds: kicked by gravity, slowed by the air, moved.
+/// One step of `time_step` seconds: kicked by gravity along −z, slowed by the air, moved.
 template <class Real>
 void step_shuttle(tumble::Particle<Real>& shuttle, const tumble::Vec3<Real>& wind, Real coefficient,
                   Real time_step) {

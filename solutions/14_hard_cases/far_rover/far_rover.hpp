@@ -13,7 +13,8 @@ constexpr Real cell_size = Real(1024);
 
 /// A place is a cell, in whole numbers from the origin, and an offset from the cell's middle in m:
 /// cell_size * cell + offset. Moves whole cells from the offset to the cell, until no component of
-/// the offset is beyond half a cell. The place is the same, to the bit.
+/// the offset is beyond half a cell. The place is the same, to the bit. Exactly half a cell may be
+/// left, or carried to the other side.
 template <class Real>
 void settle(tumble::Vec3<Real>& cell, tumble::Vec3<Real>& offset) {
   //! [solution] move whole cells from the offset to the cell
@@ -37,7 +38,8 @@ tumble::Vec3<Real> way_between(const tumble::Vec3<Real>& from_cell,
   //! [end]
 }
 
-/// The slowest speed (m/s) that still moves a rover, wherever it is, in steps of `time_step` (s).
+/// The slowest speed (m/s) that still moves a rover, wherever it is, in steps of `time_step` (s),
+/// after each of which it is settled.
 template <class Real>
 Real slowest_drive(Real time_step) {
   //! [solution] the slowest speed that moves the largest offset

@@ -38,6 +38,14 @@ class Audit(FixtureCourse):
         self.change(self.root / "tests" / "exercises" / PLACE / "wrong.txt", "\ncaught by: Half of two is one", "")
         self.rejected('"Twice two is four" doesn\'t catch not_halved')
 
+    def test_a_right_answer_that_is_refused_is_named(self):
+        file = self.root / "tests" / "exercises" / PLACE / "wrong.txt"
+        with file.open("a", encoding="utf-8") as more:
+            more.write("\nright as well\nas_a_sum: number and number\n-   return 2 * number;\n+   return number + number + number;\n")
+        self.rejected('"Twice two is four" refuses as_a_sum, which is right: ')
+        self.change(file, " + number + number", " + number")
+        self.assertEqual(look_at_behaviour(self.root, self.toolchain, read_exercise(self.exercise_folder)), [])
+
     def test_a_wrong_answer_with_another_message_is_rejected(self):
         self.change(self.root / "tests" / "exercises" / PLACE / "wrong.txt", "third power", "fourth power")
         self.rejected('it must hold "that is the fourth power"')

@@ -56,7 +56,7 @@ template <class Real> Real halved(Real number) { return looked_up<Real>(number, 
         self.assertEqual({name: result["points"] for name, result in results.items()}, dict.fromkeys(results, 0))
         for name, result in results.items():
             for check, function in zip(result["exercises"][0]["checks"], ("doubled", "halved")):
-                self.assertIn(f"{function} answers what this check asks, and hardly anything else", check["message"], name)
+                self.assertIn(f"{function} is right where this check asks, and hardly anywhere else", check["message"], name)
         self.assertEqual(self.graded(), results)  # all is drawn from the key and the solution
 
     def test_who_refuses_what_the_documentation_excludes_keeps_every_point(self):

@@ -8,6 +8,7 @@ import subprocess
 import sys
 import time
 import unittest
+from pathlib import Path
 
 from compiled_test_endings import COMPILES, descendants, name_of
 from fixture import PLACE, ROOT, FixtureCourse
@@ -299,6 +300,23 @@ template <class Real> Real halved(Real number) { return number / 2; }
         self.addCleanup(process.wait)
         self.addCleanup(process.kill)
         return process
+
+    def test_a_replay_is_announced_before_it_is_made(self):
+        self.says("start", "doubled")
+        self.write(SOLVED)
+        (self.exercise_folder / "show.cpp").write_text("""#include <filesystem>
+            #include <fstream>
+            int main(int, char** arguments) {
+              while (!std::filesystem::exists(std::string(arguments[1]) + ".seen")) {}
+              std::ofstream(arguments[1]) << "a page";
+            }""", encoding="utf-8")
+        page = self.mine.with_suffix(".html")
+        process = self.begin("check", "doubled")
+        self.assertTrue(any(b"Making the replay" in line for line in process.stdout))
+        self.assertFalse(page.exists())
+        Path(f"{page}.seen").touch()
+        self.assertIn(b"See it move", process.stdout.read())
+        self.assertEqual(page.read_text(encoding="utf-8"), "a page")
 
     def test_whatever_signal_ends_a_check_no_compiler_runs_on(self):
         self.says("start", "doubled")

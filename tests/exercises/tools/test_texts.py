@@ -4,12 +4,15 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from catalogue import exercise_folders
 from compiler_says import first_message, why_not
 from complaint import Complaint
-from exercise import Check, Exercise, Parameter
+from exercise import Check, Exercise, Parameter, read_exercise
 from hints import read_hints
 from workplace import drawn_parameters, with_parameters
 from wrong_answers import read_wrong_answers
+
+ROOT = Path(__file__).resolve().parents[3]
 
 
 def exercise(**changes):
@@ -86,7 +89,22 @@ class WrongAnswers(InAFolder):
                 self.assertIn(expected, self.complaint(lambda: read_wrong_answers(exercise(), self.folder, self.solution)))
 
 
+    def test_what_is_right_as_well_is_told_from_what_is_wrong(self):
+        blocks = [f"{name}: m\n- one;\n+ {name};" for name in "abc"]
+        text = "\n\n".join(["caught by: It holds\n" + blocks[0], blocks[1], "right as well\n" + blocks[2]])
+        self.file("wrong.txt", text)
+        self.assertEqual([each.caught_by for each in read_wrong_answers(exercise(), self.folder, self.solution)], ["It holds", "It holds", ""])
+        self.file("wrong.txt", text.replace(f"{blocks[1]}\n\n", ""))
+        self.assertIn("has 1 wrong answers", self.complaint(lambda: read_wrong_answers(exercise(), self.folder, self.solution)))
+
+
 class Parameters(InAFolder):
+    def test_no_task_says_that_something_is_taken_once(self):
+        for folder in exercise_folders(ROOT):
+            real = read_exercise(folder)
+            task = (folder / "task.md").read_text(encoding="utf-8")
+            self.assertNotIn(" 1 times ", with_parameters(task, real, drawn_parameters(real, "")))
+
     def test_without_a_key_they_are_the_usual_ones(self):
         self.assertEqual(drawn_parameters(exercise(), ""), [("mass", 1)])
 
@@ -150,6 +168,39 @@ class CompilerSays(unittest.TestCase):
             self.assertIn("Make it one first: Vec3<Real>(a + b)", why_not(output, exercise()))
         other = "hammer.hpp:8:16: error: no matching function for call to ‘f(int)’\n"
         self.assertNotIn("Vec3", why_not(other, exercise()))
+
+    def test_a_choice_that_packs_can_not_make_is_explained(self):
+        mask, truth = "‘tumble::Pack<double, 2>::Mask’ {aka ‘tumble::PackMask<double, 2>’}", "‘bool’"
+        for said, expected in (
+                (f"could not convert ‘tumble::operator<(h, 0)’ from {mask} to {truth}", "neither if nor ?: nor std::max can take one way"),
+                ("value of type 'tumble::Pack<double, 2>::Mask' (aka 'PackMask<double, 2>') is not contextually convertible to 'bool'",
+                 "neither if nor ?: nor std::max can take one way"),
+                ("cannot convert ‘double’ to ‘fd_set*’", 'Write "using tumble::select;" first'),
+                ("no matching function for call to 'select'", 'Write "using tumble::select;" first'),
+                ("no matching function for call to ‘sqrt(tumble::Pack<double, 2>&)’", 'Write "using std::sqrt;" first')):
+            text = why_not(f"hammer.hpp:3:7: error: {said}\n    3 |  if (h < 0)\n      |      ~~^~~\n      |        |\n      |        {mask}\n",
+                           exercise())
+            with self.subTest(said):
+                self.assertIn(expected, text)
+                self.assertTrue(text.endswith(f"hammer.hpp:3: error: {said}\n    3 |  if (h < 0)\n      |      ~~^~~"), text)
+        self.assertNotIn("using", why_not("hammer.hpp:3:7: error: no matching function for call to ‘sqrt(int*)’\n", exercise()))
+
+    def test_the_members_of_a_struct_are_named_where_one_is_missing(self):
+        here = exercise(folder=ROOT / "exercises" / "11_world" / "viscous_joint")
+        bodies = "The members of BodyState are centre and top"
+        pushes = "The members of PairPush are force_on_first, torque_on_first and torque_on_second."
+        for said, expected in (
+                ("‘const struct tumble::BodyState<double>’ has no member named ‘position’", f"{bodies}; position is a member of centre."),
+                ("no member named 'torque' in 'tumble::BodyState<double>'", f"{bodies}; torque is a member of top."),
+                ("‘const struct tumble::BodyState<double>’ has no member named ‘angular_velocity’", f"{bodies}."),
+                ("‘struct tumble::PairPush<float>’ has no member named ‘force’", pushes),
+                ("could not convert ‘{f}’ from ‘<brace-enclosed initializer list>’ to ‘tumble::PairPush<double>’", pushes),
+                ("field designator 'force' does not refer to any field in type 'tumble::Pose<double>'",
+                 "The members of Pose are position and orientation.")):
+            with self.subTest(said):
+                self.assertEqual(why_not(f"hammer.hpp:3:7: error: {said}\n", here), f"{expected}\nhammer.hpp:3: error: {said}")
+        own = "hammer.hpp:3:7: error: ‘struct Mine’ has no member named ‘position’"
+        self.assertTrue(why_not(f"{own}\n", here).startswith("hammer.hpp:3: error"))
 
     def test_no_error_floods_a_report(self):
         line = f"#error {'so ' * 70_000}"
