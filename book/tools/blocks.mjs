@@ -176,13 +176,15 @@ export class Blocks {
   }
 
   #verdicts(page, argument) {
-    const [references, caption] = parted(argument);
-    const parts = references.split(',').map(part => /^\s*(\S+) as (.+?)\s*$/.exec(part)?.slice(1));
+    // The name of a row may hold bars, as in |L|, but none between blanks.
+    const [, references, rows, caption] = /^(.+?)(?: \| rows=(.+?))? \| (?!rows=)(.+)$/.exec(argument) ?? [];
+    const parts = (references ?? '').split(',').map(part => /^\s*(\S+) as (.+?)\s*$/.exec(part)?.slice(1));
     if (!caption || parts.some(part => !part)) {
-      throw new BookError(`{{verdicts ${argument}}} should read {{verdicts table as heading, other as its heading | caption}}`);
+      throw new BookError(`{{verdicts ${argument}}} should read {{verdicts table as heading, other as its heading | caption}}, or ` +
+        '{{verdicts table as heading | rows=one; other | caption}}');
     }
     const tables = parts.map(([name]) => ({name, ...this.results.table(...this.#of(page, name))}));
-    return verdict_grid(tables, parts.map(([, heading]) => heading), caption);
+    return verdict_grid(tables, parts.map(([, heading]) => heading), caption, rows?.split(';').map(row => row.trim()));
   }
 
   /** [what stands before the bar, the words behind it with their values] */
