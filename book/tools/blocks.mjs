@@ -64,6 +64,7 @@ export class Blocks {
     this.values = {colophon: settings.colophon, reading: reading_time(pages, exercises)}; // what no program wrote
     this.kinds = {
       output: (page, argument) => this.#output(page, argument),
+      text: (_, argument) => this.#text(argument),
       table: (page, argument) => this.#table(page, argument),
       verdicts: (page, argument) => this.#verdicts(page, argument),
       figure: (page, argument) => this.#figure(page, argument),
@@ -156,6 +157,15 @@ export class Blocks {
     this.quoted.add(`${chapter}/${program}`);
     return `<figure class="listing output"><figcaption>What ${this.#program_link(chapter, program)} prints</figcaption>` +
       `<pre class="unindexed">${escape(text.trimEnd())}</pre></figure>${this.#complaint(chapter, program)}`;
+  }
+
+  /** A file of the tree as it is, such as what a test knows that a tool prints. */
+  #text(argument) {
+    const [path, caption] = parted(argument);
+    const file = join(this.settings.source, path);
+    if (!caption || !existsSync(file)) throw new BookError(`{{text ${argument}}} should read {{text FILE | caption}}, with a file of the course`);
+    return `<figure class="listing output"><figcaption>${escape(caption)}</figcaption>` +
+      `<pre class="unindexed">${escape(readFileSync(file, 'utf8').trimEnd())}</pre></figure>`;
   }
 
   /** In red, what a program expected in vain. */

@@ -83,7 +83,7 @@ export class Directives {
   }
 
   #unknown(name) {
-    const known = ['value', 'set', 'section', 'snippet', ...Object.keys(this.makers.kinds), 'fold', 'end'].join(', ');
+    const known = ['value', 'set', 'section', 'task', 'snippet', ...Object.keys(this.makers.kinds), 'fold', 'end'].join(', ');
     return new BookError(`unknown directive {{${name}}}; there are ${known}`);
   }
 }
