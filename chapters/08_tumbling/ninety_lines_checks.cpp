@@ -6,22 +6,23 @@
 using namespace tumble;
 namespace ninety_lines {
 #define main fly
-#include "ninety_lines_demo.cpp"
+#include "ninety_lines_demo.cpp"  // NOLINT(bugprone-suspicious-include)
 #undef main
 
 Topd top_of(const Body& b) {
   return {.orientation = {.real = b.w, .imaginary = Vec3d(b.q.data())},
-          .angular_momentum_body = Vec3d(b.L.data()),
+          .angular_momentum_body = Vec3d(b.angular_momentum.data()),
           .inverse_moments = Vec3d(b.moments.data()).cwiseInverse()};
 }
 
 /// From one flip to the next, s; 0 if a minute has no two.
 double between_flips(double step) {
   Body body = thrown_t_handle();
+  const Vector& L = body.angular_momentum;
   for (double n = 0, last = 0, flip = 0; n * step < 60; ++n) {
-    const double L = body.L[1];
+    const double before = L[1];
     drift(body, step);
-    if (L * body.L[1] < 0) last = std::exchange(flip, step * (n + L / (L - body.L[1])));
+    if (before * L[1] < 0) last = std::exchange(flip, step * (n + before / (before - L[1])));
     if (last > 0) return flip - last;
   }
   return 0;

@@ -12,7 +12,7 @@ struct Body {
   Vector position = {0, 0, 0}, velocity = {0, 0, 0};  // m, m/s, of its centre of mass, world axes
   double w = 1;                                       // w and q: the quaternion
   Vector q = {0, 0, 0};                               // that leads from its axes to the world's
-  Vector L = {0, 0, 0};                               // angular momentum, kg m²/s, body axes
+  Vector angular_momentum = {0, 0, 0};                // L, kg m²/s, body axes
 };
 
 Vector cross(const Vector& a, const Vector& b) {
@@ -21,10 +21,10 @@ Vector cross(const Vector& a, const Vector& b) {
 
 // Force and torque, both in world axes, act for `time` seconds. Chapters 1, 2 and 5.
 void kick(Body& body, const Vector& force, const Vector& torque, double time) {
-  const Vector a = cross(torque, body.q), b = cross(a, body.q);
+  const Vector a = cross(torque, body.q), b = cross(a, body.q);  // into body axes: chapter 4
   for (std::size_t k = 0; k < 3; ++k) {
     body.velocity[k] += time * force[k] / body.mass;
-    body.L[k] += time * (torque[k] + 2 * (body.w * a[k] + b[k]));  // in body axes: chapter 4
+    body.angular_momentum[k] += time * (torque[k] + 2 * (body.w * a[k] + b[k]));
   }
 }
 
@@ -39,8 +39,8 @@ void turn(double& a, double& b, double angle) {
 void turn_about_axis(Body& body, std::size_t k, double time) {
   const std::size_t i = (k + 1) % 3, j = (k + 2) % 3;
   //! [turn]
-  const double angle = time * body.L[k] / body.moments[k];
-  turn(body.L[i], body.L[j], angle);
+  const double angle = time * body.angular_momentum[k] / body.moments[k];
+  turn(body.angular_momentum[i], body.angular_momentum[j], angle);
   turn(body.q[k], body.w, angle / 2);
   turn(body.q[i], body.q[j], angle / 2);
   //! [turn]
@@ -67,23 +67,23 @@ Body thrown_t_handle() {
   return {.mass = bar + shaft,
           .moments = moments,
           .velocity = {0, 0, 60},
-          .L = {0.1 * moments[0], 10 * moments[1], 0}};  // 10 rad/s about the shaft
+          .angular_momentum = {0.1 * moments[0], 10 * moments[1], 0}};  // 10 rad/s about the shaft
 }
 
 int main() {
   Body body = thrown_t_handle();
-  const Vector weight = {0, 0, -9.81 * body.mass}, no_torque = {0, 0, 0};
+  const Vector& L = body.angular_momentum;
   const double time_step = 1.0 / 60;
   for (int n = 0; n < 12 * 60; ++n) {
-    const double before = body.L[1];
-    kick(body, weight, no_torque, time_step);
+    const double before = L[1];
+    kick(body, {0, 0, -9.81 * body.mass}, {0, 0, 0}, time_step);  // weight, but no torque
     drift(body, time_step);
-    if (before * body.L[1] > 0) continue;
-    const double flip = time_step * (n + before / (before - body.L[1]));
+    if (before * L[1] > 0) continue;
+    const double flip = time_step * (n + before / (before - L[1]));
     double energy = 0;
-    for (std::size_t k = 0; k < 3; ++k) energy += body.L[k] * body.L[k] / body.moments[k] / 2;
+    for (std::size_t k = 0; k < 3; ++k) energy += L[k] * L[k] / body.moments[k] / 2;
     std::printf("flips at %6.3f s, %3.0f m up: turning energy %.6f J, |L| %.15f kg m²/s\n", flip,
-                body.position[2], energy, std::hypot(body.L[0], body.L[1], body.L[2]));
+                body.position[2], energy, std::hypot(L[0], L[1], L[2]));
   }
   return 0;
 }
