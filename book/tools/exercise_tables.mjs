@@ -47,7 +47,7 @@ export function semester(argument, exercises, pages) {
   const rows = weeks.map((chapters, index) => {
     const own = of(chapters);
     const named = exercise => `${link_to(exercise)}&#160;(${exercise.minutes})`;
-    return [String(index + 1), {html: chapters.map(link_to_page).join('<br>')}, {html: own.map(named).join('<br>')},
+    return [String(index + 1), {html: chapters.map(link_to_page).join('<br>')}, {html: own.map(named).join(', ')},
       sum(own, 'minutes'), sum(own, 'points')];
   });
   const first = argument.split('|')[0].split(';').length;

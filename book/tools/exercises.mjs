@@ -64,18 +64,18 @@ const fold = (title, lines) => [
   block('</details>'),
 ];
 
+const listing = ({file, code}) => [
+  block(`<figure class="listing"><figcaption><code>${escape(file)}</code></figcaption>`),
+  blank,
+  text('```{.cpp}'),
+  ...code.trimEnd().split('\n').map(line => text(line)),
+  text('```'),
+  blank,
+  block('</figure>'),
+];
+
 function solution_of({solution}) {
-  return fold(solution_title, [
-    block(`<figure class="listing"><figcaption><code>${escape(solution.file)}</code></figcaption>`),
-    blank,
-    text('```{.cpp}'),
-    ...solution.code.trimEnd().split('\n').map(line => text(line)),
-    text('```'),
-    blank,
-    block('</figure>'),
-    blank,
-    ...lines_of_plain_text(solution.why),
-  ]);
+  return fold(solution_title, [...listing(solution), blank, ...lines_of_plain_text(solution.why)]);
 }
 
 /** What a student is told: the facts, the task, the checks and the hints. */
@@ -130,13 +130,13 @@ export function lines_of_section(page, exercises, pages) {
   ];
 }
 
-/** The lines of a page with {{task NAME}} replaced by what the exercise tells a student, whatever the edition; no solution. */
+/** The lines of a page with {{task NAME}} replaced by what the exercise gives a student, in every edition alike: no solution. */
 export function with_tasks(lines, exercises, pages) {
   return lines.flatMap(line => {
     const [, name] = /^\{\{task (\w+)\}\}\s*$/.exec(line.text ?? '') ?? [];
     if (!name) return [line];
     const exercise = exercises.find(each => each.name === name);
     if (!exercise) throw new BookError(`${line.place}: no exercise is called ${name}`);
-    return [blank, ...lines_of_task(exercise, exercises, pages)].map(each => ({place: line.place, ...each}));
+    return [blank, ...lines_of_task(exercise, exercises, pages), ...fold('The starter', listing(exercise.starter)), blank].map(each => ({place: line.place, ...each}));
   });
 }

@@ -151,9 +151,8 @@ void spin_plate(Notebook& notebook) {
   const std::vector<TurningRung<double>> all = all_methods<double>();
   const HardCase<double> plate = hard_cases<double>()[1];
   const double rounding = 1e-11;  // 36,000 steps of a few roundings each
-  Table table = notebook.table(
-      "plate", {"rule", "energy at the end, to that at the start", "largest error of L",
-                "orientation after ten seconds, off by (rad)"});
+  Table table = notebook.table("plate", {"rule", "energy, of that at the start", "error of L",
+                                         "error of the orientation (rad)"});
   for (const std::string_view name : {"steady", "explicit, |L| restored", "linearly implicit",
                                       "implicit, one Newton step", "splitting"}) {
     const Motion motion = watched<double>(plate.top, method_called(all, name).turn, plate.steps,

@@ -19,7 +19,7 @@ const pages = {chapters: [page('01_force', '1 Force'), page('02_torque', '2 Torq
 const told = text => ({text, file: 'task.md', line: 3});
 const exercise = (chapter, minutes, points) => ({
   chapter, name: `of_${chapter}`, path: `${chapter}/of_${chapter}`, title: 'A push', minutes, points, difficulty: 'write', goals: ['push'],
-  prerequisites: [], task: told('Push it.'), hints: ['Push.', 'Push hard.', 'Push harder.'].map(told), checks: [{sentence: 'It moves', points}],
+  prerequisites: [], task: told('Push it.'), hints: ['Push.', 'Push hard.', 'Push harder.'].map(told), checks: [{sentence: 'It moves', points}], starter: {file: 'push.hpp', code: 'todo();'},
   solution: {file: 'push.hpp', code: 'push();', why: told('Because.')},
 });
 const exercises = [exercise('01_force', 10, 1), exercise('02_torque', 20, 2), exercise('03_inertia', 40, 4)];
@@ -35,7 +35,7 @@ test('The weeks before a bar are summed up, and so are all.', () => {
 test('A task is what students are told, on any page, and never holds the solution.', () => {
   const lines = with_tasks([{text: 'Before.', place: 'page.md:1'}, {text: '{{task of_02_torque}}', place: 'page.md:2'}], exercises, pages);
   const all = lines.map(({text, html}) => text ?? html).join('\n');
-  for (const words of ['Before.', '20 minutes', 'Push it.', 'It moves', 'Push harder.']) assert.ok(all.includes(words), words);
+  for (const words of ['Before.', '20 minutes', 'Push it.', 'It moves', 'Push harder.', 'todo();']) assert.ok(all.includes(words), words);
   assert.ok(!/push\(\)|Because/.test(all), 'the solution is there');
   assert.ok(!all.includes('{#exercise_'), 'its address is that of the exercise in its chapter');
   assert.ok(lines.slice(1).every(({place}) => ['page.md:2', 'task.md:3'].includes(place)), 'a line has no place');
