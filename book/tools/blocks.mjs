@@ -65,6 +65,7 @@ export class Blocks {
     this.values = {colophon: settings.colophon, reading: reading_time(pages, exercises)}; // what no program wrote
     this.kinds = {
       output: (page, argument) => this.#output(page, argument),
+      text: (_, argument) => this.#text(argument),
       table: (page, argument) => this.#table(page, argument),
       verdicts: (page, argument) => this.#verdicts(page, argument),
       figure: (page, argument) => this.#figure(page, argument),
@@ -160,6 +161,15 @@ export class Blocks {
       `<pre class="unindexed">${escape(text.trimEnd())}</pre></figure>${this.#complaint(chapter, program)}`;
   }
 
+  /** A file of the tree as it is, such as what a test knows that a tool prints. */
+  #text(argument) {
+    const [path, caption] = parted(argument);
+    const file = join(this.settings.source, path);
+    if (!caption || !existsSync(file)) throw new BookError(`{{text ${argument}}} should read {{text FILE | caption}}, with a file of the course`);
+    return `<figure class="listing output"><figcaption>${escape(caption)}</figcaption>` +
+      `<pre class="unindexed">${escape(readFileSync(file, 'utf8').trimEnd())}</pre></figure>`;
+  }
+
   /** In red, what a program expected in vain. */
   #complaint(chapter, program) {
     const complaint = this.results.complaint(chapter, program);
@@ -178,13 +188,15 @@ export class Blocks {
   }
 
   #verdicts(page, argument) {
-    const [references, caption] = parted(argument);
-    const parts = references.split(',').map(part => /^\s*(\S+) as (.+?)\s*$/.exec(part)?.slice(1));
+    // The name of a row may hold bars, as in |L|, but none between blanks.
+    const [, references, rows, caption] = /^(.+?)(?: \| rows=(.+?))? \| (?!rows=)(.+)$/.exec(argument) ?? [];
+    const parts = (references ?? '').split(',').map(part => /^\s*(\S+) as (.+?)\s*$/.exec(part)?.slice(1));
     if (!caption || parts.some(part => !part)) {
-      throw new BookError(`{{verdicts ${argument}}} should read {{verdicts table as heading, other as its heading | caption}}`);
+      throw new BookError(`{{verdicts ${argument}}} should read {{verdicts table as heading, other as its heading | caption}}, or ` +
+        '{{verdicts table as heading | rows=one; other | caption}}');
     }
     const tables = parts.map(([name]) => ({name, ...this.results.table(...this.#of(page, name))}));
-    return verdict_grid(tables, parts.map(([, heading]) => heading), caption);
+    return verdict_grid(tables, parts.map(([, heading]) => heading), caption, rows?.split(';').map(row => row.trim()));
   }
 
   /** [what stands before the bar, the words behind it with their values] */

@@ -14,7 +14,7 @@ import {join} from 'node:path';
 import {BookError, Results} from './results.mjs';
 import {Directives} from './directives.mjs';
 import {Formulas} from './formulas.mjs';
-import {lines_of_section, read_exercises} from './exercises.mjs';
+import {lines_of_section, read_exercises, with_tasks} from './exercises.mjs';
 import {finish_contents} from './contents.mjs';
 import {write_fonts} from './fonts.mjs';
 import {layout} from './layout.mjs';
@@ -186,6 +186,7 @@ function build() {
     page.exercises = exercises.filter(({chapter}) => chapter === page.chapter).map(({name}) => name);
     page.lines.push(...lines_of_section(page, exercises, pages));
   }
+  for (const page of pages.all) page.lines = with_tasks(page.lines, exercises, pages);
   const directives = new Directives(settings, results, pages, exercises);
   expand_pages(pages, directives);
   const written = run_doxygen(settings, pages.all, {with_gaps: made !== undefined});

@@ -96,7 +96,7 @@ export class Directives {
   }
 
   #unknown(name) {
-    const known = ['value', 'set', 'section', 'snippet', ...Object.keys(this.makers.kinds), 'fold', 'gate', 'note', 'end'].join(', ');
+    const known = ['value', 'set', 'section', 'task', 'snippet', ...Object.keys(this.makers.kinds), 'fold', 'gate', 'note', 'end'].join(', ');
     return new BookError(`unknown directive {{${name}}}; there are ${known}`);
   }
 }

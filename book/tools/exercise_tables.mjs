@@ -29,24 +29,32 @@ export function list_of_exercises(exercises, pages) {
   );
 }
 
-/** "1; 2; 9 10" as weeks of chapters: every chapter once, in order. */
+/** "1; 2; 9 10" as weeks of chapters: every chapter once, in order. A bar in place of a semicolon parts two courses. */
 function weeks_of(argument, pages) {
-  const weeks = argument.split(';').map(week => week.trim().split(/\s+/).map(Number));
+  const weeks = argument.split(/[;|]/).map(week => week.trim().split(/\s+/).map(Number));
   const chapters = chapters_of(pages), wanted = chapters.map(page => Number(page.chapter.slice(0, 2)));
   if (weeks.flat().join() !== wanted.join()) {
-    throw new BookError(`{{semester ${argument}}} must name each chapter once and in order, the weeks parted by semicolons; the chapters ` +
+    throw new BookError(`{{semester ${argument}}} must name each chapter once and in order, the weeks parted by semicolons or one bar; the chapters ` +
       `are ${wanted.join(' ')}`);
   }
   return weeks.map(week => week.map(chapter => chapters[wanted.indexOf(chapter)]));
 }
 
+/** With a bar, the weeks before it are summed up as well: they make a course of their own. */
 export function semester(argument, exercises, pages) {
-  const rows = weeks_of(argument, pages).map((chapters, index) => {
-    const own = exercises.filter(({chapter}) => chapters.some(page => page.chapter === chapter));
+  const of = chapters => exercises.filter(({chapter}) => chapters.some(page => page.chapter === chapter));
+  const weeks = weeks_of(argument, pages);
+  const rows = weeks.map((chapters, index) => {
+    const own = of(chapters);
     const named = exercise => `${link_to(exercise)}&#160;(${exercise.minutes})`;
-    return [String(index + 1), {html: chapters.map(link_to_page).join('<br>')}, {html: own.map(named).join('<br>')},
+    return [String(index + 1), {html: chapters.map(link_to_page).join('<br>')}, {html: own.map(named).join(', ')},
       sum(own, 'minutes'), sum(own, 'points')];
   });
+  const first = argument.split('|')[0].split(';').length;
+  if (first < weeks.length) {
+    const own = of(weeks.slice(0, first).flat());
+    rows.splice(first, 0, ['', {html: `<em>so far, a course of ${first} weeks</em>`}, counted(own.length, 'exercise'), sum(own, 'minutes'), sum(own, 'points')]);
+  }
   return table('', [number('week'), {text: 'lecture'}, {text: 'lab (minutes)'}, number('minutes'), number('points')], rows,
     'table semester', [['', 'together', '', sum(exercises, 'minutes'), sum(exercises, 'points')]]);
 }

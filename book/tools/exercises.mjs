@@ -64,26 +64,25 @@ const fold = (title, lines) => [
   block('</details>'),
 ];
 
+const listing = ({file, code}) => [
+  block(`<figure class="listing"><figcaption><code>${escape(file)}</code></figcaption>`),
+  blank,
+  text('```{.cpp}'),
+  ...code.trimEnd().split('\n').map(line => text(line)),
+  text('```'),
+  blank,
+  block('</figure>'),
+];
+
 function solution_of({solution}) {
-  return fold(solution_title, [
-    block(`<figure class="listing"><figcaption><code>${escape(solution.file)}</code></figcaption>`),
-    blank,
-    text('```{.cpp}'),
-    ...solution.code.trimEnd().split('\n').map(line => text(line)),
-    text('```'),
-    blank,
-    block('</figure>'),
-    blank,
-    ...lines_of_plain_text(solution.why),
-  ]);
+  return fold(solution_title, [...listing(solution), blank, ...lines_of_plain_text(solution.why)]);
 }
 
-function lines_of_exercise(exercise, exercises, pages) {
+/** What a student is told: the facts, the task, the checks and the hints. */
+function lines_of_task(exercise, exercises, pages) {
   const before = exercise.prerequisites.map(path => link_to_earlier(path, exercises, pages));
   const checks = exercise.checks.map(({sentence, points}) => [sentence, String(points)]);
   return [
-    text(`### ${exercise.title} {#exercise_${exercise.name}}`),
-    blank,
     block(
       `<p class="facts">${kinds[exercise.difficulty]} · ${counted(exercise.minutes, 'minute')} · ${counted(exercise.points, 'point')}` +
         `${before.length ? ` · after ${listed(before)}` : ''}<br>You will ${escape(exercise.goals.join('; '))}.</p>`,
@@ -98,6 +97,14 @@ function lines_of_exercise(exercise, exercises, pages) {
     block(table('', [{text: 'what the checks hold you to'}, {text: 'points', is_number: true}], checks, 'table checks')),
     blank,
     ...exercise.hints.flatMap((hint, index) => [...fold(hint_titles[index], lines_of_plain_text(hint)), blank]),
+  ];
+}
+
+function lines_of_exercise(exercise, exercises, pages) {
+  return [
+    text(`### ${exercise.title} {#exercise_${exercise.name}}`),
+    blank,
+    ...lines_of_task(exercise, exercises, pages),
     ...(exercise.solution ? solution_of(exercise) : []),
     blank,
     block(
@@ -124,4 +131,15 @@ export function lines_of_section(page, exercises, pages) {
       lines_of_exercise(exercise, exercises, pages).map(line => ({place: `exercises/${exercise.path}/exercise.json`, ...line})),
     ),
   ];
+}
+
+/** The lines of a page with {{task NAME}} replaced by what the exercise gives a student, in every edition alike: no solution. */
+export function with_tasks(lines, exercises, pages) {
+  return lines.flatMap(line => {
+    const [, name] = /^\{\{task (\w+)\}\}\s*$/.exec(line.text ?? '') ?? [];
+    if (!name) return [line];
+    const exercise = exercises.find(each => each.name === name);
+    if (!exercise) throw new BookError(`${line.place}: no exercise is called ${name}`);
+    return [blank, ...lines_of_task(exercise, exercises, pages), ...fold('The starter', listing(exercise.starter)), blank].map(each => ({place: line.place, ...each}));
+  });
 }

@@ -67,7 +67,7 @@ function public_headers(source, floors, chapters) {
 
 /** {front, chapters, back, teaching, all}: floors are {name, folder}, from the ground up; tools also have the chapter that their pages follow. */
 export function read_pages(source, floors, tools) {
-  const front = ['index', 'how_to_read', 'conventions', 'chapter_map'].map(name =>
+  const front = ['index', 'how_to_read', 'conventions', 'chapter_map', 'for_lecturers'].map(name =>
     read_page(source, `book/pages/${name}.md`),
   );
   const chapters = [];

@@ -20,8 +20,22 @@ const key = [
   ['D', 'diverged', 'it diverged'],
 ];
 
-/** `tables` are {name, columns, rows} alike, one for each precision; `names` what stands above each of their columns. */
-export function verdict_grid(tables, names, caption) {
+/** The table with the rows that bear these names, in their order. */
+function with_rows(table, wanted) {
+  const row_of = name => {
+    const row = table.rows.find(([own]) => own === name);
+    if (!row) throw new BookError(`${table.name} has no row "${name}"; its rows are: ${table.rows.map(([own]) => own).join('; ')}`);
+    return row;
+  };
+  return {...table, rows: wanted.map(row_of)};
+}
+
+/**
+ * `whole` are {name, columns, rows} alike, one for each precision; `names` what stands above each of their columns; `wanted` the
+ * names of the rows to show, without which all are.
+ */
+export function verdict_grid(whole, names, caption, wanted = undefined) {
+  const tables = wanted ? whole.map(table => with_rows(table, wanted)) : whole;
   const [first] = tables;
   for (const {name, columns, rows} of tables)
     if (columns.join() !== first.columns.join() || rows.map(([row]) => row).join() !== first.rows.map(([row]) => row).join())

@@ -27,6 +27,8 @@ def described(root, exercise):
         "checks": [{"sentence": check.sentence, "points": check.points} for check in exercise.checks],
         "task": _task(root, exercise),
         "hints": [_part(root, exercise.folder / "hints.md", hint) for hint in read_hints(exercise.folder / "hints.md")],
+        "starter": {"file": f"exercises/{exercise.path}/{exercise.header}",
+                    "code": (exercise.folder / exercise.header).read_text(encoding="utf-8")},
         "solution": _solution(root, solution, exercise) if solution.exists() else None,
         "wrong": [{"name": each.name, "caught_by": each.caught_by, "message": each.message}
                   for each in read_wrong_answers(exercise, wrong, (solution / exercise.header).read_text(encoding="utf-8"))]

@@ -20,11 +20,14 @@ from unittest import mock
 
 import grade
 import grade_class
+from catalogue import find, read_catalogue
 from complaint import Complaint
 from fixture import ROOT, TOOLCHAIN
 from grading import Grading
 from shards import Job, Part, job_of_part, merge
+from starter import starter_of
 from untrusted import require_out_of_reach
+from wrong_answers import read_wrong_answers
 
 TOOLS = ROOT / "exercises" / "tools"
 # Whoever is graded is noted in the log. The header's first line says how it goes.
@@ -482,8 +485,21 @@ class OfTheCourse(Grading):
             self.assertEqual([(row["student"], row["01_force/moon"]) for row in csv.DictReader(table)],
                              [("ada", "2"), ("bob", "0"), ("eve", "0"), ("fay", "0"), ("guy", "0")])
 
+    def test_the_class_of_three_that_the_book_shows_is_graded_as_it_shows(self):
+        plate = find(read_catalogue(ROOT), "plate")
+        solution = (ROOT / "solutions" / plate.path / "plate.hpp").read_text(encoding="utf-8")
+        wrong = read_wrong_answers(plate, ROOT / "tests" / "exercises" / plate.path, solution)
+        [remembered] = [answer.text for answer in wrong if answer.name == "as_feynman_remembered"]
+        for name, text in (("ada", solution), ("bob", remembered), ("eve", starter_of(solution))):
+            (self.hand_in(name, None) / "plate.hpp").write_text(text, encoding="utf-8")
+        report = self.of_the_course("--exercises", "plate", *sorted(self.submissions.iterdir()))
+        shown = (ROOT / "book" / "pages" / "class_of_three.txt").read_text(encoding="utf-8")
+        self.assertEqual(report, shown, "write what is graded now to book/pages/class_of_three.txt")
+
     def of_the_course(self, *words):
+        """The report."""
         result = subprocess.run([sys.executable, "-E", "-B", str(TOOLS / "grade.py"), "--root", str(ROOT), "--toolchain", TOOLCHAIN,
                                  *map(str, words)], cwd=self.root, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                stderr=subprocess.STDOUT, timeout=900)
-        self.assertEqual(result.returncode, 0, result.stdout.decode())
+                                stderr=subprocess.PIPE, timeout=900, encoding="utf-8")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return result.stdout

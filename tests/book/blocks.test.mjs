@@ -1,0 +1,43 @@
+// Blocks that are made of what they are given alone.
+import assert from 'node:assert/strict';
+import {test} from 'node:test';
+import {semester} from '../../book/tools/exercise_tables.mjs';
+import {with_tasks} from '../../book/tools/exercises.mjs';
+import {verdict_grid} from '../../book/tools/verdict_grid.mjs';
+
+const verdicts = {name: 'in_double', columns: ['method', 'A'], rows: [['steady', '✗ L 4e-01'], ['explicit, |L| restored', '✗ E 2e-01'], ['splitting', '✓ E 1e-05']]};
+const rows_of = html => [...html.matchAll(/<th scope="row">(.*?)<\/th>/g)].map(([, name]) => name);
+
+test('Verdicts show the rows that are asked for, in that order, and all of them unasked.', () => {
+  assert.deepEqual(rows_of(verdict_grid([verdicts], ['d'], 'c', ['splitting', 'explicit, |L| restored'])), ['splitting', 'explicit, |L| restored']);
+  assert.equal(rows_of(verdict_grid([verdicts], ['d'], 'c')).length, 3);
+  assert.throws(() => verdict_grid([verdicts], ['d'], 'c', ['ours']), /in_double has no row "ours"; its rows are: steady; explicit, \|L\| restored; splitting/);
+});
+
+const page = (chapter, name) => ({chapter, name, id: `chapter_${chapter}`, file: `chapter_${chapter}.html`});
+const pages = {chapters: [page('01_force', '1 Force'), page('02_torque', '2 Torque'), page('03_inertia', '3 Inertia')]};
+const told = text => ({text, file: 'task.md', line: 3});
+const exercise = (chapter, minutes, points) => ({
+  chapter, name: `of_${chapter}`, path: `${chapter}/of_${chapter}`, title: 'A push', minutes, points, difficulty: 'write', goals: ['push'],
+  prerequisites: [], task: told('Push it.'), hints: ['Push.', 'Push hard.', 'Push harder.'].map(told), checks: [{sentence: 'It moves', points}], starter: {file: 'push.hpp', code: 'todo();'},
+  solution: {file: 'push.hpp', code: 'push();', why: told('Because.')},
+});
+const exercises = [exercise('01_force', 10, 1), exercise('02_torque', 20, 2), exercise('03_inertia', 40, 4)];
+
+test('The weeks before a bar are summed up, and so are all.', () => {
+  const sums = html => [...html.matchAll(/<td class="number">(\d+)<\/td><td class="number">(\d+)<\/td><\/tr>/g)].map(([, minutes, points]) => [minutes, points]);
+  assert.deepEqual(sums(semester('1; 2 | 3', exercises, pages)), [['10', '1'], ['20', '2'], ['30', '3'], ['40', '4'], ['70', '7']]);
+  assert.match(semester('1; 2 | 3', exercises, pages), /a course of 2 weeks.*?2 exercises/);
+  assert.deepEqual(sums(semester('1 2; 3', exercises, pages)), [['30', '3'], ['40', '4'], ['70', '7']]);
+  assert.throws(() => semester('1 | 3', exercises, pages), /must name each chapter once/);
+});
+
+test('A task is what students are told, on any page, and never holds the solution.', () => {
+  const lines = with_tasks([{text: 'Before.', place: 'page.md:1'}, {text: '{{task of_02_torque}}', place: 'page.md:2'}], exercises, pages);
+  const all = lines.map(({text, html}) => text ?? html).join('\n');
+  for (const words of ['Before.', '20 minutes', 'Push it.', 'It moves', 'Push harder.', 'todo();']) assert.ok(all.includes(words), words);
+  assert.ok(!/push\(\)|Because/.test(all), 'the solution is there');
+  assert.ok(!all.includes('{#exercise_'), 'its address is that of the exercise in its chapter');
+  assert.ok(lines.slice(1).every(({place}) => ['page.md:2', 'task.md:3'].includes(place)), 'a line has no place');
+  assert.throws(() => with_tasks([{text: '{{task absent}}', place: 'page.md:2'}], exercises, pages), /page\.md:2: no exercise is called absent/);
+});
