@@ -76,6 +76,7 @@ export class Blocks {
       check: (page, argument) => this.#check(page, argument),
       other_checks: page => this.#other_checks(page),
       costs: (page, argument) => this.#costs(page, argument),
+      sayings: () => this.#sayings(),
       say: (page, argument) => this.#say(page, argument),
       map: () => this.#map(),
       chapters: () => this.#chapters(),
@@ -376,6 +377,12 @@ export class Blocks {
       `<li><a href="${file}">${picture ? thumbnail(picture) : ''}<b>${escape(name)}</b><span>${escape(capitalised(question ?? ''))}</span></a>` +
       `${say ? `<p>${say}</p>` : ''}</li>`;
     return () => `<ol class="chapters unindexed">${this.pages.chapters.filter(page => !page.further).map(item).join('')}</ol>`;
+  }
+
+  /** The same sentences as a list. */
+  #sayings() {
+    const item = ({name, say}) => `<li value="${/^\d+/.exec(name)}">${say}</li>`;
+    return () => `<ol class="sayings unindexed">${this.pages.chapters.filter(page => page.say).map(item).join('')}</ol>`;
   }
 
   /** What a reader of the page can say. */

@@ -69,7 +69,7 @@ cat >fall.json <<'SCENE'
  "effects": [{"kind": "gravity", "acceleration": [0, 0, -8]}]}
 SCENE
 run fall.json --dt 0.125 --until 1.06 --bill --csv f.csv --jsonl f.jsonl --view f.html --books f.json
-verify "it prints all this, with the plan and the books" diff - <(sed -E "s#$PWD/##; /^effect  +phase/,/^order/d; /^ +energy/,/^unexplained/d
+verify "it prints all this, with the plan and the books" diff - <(sed -E "s#$PWD/##; /^effect  +phase/,/^order/d; /^ +energy/,/^no effect takes/d
   s/in [^ ]+ s: [^ ]+ steps/in N s: N steps/; s/ ([0-9]{1,2}\.[0-9]|[0-9]{3,}) +[0-9.]+ %$/N  N %/; s/ ([0-9]{1,2}\.[0-9]|[0-9]{3,}) +$/N/
   /N/s/ +/ /g" <<<"$output") <<'SAID'
 Fall

@@ -490,7 +490,7 @@ class OfTheCourse(Grading):
         solution = (ROOT / "solutions" / plate.path / "plate.hpp").read_text(encoding="utf-8")
         wrong = read_wrong_answers(plate, ROOT / "tests" / "exercises" / plate.path, solution)
         [remembered] = [answer.text for answer in wrong if answer.name == "as_feynman_remembered"]
-        for name, text in (("ada", solution), ("bob", remembered), ("eve", starter_of(solution))):
+        for name, text in (("a", solution), ("b", remembered), ("c", starter_of(solution))):
             (self.hand_in(name, None) / "plate.hpp").write_text(text, encoding="utf-8")
         report = self.of_the_course("--exercises", "plate", *sorted(self.submissions.iterdir()))
         shown = (ROOT / "book" / "pages" / "class_of_three.txt").read_text(encoding="utf-8")
