@@ -34,7 +34,7 @@ EXERCISE_CHECK("A body pulls straight towards itself, with the product of the ma
   using Vector = Vec3<Real>;
   const auto on = make_particle(Real(2), Vector(1, 1, 0)),
              by = make_particle(Real(4), Vector(1, 5, 0));
-  Found("the pull of 4 kg on 2 kg, four metres away along y", "N", ask<Vector>("pull", on, by))
+  Found("the pull of 4 kg on 2 kg, four metres away along y,", "N", ask<Vector>("pull", on, by))
       .mistake(Vector(0, Real(-0.5), 0),
                "it pushes. The vector must lead from the body that is pulled to the one that pulls")
       .mistake(Vector(0, 2, 0),
@@ -54,7 +54,7 @@ EXERCISE_CHECK("Twice as far away, it pulls a quarter as hard") {
     return ask<Vector>("pull", on, make_particle(Real(5), Vector(distance * direction))).norm();
   };
   const Real near = at(1), far = at(2);
-  Found("the pull from twice as far, as a part of the pull from near", "", far / near)
+  Found("the pull from twice as far, as a part of the pull from near,", "", far / near)
       .mistake(Real(0.5),
                "it halves. The law is that of the inverse square; is a power of |r| missing?")
       .mistake(Real(0.125), "an eighth. |r|³ divides r, whose own length makes it the square")
@@ -143,6 +143,6 @@ EXERCISE_CHECK(
   require(fine < Real(0.1),
           "after one period a body is " + shown(fine) +
               " m from where it began: the three don't follow the figure of eight");
-  require(coarse > Real(1.8) * fine, "with half the step the miss went from " + shown(coarse) +
-                                         " to " + shown(fine) + " m; it must be half or less");
+  require(coarse > Real(1.8) * fine, sentence("with half the step the miss went from ", coarse,
+                                              " to ", fine, " m; it must be half or less"));
 }

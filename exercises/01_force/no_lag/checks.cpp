@@ -32,13 +32,14 @@ EXERCISE_CHECK("The velocity gains h F/m in a step") {
   Found("after half a second at -4 m/s², the velocity of a ball that left with (4, 0, 10) m/s",
         "m/s", ball.velocity)
       .mistake(Vector(4, 0, 10), "it has not changed. A force changes the velocity")
-      .mistake(Vector(4, 0, 6), "it fell twice as fast as it should: is the mass, 2 kg, forgotten?")
+      .mistake(Vector(4, 0, 6), "it fell twice as fast as it should. Is the mass, 2 kg, forgotten?")
       .mistake(Vector(4, 0, 9),
                "that is the velocity in the middle of the step. The ball keeps the one at its end")
       .must_be(Vector(4, 0, 8), 0);
   auto heavy = thrown_ball<Real>();  // 2 kg alone could stand for the 2 of a half
   heavy.inverse_mass = Real(0.125);
-  Found("that of 8 kg under the same force", "m/s", stepped(heavy, 1, Real(0.5)).velocity)
+  Found("the velocity of a ball of 8 kg after that push", "m/s",
+        stepped(heavy, 1, Real(0.5)).velocity)
       .must_be(Vector(4, 0, Real(9.5)), 0);
 }
 
@@ -50,7 +51,8 @@ EXERCISE_CHECK("Under a constant force it lands on the parabola, however long a 
     const Real parabola = Real(3 + 10 * time - 4 * time * time / 2), lag = Real(4 * h * time / 2);
     // Numbers with few binary digits: every sum is exact, but for what another order of the same
     // arithmetic may round, twice a step at heights below 32 m.
-    Found("the height after 2 s in " + std::to_string(steps) + " steps", "m", ball.position.z())
+    const std::string when = "after 2 s in " + counted(steps, "step") + ", the ";
+    Found(when + "height", "m", ball.position.z())
         .mistake(parabola - lag,
                  "too low by half of a h t, as in the chapter. Either the position used the "
                  "velocity at the step's end, or the half of ½ a h² is missing: both come to v h + "
@@ -67,7 +69,7 @@ EXERCISE_CHECK("Under a constant force it lands on the parabola, however long a 
     auto in_wind = thrown_ball<Real>();
     in_wind.inverse_mass = Real(0.125);
     in_wind.force = Vec3<Real>(-8, 16, -32);
-    Found("and where a ball of 8 kg is that (-8, 16, -32) N push", "m",
+    Found(when + "position of a ball of 8 kg that is pushed with (-8, 16, -32) N", "m",
           stepped(in_wind, steps, h).position)
         .must_be(Vec3<Real>(Real(1 + 4 * time - time * time / 2), Real(2 + time * time), parabola),
                  2 * steps * 32 * double(unit_roundoff<Real>));

@@ -35,7 +35,7 @@ EXERCISE_CHECK("About the point found the torque is parallel to the force") {
     fail(
         "that is the way from the point that the wrench is taken about, and not yet a place in the "
         "world. Where does it begin?");
-  Found("torque about the point, crossed with the force,", "N² m", across)
+  Found("the torque about the point, crossed with the force,", "N² m", across)
       .not_a_number("the point that came back is not a number")
       .must_be(Vec3<Real>::Zero(), tolerance);
 }

@@ -46,7 +46,7 @@ EXERCISE_CHECK(
   for (const auto& [m, l, M] : two_hammers<Real>()) {
     const Real truth = (m * l / 2 + M * l) / (m + M);
     Found("the height of the centre of mass of a hammer with a head of " + shown(M) + " kg, " +
-              shown(l) + " m long",
+              shown(l) + " m long,",
           "m", ask<Real>("height_of_centre", m, l, M))
         .mistake(l * 3 / 4,
                  "that is halfway between the parts, as if they were equally heavy. Weigh each by "
@@ -64,7 +64,7 @@ EXERCISE_CHECK(
 
 EXERCISE_CHECK("A handle alone has a third of m l² about its end") {
   const Real m = Real(0.75);
-  for (const Real l : {Real(0.5), Real(2)})
+  for (const Real l : {Real(0.5), Real(1.25)})
     Found("the moment of a handle of 0.75 kg and " + shown(l) + " m about its end", "kg m²",
           about_grip<Real>({m, l, 0}))
         .mistake(m * l * l / 12, "that is m l²/12, about the handle's middle")

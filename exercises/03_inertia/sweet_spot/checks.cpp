@@ -52,7 +52,7 @@ EXERCISE_CHECK("What a blow w at a does to b along u, a blow u at b does to a al
   require(std::abs(double(there) - double(straight)) > 100 * some_roundings<Real>,
           "a blow beside the centre of mass moves every point as one at the centre does. Where is "
           "the turn?");
-  Found("velocity at b along u after a blow w at a", "m/s", there)
+  Found("the velocity at b along u after a blow w at a", "m/s", there)
       .must_be(back, 4 * some_roundings<Real>);
 }
 
@@ -84,7 +84,7 @@ EXERCISE_CHECK("A blow at the sweet spot leaves the grip at rest") {
       return blow.y() / mass - at * blow.y() / moment * grip;
     };
     Found("the velocity of the grip when a bat of " + shown(mass) +
-              " kg is hit at the place found, " + shown(found) + " m",
+              " kg is hit at the place found, " + shown(found) + " m,",
           "m/s", velocity_of_grip(found))
         .mistake(velocity_of_grip(grip),
                  "the place mirrors the grip. Set the velocity of the grip to zero, and solve for "

@@ -58,7 +58,7 @@ EXERCISE_CHECK("Pulling the stick lifts the nose towards the pilot's head, not t
   // On its back a turn in body axes is the same as one in the world's axes backwards. On its side,
   // rolled to the right by a quarter, the head points to minus y.
   const auto on_its_side = quaternion_of_rotation_vector(Vec3<Real>(quarter_turn<Real>, 0, 0));
-  Found("the nose of an aeroplane on its right side after the same pull", "",
+  Found("the nose of an aeroplane on its right side after such a pull", "",
         nose(steered(on_its_side, Vec3<Real>(0, -pull, 0))))
       .mistake(Vec3<Real>(std::cos(pull), 0, -std::sin(pull)),
                "it went down, about an axis of the world and backwards. The pilot turns about the "
@@ -103,7 +103,7 @@ EXERCISE_CHECK(
                "axis along which it points")
       .must_be(Vec3<Real>(level.cast<Real>()), roundings<Real>);
   // Standing on its tail, it sees the world's z where x was, and minus x where z was.
-  Found("the nose of one that stands on its tail after the same turn", "",
+  Found("the nose of an aeroplane on its tail after the turn (0.5, -0.75, 1) rad", "",
         nose(steered(upright, turn)))
       .must_be(Vec3<Real>(Vec3d(-level.z(), level.y(), level.x()).cast<Real>()), roundings<Real>);
 }

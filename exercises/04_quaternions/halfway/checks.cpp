@@ -63,9 +63,9 @@ EXERCISE_CHECK("It runs steadily: a part of the way is that part of the angle") 
     const auto q = turned<Real>(whole * Real(0.48), whole * Real(0.6), whole * Real(-0.64)) * p;
     for (const double part : {0.25, 0.5, 0.875}) {
       const auto found = between(p, q, Real(part));
-      Found("after " + shown(part) + " of the way between two orientations " + shown(degrees) +
-                "° apart, the angle from the first",
-            "rad", angle(p, found))
+      const std::string where = "after " + shown(part) + " of the way between two orientations " +
+                                shown(degrees) + "° apart, the angle ";
+      Found(where + "from the first", "rad", angle(p, found))
           .mistake(by_straight_line<Real>(whole, Real(part)),
                    "that is where the straight line from p to q gets, normalised. It runs fast in "
                    "the middle. The angle must grow in proportion")
@@ -74,7 +74,7 @@ EXERCISE_CHECK("It runs steadily: a part of the way is that part of the angle") 
           .mistake(Real(part) * whole / 2,
                    "half of what it should be. The quaternion holds half the angle already")
           .must_be(Real(part) * whole, 4 * roundings<Real>);
-      Found("and the angle from there to the second", "rad", angle(found, q))
+      Found(where + "to the second", "rad", angle(found, q))
           .must_be(Real(1 - part) * whole, 4 * roundings<Real>);
     }
   }
@@ -95,7 +95,8 @@ EXERCISE_CHECK(
             "the result is not a number. Does something divide by the sine of an angle that is "
             "zero?")
         .must_be(Real(0.75), 4 * roundings<Real>);
-    Found("and the angle from there to the second", "rad", angle(found, q))
+    Found("halfway between two orientations 1.5 rad apart, the angle to the second", "rad",
+          angle(found, q))
         .mistake(Real(2.25),
                  "it turned by as much as it should, but away from the second. With the sign of "
                  "the real part change those of the others: q and -q are one orientation")

@@ -167,7 +167,7 @@ EXERCISE_CHECK("Docking gains no energy, and head-on it loses just that of the a
   const Bodies<Real> head_on{craft<Real>(3, moments, Vector(-1, 0, 0), Vector(Real(2.25), 0, 0)),
                              craft<Real>(1, moments, Vector(1, 0, 0), Vector(Real(-1.75), 0, 0))};
   // ½ μ v² with μ = 3/4 kg and v = 4 m/s.
-  Found("what 3 kg and 1 kg that meet head-on at 4 m/s lose", "J",
+  Found("the energy that is lost when 3 kg and 1 kg meet head-on at 4 m/s", "J",
         energy(head_on) - energy(docked(head_on)))
       .mistake(energy(head_on), "they lose all of it, as if they stood still afterwards")
       .mistake(0, "nothing is lost, as if they bounced off each other")

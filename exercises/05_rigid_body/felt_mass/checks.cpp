@@ -67,7 +67,7 @@ EXERCISE_CHECK("Struck at its end a free rod feels like a quarter of itself") {
   const Vec3<Real> end(Real(0.5), 0, 0);
   for (const Real mass : two_masses<Real>())
     for (const Vec3<Real>& across : {Vec3<Real>(0, 0, 1), Vec3<Real>(0, Real(-0.6), Real(0.8))})
-      Found("the mass felt at the end of a rod of " + shown(mass) + " kg, 1 m long", "kg",
+      Found("the mass felt at the end of a rod of " + shown(mass) + " kg, 1 m long,", "kg",
             felt(rod<Real>(mass), end, across))
           .mistake(mass, "the rod also yields by turning")
           .mistake(mass / 3,
@@ -135,7 +135,7 @@ EXERCISE_CHECK(
                                               shown(found) + " kg; it must feel infinitely heavy");
   RigidBody<Real> wheel;
   wheel.top.inverse_moments = Vec3<Real>(4, 0, 0);
-  Found("the mass felt at the rim of a wheel on a fixed axle, 0.25 kg m² and 0.5 m", "kg",
+  Found("the mass felt at the rim of a wheel on a fixed axle, 0.25 kg m² and 0.5 m,", "kg",
         felt(wheel, rim, up))
       .not_a_number("not a number: is something divided by the axle's inverse mass, 0?")
       .mistake(0, "the mass was computed as 1 / inverse_mass and then used")

@@ -41,7 +41,7 @@ EXERCISE_CHECK("On a craft that is not turned a jet pushes with its thrust and t
   Found("the force of a jet of " + shown(thrust) + " N along y", "N", body.centre.force)
       .mistake(Vector::Zero(), "no force came to the body. add_force_at adds it")
       .must_be(Vector(0, thrust, 0), 0);
-  Found("the torque of a jet at the nose, 3 m along x", "N m", body.top.torque)
+  Found("the torque of a jet at the nose, 3 m along x,", "N m", body.top.torque)
       .mistake(Vector(0, 0, -3 * thrust), "it twists the wrong way: r × F, with r first")
       .mistake(Vector::Zero(), "it does not twist. The jet pushes at the nose, not at the centre")
       .must_be(Vector(0, 0, 3 * thrust), 0);
@@ -118,7 +118,7 @@ EXERCISE_CHECK("Two jets add: side by side against each other they only twist") 
   Found("the force of two jets against each other", "N", body.centre.force)
       .mistake(Vector(0, -thrust, 0), "only the second is there. Each adds to what acts already")
       .must_be(Vector::Zero(), 0);
-  Found("the torque of two jets against each other, 4 m apart", "N m", body.top.torque)
+  Found("the torque of two jets against each other, 4 m apart,", "N m", body.top.torque)
       .mistake(Vector(0, 0, 2 * thrust), "only one is there. Each adds to what acts already")
       .must_be(Vector(0, 0, 4 * thrust), roundings<Real>(64));
   require(body.centre.position == Vector(1, 2, 3) && body.centre.velocity.isZero(0),

@@ -155,16 +155,16 @@ EXERCISE_CHECK("The lowest coil hovers until the others have come down to it") {
   // much.
   const double rounding =
       time * time / 2 * Slinky::stiffness / Slinky::mass * 4 * 1.2 * double(unit_roundoff<Real>);
-  require(std::abs(double(fallen_by)) < 1e-8 + rounding,
-          "the lower end has fallen by " + shown(fallen_by) + " m after nine tenths of the " +
-              shown(time) +
-              " s. Nothing has reached it yet: in balance it has no reason to fall. Has it its "
-              "weight and the pull of its spring, both?");
+  require(
+      std::abs(double(fallen_by)) < 1e-8 + rounding,
+      sentence("the lower end has ", fallen_by < 0 ? "risen by " : "fallen by ",
+               std::abs(double(fallen_by)), " m after nine tenths of the ", time,
+               " s. Nothing has reached it yet: in balance it has no reason to move. Has it its "
+               "weight and the pull of its spring, both?"));
   const Real top = late.front().position.z();
   require(top < lower_end * Real(0.8),
-          "by then the upper end is at " + shown(top) +
-              " m. It should have come down nearly to the lower end, at " + shown(lower_end) +
-              " m");
+          sentence("after nine tenths of the ", time, " s the upper end is at ", top,
+                   " m. It should have come down nearly to the lower end, at ", lower_end, " m"));
   const auto after = fallen<Real>(int(1.1 * time * steps_a_second));
   require(after.back().position.z() < lower_end - Real(0.01),
           "after the " + shown(time) + " s the lower end still hovers. Do the coils meet it?");
@@ -185,14 +185,14 @@ EXERCISE_CHECK("No coil passes through another") {
                 " m apart: it falls as if it were stiff. Their spring pulls them together");
     for (std::size_t i = 0; i + 1 < beads.size(); ++i) {
       const Real gap = beads[i].position.z() - beads[i + 1].position.z();
-      const std::string which =
-          "coil " + std::to_string(i + 1) + " is " + shown(gap) + " m above the next";
-      require(gap > 0,
-              which + ": it has fallen through it. Call keep_apart between kick and drift");
+      require(gap > 0, sentence("coil ", i + 1, " is ", -gap,
+                                " m below the next: it has fallen through it. "
+                                "Call keep_apart between kick and drift"));
       // Its sweeps leave a part of the blows undone, less than a tenth of a closed spring.
-      require(gap > Real(0.9 * Slinky::closed),
-              which + ", nearer than a closed spring, " + shown(Slinky::closed) +
-                  " m. Does keep_apart stand between kick and drift?");
+      require(
+          gap > Real(0.9 * Slinky::closed),
+          sentence("coil ", i + 1, " is ", gap, " m above the next, nearer than a closed spring, ",
+                   Slinky::closed, " m. Does keep_apart stand between kick and drift?"));
     }
   }
 }

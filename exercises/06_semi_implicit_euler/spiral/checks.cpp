@@ -45,10 +45,10 @@ void require_way(Same<Real> own_speed, Same<Real> time_step) {
       // Kick and drift are off as if the planet had begun with h/2 times its acceleration, 1, too
       // much or too little. On a circle that makes up to 4 times h/2; here r goes down to 0.6.
       require((body.position - truth).norm() < 4 * time_step,
-              "after 1/" + std::to_string(part) +
-                  " of a year the planet, which began at (1, 0, 0) with " + shown(speed) +
-                  " times a circle's speed, is at " + shown(body.position) + "; it must be near " +
-                  shown(truth) + ". Does each step kick once and drift once?");
+              sentence("after 1/", part, " of a year the planet, which began at (1, 0, 0) with ",
+                       speed == 1 ? "a circle's speed" : shown(speed) + " times a circle's speed",
+                       ", is at ", body.position, "; it must be near ", truth,
+                       ". Does each step kick once and drift once?"));
     }
   // Another rule that keeps the area leads elsewhere, but in a step only by some h², h up to 1/16.
   may_be_off() = 1.0 / 128;
@@ -85,10 +85,9 @@ EXERCISE_CHECK("After a hundred years the planet is as far from its sun as ever"
     // The energy swings by h/2 r'/r², to first order. Here r' stays below 0.27, r above 0.6 and the
     // energy's size above 0.36, so that is 0.05 of it. The other half is for higher orders.
     require(std::abs(now - size) < Real(0.1) * size,
-            "in year " + std::to_string(year) + " half of the orbit's length is " + shown(now) +
-                " instead of " + shown(size) +
-                (now > size ? ": the planet spirals outward. Which place does the kick see?"
-                            : ": the planet spirals inward. Does something brake it?"));
+            sentence("in year ", year, " half of the orbit's length is ", now, " instead of ", size,
+                     now > size ? ": the planet spirals outward. Which place does the kick see?"
+                                : ": the planet spirals inward. Does something brake it?"));
   }
   require_way<Real>(speed, time_step);
 }
@@ -105,9 +104,8 @@ EXERCISE_CHECK("The planet sweeps the same area in every step, to rounding") {
     body = after(body, time_step, 1);
     const Real now = area(body);
     if (std::abs(now - before) <= Real(n * 16) * unit_roundoff<Real>) continue;
-    std::string message = "after step " + std::to_string(n) +
-                          " the area swept in a unit of time is " + shown(now) + " instead of " +
-                          shown(before) + ". ";
+    std::string message = sentence("after step ", n, " the area swept in a unit of time is ", now,
+                                   " instead of ", before, ". ");
     if (n == 1 && std::abs(now - by_explicit_euler) <= 16 * unit_roundoff<Real>)
       message +=
           "It grew by h²/r³ of itself. The kick pulls towards the sun as seen from the "
@@ -138,21 +136,17 @@ EXERCISE_CHECK("It still takes a year for a round, the nearer the shorter the st
     };
     const Real near = miss(1, 1, 1);
     require(near < 4 * time_step,
-            "after a year in " + std::to_string(steps) + " steps the planet is " + shown(near) +
-                " from where it began, and may miss it by " + shown(4 * time_step) +
-                " only. Does each step kick once and drift once?");
+            sentence("after a year in ", steps, " steps the planet is ", near,
+                     " from where it began, and may miss it by ", 4 * time_step,
+                     " only. Does each step kick once and drift once?"));
     // Kepler's third law: four times as wide a circle takes eight times as long. All lengths are
     // four times those above, so is what it may miss.
     const Real far = miss(4, Real(0.5), 8);
-    require(far < 16 * time_step,
-            "a planet four times as far away takes eight years for a round. "
-            "After them it is " +
-                shown(far) +
-                " from where it began, and "
-                "may miss it by " +
-                shown(16 * time_step) +
-                " only. Leave the pull as it was: it falls with the square of "
-                "the distance");
+    require(
+        far < 16 * time_step,
+        sentence("a planet four times as far away takes eight years for a round. After them it is ",
+                 far, " from where it began, and may miss it by ", 16 * time_step,
+                 " only. Leave the pull as it was: it falls with the square of the distance"));
     require_way<Real>(1, time_step);
   }
 }

@@ -73,9 +73,11 @@ EXERCISE_CHECK(
   // With 4 kg on 16 N/m the mass, w² and the root of the stiffness are one number: so another.
   const auto other = weight<Real>(Vector(1, 0, Real(-0.5)), Vector(0, 2, 1), 2);
   const auto other_truth = by_matrix(other, h, 18), other_found = stepped(other, h, 1, 18);
-  Found("the place of 2 kg on 18 N/m after such a step", "m", other_found.position)
+  Found("the place of 2 kg on 18 N/m after a step of a quarter of a second", "m",
+        other_found.position)
       .must_be(other_truth.position, 16 * unit_roundoff<Real>);
-  Found("the velocity of 2 kg on 18 N/m after such a step", "m/s", other_found.velocity)
+  Found("the velocity of 2 kg on 18 N/m after a step of a quarter of a second", "m/s",
+        other_found.velocity)
       .must_be(other_truth.velocity, 32 * unit_roundoff<Real>);
 }
 
@@ -103,7 +105,7 @@ EXERCISE_CHECK("Half the step, a quarter of the error") {
   const double coarse = miss(24), fine = miss(48);
   // The phase is off by w² h²/24 of w t; the next order changes the ratio by w² h²/10, 0.6 %. In
   // float 48 steps round 16 times each, a hundredth of the finer error.
-  Found("the error with 24 steps, in errors with 48", "", coarse / fine)
+  Found("the error with 24 steps, divided by that with 48,", "", coarse / fine)
       .mistake(2,
                "half the step, half the error: first order. Something in the step isn't symmetric")
       .must_be(4, 0.1);
@@ -114,7 +116,7 @@ EXERCISE_CHECK(
     "goes to zero") {
   auto body = weight<Real>(Vec3<Real>(1, 0, Real(-0.5)), Vec3<Real>(0, 2, 1));
   const Real at_zero = kept(body, 0);
-  Found("what is kept, for a step of no length", "J", at_zero)
+  Found("what is kept for a step of no length", "J", at_zero)
       .mistake(energy(body) / 2, "a quarter of m v² + k x²: one half is too many")
       .mistake(energy(body) * 2, "that is m v² + k x²: the factor ½ is missing")
       .mistake(energy(body) / 4, "the mass, 4 kg, is missing")
@@ -130,18 +132,18 @@ EXERCISE_CHECK(
     const Real now = kept(body, h);
     if (std::abs(now - start) <= (16 * n + 16) * rounding) continue;
     const bool is_energy = std::abs(start - energy_there) <= 16 * rounding;
-    fail("after " + std::to_string(n) + " steps with w h = 1/2 it is " + shown(now) +
-         " J instead of " + shown(start) + " J. " +
-         (is_energy ? "It is the energy, which this step does not keep: α differs from 1"
-                    : "Put x' and v' into v² + α w² x², and ask for the mixed term to vanish"));
+    fail(sentence("after ", n, " steps with w h = 1/2 it is ", now, " J instead of ", start, " J. ",
+                  is_energy ? "It is the energy, which this step does not keep: α differs from 1"
+                            : "Put x' and v' into v² + α w² x², and ask for the mixed term to "
+                              "vanish"));
   }
-  Found("what is kept after a thousand steps, of the student's own", "J",
+  Found("what is kept after 64 steps of your own", "J",
         kept(stepped(weight<Real>(Vec3<Real>(1, 0, Real(-0.5)), Vec3<Real>(0, 2, 1)), h, 64), h))
       .must_be(start, (16 * 64 + 16) * rounding);
   // With 4 kg on 16 N/m the mass, w² and the root of the stiffness are one number: so another.
   const auto other = weight<Real>(Vec3<Real>(1, 0, Real(-0.5)), Vec3<Real>(0, 2, 1), 2);
   const Real other_energy = other.velocity.squaredNorm() + 9 * other.position.squaredNorm();
-  Found("what is kept of 2 kg on 18 N/m, for a step of no length", "J", kept(other, 0, 18))
+  Found("what is kept of 2 kg on 18 N/m for a step of no length", "J", kept(other, 0, 18))
       .mistake(other_energy * Real(4.5), "w², which is 9 here, stands where the mass belongs")
       .must_be(other_energy, 16 * double(other_energy) * unit_roundoff<Real>);
   Found("what is kept of 2 kg on 18 N/m after a step, less what was kept before it,", "J",

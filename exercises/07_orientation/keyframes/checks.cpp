@@ -76,7 +76,8 @@ EXERCISE_CHECK("It goes the shorter way, whatever the signs of the key frames") 
     Found("the angular velocity between key frames 1 rad and 1 s apart", "rad/s", exact(p, q, 1))
         .mistake(long_way, "it goes the long way round. q and -q are one orientation")
         .must_be(truth, 2 * roundings<Real>(8));
-    Found("the one for the first-order rule", "rad/s", first_order(p, q, 1))
+    Found("the angular velocity for the first-order rule, 1 rad and 1 s apart,", "rad/s",
+          first_order(p, q, 1))
         .mistake(-tangent,
                  "it leads back. q and -q are one orientation: is the real part's sign lost?")
         .must_be(tangent, 2 * roundings<Real>(8));
@@ -121,7 +122,8 @@ EXERCISE_CHECK("Between key frames that are nearly the same no digit is lost") {
       .not_a_number("not a number: the turn is too small to divide by")
       .mistake(Vec3<Real>::Zero(), flat)
       .must_be(truth, tolerance);
-  Found("the one for the first-order rule", "rad/s", first_order(from, to, h))
+  Found("the angular velocity for the first-order rule, " + shown(angle) + " rad apart,", "rad/s",
+        first_order(from, to, h))
       .not_a_number("not a number: the turn is too small to divide by")
       .must_be(truth, tolerance);
   Found("the angular velocity between a key frame and itself", "rad/s", exact(from, from, h))
@@ -141,6 +143,7 @@ EXERCISE_CHECK("Half a turn is refused by the one that cannot make it") {
   const auto found = exact(from, to, 1);
   // Either way round is half a turn.
   const Vec3<Real> truth(0, 0, std::copysign(std::numbers::pi_v<Real>, found.z()));
-  Found("how the exponential turns by half a turn about z in a second", "rad/s", found)
+  Found("the angular velocity of half a turn about z in a second, by the exponential,", "rad/s",
+        found)
       .must_be(truth, roundings<Real>(4));
 }

@@ -47,7 +47,7 @@ EXERCISE_CHECK("A phone that turns steadily faces where its rate times the time 
       .mistake(0, "it has not turned")
       .must_be(angle, roundings<Real>(intervals));
   const auto points = [](Real by) { return Vec3<Real>(std::cos(by), std::sin(by), 0); };
-  Found("where its x axis then points", "", rotate(found, points(0)))
+  Found("after 8 intervals, the direction of its x axis", "", rotate(found, points(0)))
       .mistake(points(-angle), "it turns backwards: about +z, x goes towards y")
       .must_be(points(angle), roundings<Real>(intervals));
   const auto at_once = faced(tilted<Real>(), Readings<Real>(1, spin), interval);
@@ -64,11 +64,11 @@ EXERCISE_CHECK("The readings are about the phone's own axes") {
   const Vec3<Real> spin(0, 0, rate), screen(0, 0, 1);
   const auto found = faced(start, Readings<Real>(intervals + 1, spin), interval);
   require(angle_between(start, found) > rate * interval,
-          "after 8 intervals of 0.0625 s at " + shown(rate) + " rad/s the phone has turned by " +
-              shown(angle_between(start, found)) + " rad. Is there a turn for each interval?");
+          sentence("after 8 intervals of 0.0625 s at ", rate, " rad/s the phone has turned by ",
+                   angle_between(start, found), " rad. Is there a turn for each interval?"));
   Quaternion<Real> about_world =
       quaternion_of_rotation_vector<Real>(Vec3<Real>(0, 0, rate * interval * intervals)) * start;
-  Found("where the screen of a tilted phone points that turns about its own z", "",
+  Found("the direction of a tilted phone's screen after a turn about its own z", "",
         rotate(found, screen))
       .mistake(rotate(about_world, screen),
                "the phone was turned about the world's z. A gyroscope moves along with the phone: "
@@ -97,7 +97,7 @@ EXERCISE_CHECK("While the rate grows evenly about one axis, the angle is exact")
       .mistake(2 * truth, "twice the angle: the two readings were added. Take their mean")
       .must_be(truth, roundings<Real>(intervals));
   const auto points = [](Real by) { return Vec3<Real>(std::sin(by), 0, std::cos(by)); };
-  Found("where its screen then points", "", rotate(found, points(0)))
+  Found("after 0.5 s, the direction of its screen", "", rotate(found, points(0)))
       .mistake(points(-truth), "it turns backwards: about +y, z goes towards x")
       .must_be(points(truth), roundings<Real>(intervals));
 }
@@ -131,7 +131,7 @@ EXERCISE_CHECK("Half the interval, a quarter of the error") {
               " rad away from the truth. Are the turns made in body axes, one after the other?");
   // The next order, two higher, is some (rate times interval)²/12 of the error: below a twentieth.
   // Roundings in float are a thousandth of it.
-  Found("the error with 8 intervals, in errors with 16", "", coarse / fine)
+  Found("the error with 8 intervals, divided by that with 16,", "", coarse / fine)
       .mistake(2,
                "half the interval, half the error: first order. The mean of two readings is a "
                "better angular velocity for the interval than either")

@@ -93,7 +93,7 @@ EXERCISE_CHECK("It grows at the rate that Euler's equations give") {
     // Moments 1, 2, 4: (4 - 2)(2 - 1) / (1 · 4) = 1/2.
     const Real truth = spin * std::sqrt(Real(0.5));
     Found("the growth rate about the middle of the moments 1, 2 and 4 kg m², at " + shown(spin) +
-              " rad/s",
+              " rad/s,",
           "1/s", growth(moments, axis, spin))
         .mistake(spin * spin / 2, "that is its square")
         .mistake(std::sqrt(Real(0.5)), "the spin is missing. A faster spin flips faster")
@@ -112,7 +112,7 @@ EXERCISE_CHECK("It grows at the rate that Euler's equations give") {
           growth(others, axis, spin))
         .mistake(truth, "it is that of the moments 1, 2 and 4. Where do the moments come in?")
         .must_be(spin / 2, spin * roundings<Real>);
-    Found("that of 1, 2 and 4 for the spin the other way round", "1/s",
+    Found("the growth rate of 1, 2 and 4 kg m² for the spin the other way round", "1/s",
           growth<Real>(moments, axis, -spin))
         .mistake(-truth, "a rate of growth is positive, whichever way the body spins")
         .must_be(truth, truth * roundings<Real>);
@@ -160,7 +160,7 @@ EXERCISE_CHECK("About the outer axes it wobbles as predicted") {
         .mistake(Real(truth / (2 * std::numbers::pi)),
                  "that is the number of wobbles in a second. The rate is in rad/s")
         .must_be(Real(truth), truth * 8 * roundings<Real>);
-    Found("that for the spin the other way round", "rad/s",
+    Found("the wobble rate for the spin the other way round", "rad/s",
           wobble<Real>(moments.cast<Real>(), k, Real(-spin)))
         .mistake(Real(-truth), "a rate is positive, whichever way the body spins")
         .must_be(Real(truth), truth * 8 * roundings<Real>);
@@ -171,8 +171,9 @@ EXERCISE_CHECK("About the outer axes it wobbles as predicted") {
     start[i] = tiny;
     for (const int halves : {1, 2}) {
       const double after = tumbled(start, halves * std::numbers::pi / truth)[i] / tiny;
-      Found("the wobble after " + std::to_string(halves) + " half periods, of itself", "",
-            Real(after))
+      Found(halves == 1 ? "after half a period the wobble, as a part of the first,"
+                        : "after a whole period the wobble, as a part of the first,",
+            "", Real(after))
           .must_be(halves == 1 ? -1 : 1, 1e-5);
     }
   }

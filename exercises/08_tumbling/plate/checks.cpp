@@ -42,8 +42,9 @@ EXERCISE_CHECK("A plate that wobbles a little wobbles twice while it turns once"
                "world goes round at |L|/I₁")
       .mistake(0, "the tangent or sine of the tilt stands where its cosine should")
       .must_be(2, roundings<Real>);
-  Found("and in a turn of a thick one, with the moments 0.5 across and 0.75 about the axis,", "",
-        wobbles<Real>(Real(0.5), Real(0.75), 0))
+  Found(
+      "the wobbles in a turn of a thick plate, with moments of 0.5 across and 0.75 about the axis,",
+      "", wobbles<Real>(Real(0.5), Real(0.75), 0))
       .mistake(2, "two are those of a flat plate. Where do the moments come in?")
       .must_be(Real(1.5), roundings<Real>);
 }
@@ -54,7 +55,7 @@ EXERCISE_CHECK("A rod wobbles less often than it turns, and a slanting axis goes
        {std::pair<Real, Real>{1, Real(0.125)}, {Real(0.5), 1}, {2, 3}}) {
     const Real truth = about / across / std::cos(tilt);
     Found("the wobbles in a turn with the moments " + shown(across) + " across and " +
-              shown(about) + " about the axis, at " + shown(parameter("tilt")) + "°",
+              shown(about) + " about the axis, at " + shown(parameter("tilt")) + "°,",
           "", wobbles<Real>(across, about, tilt))
         .mistake(about / across,
                  "right without a tilt. The spin is only the part of the motion along the axis: "

@@ -52,13 +52,13 @@ void require_flight(const Top<Real>& start, double seconds, const Top<Real>& end
     top = with_booms(top, out ? reach : 0);
     turn_by_splitting(top, Real(1) / steps_a_second);
   }
-  require(end.angular_momentum_body == top.angular_momentum_body &&
-              end.orientation.real == top.orientation.real &&
-              end.orientation.imaginary == top.orientation.imaginary,
-          "after " + shown(seconds) + " s flown gives the angular momentum " +
-              shown(end.angular_momentum_body) +
-              " kg m²/s in body axes, and your booms_out and set_booms, step by step, " +
-              shown(top.angular_momentum_body) + ". Leave flown as it was");
+  require(
+      end.angular_momentum_body == top.angular_momentum_body &&
+          end.orientation.real == top.orientation.real &&
+          end.orientation.imaginary == top.orientation.imaginary,
+      sentence("after ", seconds, " s flown gives the angular momentum ", end.angular_momentum_body,
+               " kg m²/s in body axes, and your booms_out and set_booms, step by step, ",
+               top.angular_momentum_body, ". Leave flown as it was"));
 }
 
 /// What rounding makes of L meanwhile: a step turns four times and rotates L with it, 40 roundings
@@ -164,8 +164,8 @@ EXERCISE_CHECK("Ordered upside down, it turns over and stays so") {
         .not_a_number("is a moment zero, or its inverse?")
         .must_be(start.angular_momentum_body.norm(), rounding_of_L(start, seconds));
     const Real found = upright(end);
-    const std::string when = "after " + shown(seconds) + " s the part of L along x is " +
-                             shown(found) + " of L; it must be -1, or nearly";
+    const std::string when = sentence("after ", seconds, " s the part of L along x is ", found,
+                                      " of L; it must be -1, or nearly");
     // It begins with L 0.015 rad off the axis, and pulls its masses in when as little is left. The
     // wobble's path is four times as long as wide. -0.98 are 0.2 rad.
     require(found < Real(-0.98),

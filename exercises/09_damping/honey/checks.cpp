@@ -76,7 +76,7 @@ EXERCISE_CHECK("A bead at its terminal speed F/(m k) keeps it, however long the 
         .mistake(terminal * kept + h * a, damped_first)
         .mistake(terminal * kept, "it only decays. Where is the force?")
         .mistake(terminal * kept + h * 2 * a * (1 - kept) / z,
-                 "it falls twice as hard as it should: is the mass, 2 kg, forgotten?")
+                 "it falls twice as hard as it should. Is the mass, 2 kg, forgotten?")
         .must_be(terminal, few_roundings<Real> * std::abs(terminal));
     Found("after a step of " + shown(h) + " s at the terminal speed, the velocity of 5 kg", "m/s",
           double(stepped(bead<Real>(terminal, a, 5), k, h, 1).velocity.z()))

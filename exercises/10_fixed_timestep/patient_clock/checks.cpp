@@ -44,10 +44,14 @@ Real shown_after(Real start, Real time_step, int ticks) {
   for (int n = 0; n < 600; ++n) clock = ticked(clock, time_step);
   const Real at_once = ask<Real>("shown_after", start, time_step, 600);
   require(at_once == clock.time,
-          "after 600 ticks shown_after gives " + shown(at_once) +
-              " s, and your tick, one by one, " + shown(clock.time) +
-              " s: to the last bit they differ. Leave shown_after as it was");
+          sentence("after 600 ticks shown_after gives ", at_once, " s, and your tick, one by one, ",
+                   clock.time, " s. Leave shown_after as it was"));
   return ticks == 600 ? at_once : ask<Real>("shown_after", start, time_step, ticks);
+}
+
+template <class Real>
+std::string ticks_from(Real start, int ticks) {
+  return sentence("after ", counted(ticks, "tick"), " from ", start, " s on");
 }
 
 template <class Real>
@@ -68,9 +72,9 @@ EXERCISE_CHECK("What a tick adds is in the time and in what is owed, to the last
       const double taken = double(next.time - time), due = double(h) + double(owed);
       const double missing = due - taken - double(next.owed);
       const double tolerance = 4 * unit_roundoff<Real> * std::abs(due);
-      const std::string clock = "a clock that shows " + shown(time) + " s and owes " + shown(owed) +
-                                " s gets " + shown(h) + " s. Then it shows " + shown(taken) +
-                                " s more and owes " + shown(next.owed);
+      const std::string clock =
+          sentence("a clock that shows ", time, " s and owes ", owed, " s gets ", h,
+                   " s. Then it shows ", taken, " s more and owes ", next.owed);
       // Of h, which is many spacings of the earlier times, no clock may owe it all.
       require(
           time == late<Real>() || taken > double(h) / 2,
@@ -101,19 +105,18 @@ EXERCISE_CHECK("The clock never owes more than half of the spacing of its time")
       const double latest =
           double(start) + (n + 2) * double(sixtieth<Real>) + 2 * double(spacing_at(start));
       require(clock.time >= start && double(clock.time) <= latest,
-              "after " + std::to_string(n + 1) + " ticks from " + shown(start) +
-                  " s on the clock shows " + shown(clock.time) + " s");
+              sentence(ticks_from(start, n + 1), " the clock shows ", clock.time, " s"));
       const Real half = spacing_at(clock.time) / 2;
       // After a tick that leads across a power of two, or back, a spacing is twice the other.
       require(std::abs(clock.owed) <= half * (1 + 8 * unit_roundoff<Real>),
-              "after " + std::to_string(n + 1) + " ticks from " + shown(start) + " s on it owes " +
-                  shown(clock.owed) + " s, which is more than half of the spacing, " + shown(half) +
-                  " s. A debt that can be paid must be: is it added to the step "
-                  "before the sum?");
+              sentence(ticks_from(start, n + 1), " it owes ", clock.owed,
+                       " s, which is more than half of the spacing, ", half,
+                       " s. A debt that can be paid must be: is it added to the step before the "
+                       "sum?"));
       owes = owes || clock.owed != 0;
     }
-    require(owes, "after 100 ticks from " + shown(start) +
-                      " s on it has never owed anything, though most of these sums are rounded");
+    require(owes, ticks_from(start, 100) +
+                      " it has never owed anything, though most of these sums are rounded");
   }
 }
 
@@ -139,6 +142,6 @@ EXERCISE_CHECK("It goes on where a plain sum stands still") {
                            " s, 600 ticks of a sixtieth have not moved the clock: "
                            "each one is rounded away, and what is owed is never paid");
   // Half a spacing may be owed.
-  Found("what 600 ticks of a sixtieth have added at " + shown(start) + " s", "s", gained)
+  Found("the time that 600 ticks of a sixtieth have added at " + shown(start) + " s", "s", gained)
       .must_be(ticks * double(h), double(spacing_at(start)) / 2 * 1.001);
 }

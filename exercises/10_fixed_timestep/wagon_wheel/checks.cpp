@@ -48,7 +48,8 @@ EXERCISE_CHECK("A small turn is seen as it is, forward and backward") {
                  "that is in degrees; all angles here are in radians")
         .must_be(turn, tolerance<Real>(turn));
     const double more = double(Real(turn + 2 * std::numbers::pi));
-    Found("and the turn that is seen of a whole turn more", "rad", seen_turn<Real>(more, spokes()))
+    Found("the turn that is seen of " + wheel() + " that turns by " + shown(more) + " rad", "rad",
+          seen_turn<Real>(more, spokes()))
         .mistake(more, "after a whole turn the wheel looks as it did before")
         .mistake(turn + gap(),
                  "it went backward by less than half a gap, and it is seen so. Take the smallest "

@@ -63,7 +63,7 @@ EXERCISE_CHECK(
       .must_be(truth, tolerance<Real>);
   const Vector tilted(1, -2, Real(0.5)), fast(-2, 1, 3);
   const Real power = (force_on<Real>(zero, fast, tilted)).dot(fast);
-  Found("on the axis of a tilted one, the power of the force", "W", power)
+  Found("on the axis of a tilted merry-go-round, the power of the force", "W", power)
       .must_be(0, 8 * tolerance<Real>);
 }
 
@@ -77,7 +77,7 @@ EXERCISE_CHECK(
   for (const int mass : two_masses) {
     const Vector truth = mass * acceleration;
     Found(
-        "the force on " + std::to_string(mass) + " kg that rest on the ground, seen from on board",
+        "the force on " + std::to_string(mass) + " kg that rest on the ground, seen from on board,",
         "N", force_on<Real>(place, velocity, spin, mass))
         .mistake(Vector(-truth), "right for what rests on board. Does the force see the velocity?")
         .mistake(
@@ -102,8 +102,7 @@ EXERCISE_CHECK("The outward force is the downhill slope of the potential energy"
           energy_at<Real>(place - half, spin, mass) - energy_at<Real>(place + half, spin, mass);
     }
     const Vector truth = -mass * spin.cross(spin.cross(place));
-    Found("how the energy of " + std::to_string(mass) +
-              " kg falls from place to place about (1, 2, -1) m",
+    Found("the downhill slope of the energy of " + std::to_string(mass) + " kg at (1, 2, -1) m",
           "N", falls)
         .mistake(Vector(-truth), "it rises outward, where the force points outward: a sign")
         .mistake(Vector(2 * truth), "twice the force: ½ m |Ω × x|² has a half")

@@ -47,7 +47,7 @@ EXERCISE_CHECK("A body that slides past another is braked by c times its speed")
   const Vector zero = Vector::Zero();
   const Moving<Real> slides{zero, {3, 0, 0}, zero}, rests{{0, 0, 2}, zero, zero};
   const auto push = pushed<Real>(Real(0.5), slides, rests);
-  Found("the force on a body that slides with 3 m/s past another, with c = 0.5 N s/m", "N",
+  Found("the force on a body that slides with 3 m/s past another, with c = 0.5 N s/m,", "N",
         push.force)
       .mistake(Vector(Real(1.5), 0, 0),
                "it drives the body on. Friction points against the sliding")
@@ -84,8 +84,12 @@ EXERCISE_CHECK("Two bodies that move and turn as one feel nothing") {
       .mistake(in_body_axes,
                "the spin of the first is taken in its body axes, and all else in the world's")
       .must_be(zero, tolerance<Real>);
-  Found("and the torque on the first", "N m", push.torque).must_be(zero, tolerance<Real>);
-  Found("and the torque on the second", "N m", push.other_torque).must_be(zero, tolerance<Real>);
+  Found("two bodies turn together as one piece of wood. The torque on the first", "N m",
+        push.torque)
+      .must_be(zero, tolerance<Real>);
+  Found("two bodies turn together as one piece of wood. The torque on the second", "N m",
+        push.other_torque)
+      .must_be(zero, tolerance<Real>);
 }
 
 EXERCISE_CHECK("A pair gains no angular momentum from its joint") {
@@ -124,7 +128,7 @@ EXERCISE_CHECK("The joint takes away c times the square of the sliding speed, an
   const Vec3<Real> all = sliding(a, b), along = (b.place - a.place).normalized();
   const Real truth = -c * all.squaredNorm();
   Found(
-      "the power of the joint, with c = 0.75 N s/m and a sliding of " + shown(all.norm()) + " m/s",
+      "the power of the joint, with c = 0.75 N s/m and a sliding of " + shown(all.norm()) + " m/s,",
       "W", power(push))
       .mistake(-truth, "it gives as much as it should take: a sign")
       .mistake(truth / c, "the coefficient is missing")

@@ -94,8 +94,8 @@ EXERCISE_CHECK(
     least = std::min(least, alone);
     most = std::max(most, alone);
     if (together[i] == alone || (std::isnan(together[i]) && std::isnan(alone))) continue;
-    const std::string ball = "ball " + std::to_string(i) + " at " + shown(heights[i]) + " m gets " +
-                             shown(together[i]) + " N in a pack and " + shown(alone) + " N alone";
+    const std::string ball = sentence("ball ", i, " at ", heights[i], " m gets ", together[i],
+                                      " N in a pack and ", alone, " N alone");
     require(alone != 0 && together[i] != 0,
             ball + ". Has another ball of its pack decided for it? A choice is made lane by lane");
     fail(ball +
@@ -103,6 +103,6 @@ EXERCISE_CHECK(
   }
   const Real first = push<Real>(double(heights[0]), double(speeds[0]));
   require(first > 1 && most > least,  // it is 126 N
-          "the pushes on twelve balls, above the ground and below it, are " + shown(least) +
-              " to " + shown(most) + " N, and " + shown(first) + " N at rest 0.1 m below it");
+          sentence("the pushes on twelve balls, above the ground and below it, are ", least, " to ",
+                   most, " N, and ", first, " N at rest 0.1 m below it"));
 }

@@ -30,13 +30,6 @@ Real sum_on(const std::vector<Real>& values, double tick, int workers) {
 }
 
 template <class Real>
-std::string all_digits(Real number) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*g", std::numeric_limits<Real>::max_digits10, double(number));
-  return text;
-}
-
-template <class Real>
 double exact_sum(const std::vector<Real>& values) {
   long double sum = 0;
   for (const Real value : values) sum += static_cast<long double>(value);
@@ -65,15 +58,15 @@ EXERCISE_CHECK("Any number of workers makes the same sum, to the bit") {
   const auto values = momenta<Real>(2000);
   const Real alone = sum_on<Real>(values, fine_tick, 1);
   require(std::abs(double(alone) - exact_sum(values)) < 1,
-          "one worker sums two thousand momenta to " + shown(alone) + " kg m/s; it must be near " +
-              shown(exact_sum(values)));
+          sentence("one worker sums two thousand momenta to ", alone, " kg m/s; it must be near ",
+                   exact_sum(values)));
   for (const int workers : {2, 3, 4, 7, 64}) {
     const Real together = sum_on<Real>(values, fine_tick, workers);
     require(together == alone,
-            "one worker finds " + all_digits(alone) + " kg m/s and " + std::to_string(workers) +
-                " find " + all_digits(together) +
-                ". What does a worker lose that another would not? A worker that rounds its *sum* "
-                "rounds another number than the next; round each value, and sum whole numbers");
+            sentence("one worker finds ", alone, " kg m/s and ", workers, " find ", together,
+                     ". What does a worker lose that another would not? A worker that rounds its "
+                     "*sum* rounds another number than the next; round each value, and sum whole "
+                     "numbers"));
   }
 }
 
@@ -82,13 +75,13 @@ EXERCISE_CHECK("The bodies may stand in any order") {
   auto values = momenta<Real>(2000);
   const Real sum = sum_on<Real>(values, fine_tick, 3);
   require(std::abs(double(sum) - exact_sum(values)) < 1,
-          "three workers sum two thousand momenta to " + shown(sum) + " kg m/s; it must be near " +
-              shown(exact_sum(values)));
+          sentence("three workers sum two thousand momenta to ", sum, " kg m/s; it must be near ",
+                   exact_sum(values)));
   const auto look = [&](const char* order) {
     const Real other = sum_on<Real>(values, fine_tick, 3);
-    require(other == sum, "the same bodies " + std::string(order) + " have " + all_digits(other) +
-                              " kg m/s in place of " + all_digits(sum) +
-                              ". Is something added up before it is a whole number?");
+    require(other == sum,
+            sentence("the same bodies ", order, " have ", other, " kg m/s in place of ", sum,
+                     ". Is something added up before it is a whole number?"));
   };
   std::reverse(values.begin(), values.end());
   look("from the last to the first");
@@ -127,8 +120,9 @@ EXERCISE_CHECK("The sum is off by at most half a tick for each value, either way
   // Half a tick a value, and the one rounding of the result.
   const double bound = 2000 * fine_tick / 2 + unit_roundoff<Real> * std::abs(truth);
   require(std::abs(found - truth) <= bound,
-          "two thousand momenta sum to " + all_digits(Real(found)) + " kg m/s, which is off by " +
-              shown(std::abs(found - truth)) + "; half a tick for each allows " + shown(bound));
+          sentence("two thousand momenta sum to ", found, " kg m/s; it must be ", truth,
+                   ". That is off by ", std::abs(found - truth),
+                   ", and half a tick for each allows ", bound));
 }
 
 EXERCISE_CHECK("What is not a number or beyond 2^40 ticks is refused, what is just within is not") {

@@ -10,7 +10,7 @@ const Precondition pairs_of_steps[] = {
     {"weights", 0, 1, 9}, {"error_for_the_same_work", 0, 1, 9}, {"momentum_after", 3, 1, 9}};
 
 std::string with(int pairs) {
-  return "with " + counted(pairs, "pair") + " ";
+  return "with " + counted(pairs, "pair") + ", ";
 }
 
 template <class Real>

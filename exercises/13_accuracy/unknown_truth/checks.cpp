@@ -57,8 +57,8 @@ EXERCISE_CHECK("Three runs of a pendulum tell the order of the method that made 
                  "the results themselves don't shrink. Their differences do")
         .must_be(told, 32 * unit_roundoff<Real>);
     // The next term of the error, smaller by h or h², is a few percent of the differences.
-    require(std::abs(found - order) < 0.25, std::string(rule) + " has the order " + shown(order) +
-                                                ", and " + shown(found) + " was told");
+    require(std::abs(found - order) < 0.25,
+            sentence(rule, " has the order ", order, ", and ", found, " was told"));
   };
   look("chapter 6's rule", pendulum_of_first_order<Real>(64), pendulum_of_first_order<Real>(128),
        pendulum_of_first_order<Real>(256), 1);
@@ -73,8 +73,7 @@ EXERCISE_CHECK("Two results make a third with the leading error gone") {
   for (const int order : {1, 2, 4}) {
     const double power = std::exp2(order);
     const Real coarse = 4, fine = Real(3 + 1 / power);
-    Found("from 4 and " + shown(fine) + ", by a method of order " + std::to_string(order) +
-              ", the better result",
+    Found(sentence("from 4 and ", fine, ", by a method of order ", order, ", the better result"),
           "", double(ask<Real>("better_result", coarse, fine, order)))
         .mistake(3 + 2 / power,
                  "it was led away from the truth. The finer result is nearer to it than the "
@@ -93,9 +92,9 @@ EXERCISE_CHECK("Two results make a third with the leading error gone") {
   const double better = double(ask<Real>("better_result", coarse, fine, 2));
   const double before = std::abs(double(fine) - truth()), after = std::abs(better - truth());
   // What is left is smaller by h², h = 1/8.
-  require(after < before / 8, "by two runs of Verlet's rule the pendulum is known to " +
-                                  shown(before) + " rad, and with your better result to " +
-                                  shown(after) + "; it must be eight times better");
+  require(after < before / 8, sentence("by two runs of Verlet's rule the pendulum is known to ",
+                                       before, " rad, and with your better result to ", after,
+                                       "; it must be eight times better"));
 }
 
 EXERCISE_CHECK("The error that is left is estimated to a quarter, without the truth") {
@@ -112,9 +111,8 @@ EXERCISE_CHECK("The error that is left is estimated to a quarter, without the tr
                  "that is how far the results are apart. Most of it is the error of the coarse one")
         // Both results are rounded, and so is what is made of them.
         .must_be(estimate, 8 * unit_roundoff<Real> * std::abs(double(fine)));
-    require(std::abs(found - error) < error / 4, std::string("by ") + rule + " the error is " +
-                                                     shown(error) + " rad, and " + shown(found) +
-                                                     " was estimated");
+    require(std::abs(found - error) < error / 4,
+            sentence("by ", rule, " the error is ", error, " rad, and ", found, " was estimated"));
   };
   look("Verlet's rule", pendulum<Verlet, Real>(32), pendulum<Verlet, Real>(64), 2);
   look("Suzuki's row", pendulum<Suzuki, Real>(8), pendulum<Suzuki, Real>(16), 4);
@@ -124,10 +122,10 @@ EXERCISE_CHECK("A step that is shorter by the factor found has the error that wa
   for (const int order : {1, 2, 4})
     for (const auto& [error, tolerance] : {std::pair(12.0, 0.046875), {40.5, 0.5}}) {
       const double ratio = error / tolerance, factor = std::pow(ratio, 1.0 / order);
-      Found("to make an error of " + shown(error) + " one of " + shown(tolerance) +
-                ", by a method of order " + std::to_string(order) +
-                ", the step must be shorter by a factor that",
-            "", double(ask<Real>("shorter_by", Real(error), Real(tolerance), order)))
+      Found(
+          sentence("to make an error of ", error, " one of ", tolerance, ", by a method of order ",
+                   order, ", the step must be shorter by a factor that"),
+          "", double(ask<Real>("shorter_by", Real(error), Real(tolerance), order)))
           .mistake(std::pow(ratio, order),
                    "the error falls faster than the step, not the step faster than the "
                    "error: take the root")
@@ -146,8 +144,7 @@ EXERCISE_CHECK("A step that is shorter by the factor found has the error that wa
 EXERCISE_CHECK(
     "Where only roundings differ, or the differences don't shrink, there is no order to tell") {
   const auto look = [](Real coarse, Real middle, Real fine, const std::string& why) {
-    ask_refusal("from " + shown(coarse) + ", " + shown(middle) + " and " + shown(fine) +
-                    " an order was told. " + why,
+    ask_refusal(sentence("from ", coarse, ", ", middle, " and ", fine, " an order was told. ", why),
                 "observed_order", coarse, middle, fine);
   };
   const Real one_rounding = std::numeric_limits<Real>::epsilon();
@@ -173,7 +170,7 @@ EXERCISE_CHECK(
   const Real small = Real(0x1p-20);
   const double of_small = double(ask<Real>("observed_order", (1 + 64 * one_rounding) * small,
                                            (1 + 16 * one_rounding) * small, small));
-  Found("and of a millionth of these three results", "", of_small)
+  Found("from a millionth of three such results, the order", "", of_small)
       .must_be(std::log2(3.0), 64 * unit_roundoff<Real>);
   // As of a method at a kink of its motion.
   Found("from differences of 1.5 and 1, the order", "",

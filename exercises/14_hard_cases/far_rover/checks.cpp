@@ -117,7 +117,7 @@ EXERCISE_CHECK("The way between neighbours keeps its digits, at the end of the w
         .must_be(truth, 1024 * unit_roundoff<Real>);
   }
   const Vec3<Real> cell(far_cell<Real>, 7, -3), away = cell + Vec3<Real>(3, -2, 5);
-  Found("the way to a place 3, -2 and 5 cells further, and 1, 2 and 5 m within its cell", "m",
+  Found("the way to a place 3, -2 and 5 cells further, and 1, 2 and 5 m within its cell,", "m",
         ask<Vec3<Real>>("way_between", cell, Vec3<Real>(1, 2, 3), away, Vec3<Real>(2, 4, 8)))
       .must_be(Vec3<Real>(3 * 1024 + 1, -2 * 1024 + 2, 5 * 1024 + 5), 0);
 }

@@ -44,7 +44,8 @@ EXERCISE_CHECK("A mirror turns round what is perpendicular to it and leaves the 
       .mistake(arrow, "nothing has changed")
       .must_be(Vector(-1, 2, 3), 0);
   const Vector n = slanted<Real>();
-  Found("a slanted mirror shows (1, 2, 3) as", "m", ask<Vector>("mirrored", arrow, n))
+  Found("a slanted mirror shows the arrow (1, 2, 3) as one that", "m",
+        ask<Vector>("mirrored", arrow, n))
       .mistake(Vector(-1, 2, 3), "as the mirror across x does. Where is the normal?")
       .must_be(reflected(arrow, n), tolerance<Real>);
 }
@@ -67,7 +68,8 @@ EXERCISE_CHECK("Every point of a mirrored wheel moves as the mirror shows it") {
         .must_be(truth, tolerance<Real>);
     for (int axis = 0; axis < 3; ++axis) {
       const Vector point = Vector::Unit(axis);
-      Found("and the velocity of a point of it", "m/s", Vector(seen.cross(reflected(point, n))))
+      Found("the velocity of a point of the wheel with that spin", "m/s",
+            Vector(seen.cross(reflected(point, n))))
           .must_be(reflected(Vector(spin.cross(point)), n), 2 * tolerance<Real>);
     }
   }
@@ -89,7 +91,7 @@ EXERCISE_CHECK("A mirrored body shows the mirrored points") {
     const Vector along = reflected(q.imaginary, n);
     // q and -q are one orientation.
     const Real sign = seen.dot(with(q.real, -along)) < 0 ? Real(-1) : Real(1);
-    Found("with a mirror across " + shown(n) + " the orientation " + shown(turn) + " is seen as",
+    Found(sentence("with a mirror across ", n, " the orientation ", turn, " is seen as one that"),
           "", Four(sign * seen))
         .mistake(with(q.real, along),
                  "the axis is mirrored like an arrow, and the turn goes on the same way. Turn "
@@ -100,7 +102,7 @@ EXERCISE_CHECK("A mirrored body shows the mirrored points") {
         .must_be(with(q.real, -along), tolerance<Real>);
     const Quaternion<Real> image{seen[0], seen.template tail<3>()};
     const Vector point(1, Real(0.5), -2);
-    Found("and a point of the image", "m", rotate(image, reflected(point, n)))
+    Found("the place of a point of the image", "m", rotate(image, reflected(point, n)))
         .must_be(reflected(rotate(q, point), n), 4 * tolerance<Real>);
   };
   check({Real(0.75), -1, Real(0.5)}, {0, 1, 0});
@@ -119,7 +121,7 @@ EXERCISE_CHECK(
   const double drag = broken(-0.5, 0, 0), magnus = broken(0, 0, 0.5), axis = broken(0, 0.75, 0);
   const double v = double(velocity.norm()), w = double(spin.norm());
   const double along_axis = 2 * 0.75 * w;
-  Found("a push along the axis with 0.75 N s times the spin is found to break the mirror by", "N",
+  Found("the force by which a push along the axis, F = 0.75 ω, is found to break the mirror", "N",
         axis)
       .mistake(0,
                "your test passes it, as it would pass anything that is made of arrows. The spin "
@@ -132,18 +134,20 @@ EXERCISE_CHECK(
       .mistake(along_axis * along_axis, "the square of the distance; take the root")
       .mistake(along_axis / 2, "half of it: the force and its opposite are twice its size apart")
       .must_be(along_axis, 4 * tolerance<Real>);
-  Found("drag, F = -0.5 v, is found to break the mirror by", "N", drag)
+  Found("the force by which drag, F = -0.5 v, is found to break the mirror", "N", drag)
       .mistake(0.5 * 2 * v, "of the two ways to the mirrored force one has a sign of its own")
       .mistake(
           std::abs(double(n.dot(velocity))),
           "on one of the two ways nothing was mirrored: either the force is, or the body before it")
       .must_be(0, 4 * tolerance<Real>);
-  Found("the Magnus force, F = 0.5 v × ω, is found to break the mirror by", "N", magnus)
+  Found("the force by which the Magnus force, F = 0.5 v × ω, is found to break the mirror", "N",
+        magnus)
       .mistake(0.5 * 2 * double(velocity.cross(spin).norm()),
                "a cross product of an arrow and a spin is an arrow, if the spin is mirrored as "
                "one. The right law "
                "fails your test, so the test is wrong")
       .must_be(0, 8 * tolerance<Real>);
-  Found("all three terms together", "N", broken(-0.5, 0.75, 0.5))
+  Found("the force by which all three terms together are found to break the mirror", "N",
+        broken(-0.5, 0.75, 0.5))
       .must_be(along_axis, 16 * tolerance<Real>);
 }

@@ -44,7 +44,7 @@ class Audit(FixtureCourse):
             more.write("\nright as well\nas_a_sum: number and number\n-   return 2 * number;\n+   return number + number + number;\n")
         self.rejected('"Twice two is four" refuses as_a_sum, which is right: ')
         self.change(file, " + number + number", " + number")
-        self.assertEqual(look_at_behaviour(self.root, self.toolchain, read_exercise(self.exercise_folder)), [])
+        self.assertEqual(self.complaints(), [])
 
     def test_a_wrong_answer_with_another_message_is_rejected(self):
         self.change(self.root / "tests" / "exercises" / PLACE / "wrong.txt", "third power", "fourth power")
