@@ -35,11 +35,6 @@ int main(int argument_count, char** arguments) {
   notebook.value("left_at_144", number("%.0f %%", 100 * after_a_second(0.99, 144)));
 
   std::printf("\nwhat one step leaves of a speed\n   k h    e^(-k h)   1 - k h   1/(1 + k h)\n");
-  support::Table forms = notebook.table("forms", {"k h", "exponential", "linear", "fractional"});
-  for (int n = 0; n <= 60; ++n) {
-    const double kh = n * 0.05;
-    forms.row(kh, fraction_kept(kh, 1.0), linear_form(kh, 1.0), fractional_form(kh, 1.0));
-  }
   for (const double kh : {0.01, 0.1, 0.5, 1.0, 1.5, 2.5})
     std::printf("%6g %11.5f %9.3f %13.5f\n", kh, fraction_kept(kh, 1.0), linear_form(kh, 1.0),
                 fractional_form(kh, 1.0));

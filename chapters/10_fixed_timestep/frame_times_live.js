@@ -29,7 +29,7 @@
           picture.plot = plot;
           bars(plot, columns.cost, palette.bodies[1]);
           plot.line([0, 10], [1000 / 60, 1000 / 60], palette.ink, {width: 1.5, dash: [5, 4]});
-          plot.note('what it simulates', [6.2, 1000 / 60], palette.ink);
+          plot.note('what it simulates', [10, 1000 / 60], palette.ink, 'right');
           if (figure.slot !== undefined) plot.points([figure.slot / 4 + 0.125], [columns.cost[figure.slot]], palette.bodies[0], 5);
         },
         drag(plot, at, {columns, figure}) {

@@ -55,7 +55,7 @@
     picture.plot = plot;
     plot.line(columns.time, percent(columns.packs, packs), palette.bodies[0]);
     plot.line(columns.time, percent(columns['on the ground'], balls), palette.bodies[1]);
-    plot.note('packs', [0.58, 80], palette.bodies[0]);
+    if (values.width > 0) plot.note('packs', [0.58, 80], palette.bodies[0]);
     plot.note('balls', [0.56, 22], palette.bodies[1]);
     const n = step_at(state);
     plot.points([columns.time[n]], [(100 * columns.packs[n]) / packs], palette.bodies[0], 4);

@@ -199,7 +199,6 @@ void compare_with_odeint(Notebook& notebook, const std::vector<Measurement>& all
                          const std::vector<std::string>& problems) {
   int pairs = 0, won = 0;
   double worst_free = 1e300, worst_fast = 1e300;
-  std::string lost;
   for (const std::string& problem : problems)
     for (int digits = 1; digits <= 10; ++digits) {
       const double wanted = std::pow(10, -digits);
@@ -213,13 +212,9 @@ void compare_with_odeint(Notebook& notebook, const std::vector<Measurement>& all
       if (is_free && digits >= 5) worst_free = std::min(worst_free, ratio);
       if (problem == "heavy top, fast" || problem[0] == 'C' || problem[0] == 'D')
         worst_fast = std::min(worst_fast, ratio);
-      if (ratio < 1)
-        lost += (lost.empty() ? "here: " : "; ") + problem + " for " + power_of_ten(wanted) + ", " +
-                odeint->method + ", " + number("%.2f", ratio) + " of ours";
     }
   notebook.value("pairs", std::to_string(pairs));
   notebook.value("won", std::to_string(won));
-  notebook.value("lost", lost.empty() ? "in none of the pairs" : lost);
   notebook.value("worst_free", number("%.1f", worst_free));
   notebook.value("worst_fast", number("%.1f", worst_fast));
   std::printf("with the exact solutions: in %d of %d pairs\n", won, pairs);

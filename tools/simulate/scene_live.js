@@ -91,8 +91,11 @@
       this.plan = made('div');
       this.books = made('div');
       this.measure = made('button', {type: 'button', textContent: 'Measure what each line costs', onclick: () => this.#measure()});
+      // A chapter shows the scene and its plan; a page of its own is there to change it.
+      const part = (title, element) => (figure.element.closest('.contents')
+        ? made('details', {className: 'fold scene-part'}, {}, [made('summary', {textContent: title}), element]) : element);
       figure.finding.after(this.plan, made('div', {className: 'live-buttons'}, {}, [this.measure]),
-        made('div', {className: 'scene-editor'}, {}, [this.form.element, text]), this.books);
+        part('Change the scene', made('div', {className: 'scene-editor'}, {}, [this.form.element, text])), part('Its books', this.books));
     }
 
     get scene() {
