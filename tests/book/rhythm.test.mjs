@@ -1,5 +1,6 @@
 // The rhythm of the pages, from their sources: how soon something moves, how far apart pictures are, how much code stands open.
-// A page that is not there yet is listed with how far it is, and may come nearer, but not get away again.
+// A page that is not there yet is listed with how far it is, and may come nearer, but not get away again; a twentieth is let pass,
+// since listings grow and shrink with the code.
 import assert from 'node:assert/strict';
 import {existsSync, readFileSync, readdirSync} from 'node:fs';
 import {dirname, join} from 'node:path';
@@ -76,7 +77,8 @@ for (const path of pages)
     const now = measured(path), allowed = left[path] ?? {}, needs_touch = path.endsWith('chapter.md');
     for (const [name, limit] of Object.entries(limits)) {
       if (name === 'words_before_touch' && !needs_touch) continue;
-      assert.ok(now[name] <= Math.max(limit, allowed[name] ?? 0), `${name} is ${now[name]}; it must be at most ${Math.max(limit, allowed[name] ?? 0)}`);
+      const most = Math.max(limit, Math.ceil(1.05 * (allowed[name] ?? 0)));
+      assert.ok(now[name] <= most, `${name} is ${now[name]}; it must be at most ${most}`);
       if (allowed[name] !== undefined)
         assert.ok(now[name] > limit, `${name} is ${now[name]}, within the rule of ${limit}: take it out of rhythm_left.json`);
     }
