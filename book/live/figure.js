@@ -260,6 +260,10 @@
       this.time = Math.min(this.time, this.duration);
       this.draw();
       this.described.took?.(this);
+      this.#tell();
+    }
+
+    #tell() {
       const text = this.described.finding(this.state, this.last_run);
       clearTimeout(this.telling);
       // Who drags a knob is told where it stops.
@@ -335,7 +339,10 @@
         this.#request();
       }, {threshold: 0.2}).observe(this.stage);
       const resized = new ResizeObserver(() => this.draw());
-      addEventListener('predicted', () => this.draw());
+      addEventListener('predicted', () => {
+        this.draw();
+        if (!this.refusal) this.#tell();
+      });
       for (const {canvas} of this.panels) resized.observe(canvas);
       const recolour = () => {
         this.palette = undefined;

@@ -164,6 +164,12 @@
     }
   }
 
+  /** Whether the page's reader has answered a prediction, or only wants to see; in a still picture nobody has. */
+  function answered(prediction) {
+    const form = globalThis.document?.querySelector(`form[data-prediction="${prediction}"]`);
+    return form?.classList.contains('answered') ?? false;
+  }
+
   const made = new WeakMap();
 
   /** What `make` makes from these columns, made once; `name` tells it from other things. */
@@ -198,5 +204,5 @@
     painter.polygon([[to_x, to_y], head(1), head(-1)], colour);
   }
 
-  Object.assign(live, {Plot, range_of, shown, with_unit, arrow, draw_body, once});
+  Object.assign(live, {Plot, range_of, shown, with_unit, arrow, draw_body, once, answered});
 })();

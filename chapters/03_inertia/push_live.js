@@ -11,7 +11,7 @@
   const path = (columns, values, at) => Array.from(columns.time, (_, n) => outline(columns, values, n, [[at, 0]])[0]);
 
   live.figures.push = {
-    title: 'The centre moves alike wherever the hammer is pushed, and one point stands still',
+    title: 'What does the place of the push decide, and what not?',
     hint: 'Drag in the picture to draw the push: it acts where you begin.',
     knobs: {
       at: {label: 'Where it is pushed'},

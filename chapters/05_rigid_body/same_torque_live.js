@@ -5,7 +5,7 @@
   const length = v => Math.hypot(...v);
 
   live.figures.same_torque = {
-    title: 'The answer turns with the body, and mixed frames answer wrongly',
+    title: 'About which axis does the same torque turn the satellite?',
     hint: 'Drag the satellite to see it from elsewhere, or the point along the curves; by keys, with the arrows.',
     knobs: {
       'about x': {label: 'The body is rolled about x'},

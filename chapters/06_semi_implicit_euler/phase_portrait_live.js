@@ -1,6 +1,8 @@
 // How the weight on a spring is drawn, and what there is to find.
 (() => {
   const live = tumble_live;
+  /** Until the page's first question is answered there are only the circle and the start. */
+  const is_open = () => live.answered('two_lines');
   const rules = ['explicit Euler', 'kick, then drift', 'implicit Euler'];
 
   live.figures.phase_portrait = {
@@ -23,14 +25,14 @@
           const largest = list => list.reduce((most, value) => (Number.isFinite(value) ? Math.max(most, Math.abs(value)) : most), 0);
           const round = Math.max(0.5, largest(columns['exact place']), largest(columns['exact velocity']));
           // What runs away is followed for a while.
-          const reach = 1.2 * Math.min(4 * round, Math.max(round, ...['place', 'velocity', 'curve place', 'curve velocity']
-            .map(name => largest(columns[name]))));
+          const drawn = is_open() ? ['place', 'velocity', 'curve place', 'curve velocity'] : [];
+          const reach = 1.2 * Math.min(4 * round, Math.max(round, ...drawn.map(name => largest(columns[name]))));
           const plot = new live.Plot(painter, palette, size, {label: 'position', unit: 'm', least: -reach, most: reach},
             {label: 'velocity', unit: 'm/s', least: -reach, most: reach}, {equal: true});
           picture.plot = plot;
           plot.line(columns['exact place'], columns['exact velocity'], palette.bodies[0]);
-          plot.line(columns['curve place'], columns['curve velocity'], palette.bodies[2], {dash: [6, 4]});
-          const shown = Math.floor(time / values.h + 1e-9) + 1;
+          if (is_open()) plot.line(columns['curve place'], columns['curve velocity'], palette.bodies[2], {dash: [6, 4]});
+          const shown = is_open() ? Math.floor(time / values.h + 1e-9) + 1 : 1;
           const [x, v] = [columns.place.subarray(0, shown), columns.velocity.subarray(0, shown)];
           plot.line(x, v, palette.bodies[1], {width: 1, opacity: 0.6});
           plot.points(x, v, palette.bodies[1]);
@@ -48,19 +50,20 @@
         draw(picture, {columns, values}) {
           const {painter, palette, size} = picture;
           const steps = columns.time.map((_, n) => n);
-          const energies = columns.energy.map(energy => Math.max(1e-12, Math.min(1e12, energy)));
+          const energies = (is_open() ? columns.energy : columns.energy.subarray(0, 1)).map(energy => Math.max(1e-12, Math.min(1e12, energy)));
           const least = Math.min(0.1, energies.reduce((a, b) => Math.min(a, b))), most = Math.max(10, energies.reduce((a, b) => Math.max(a, b)));
           const plot = new live.Plot(painter, palette, size, {label: 'steps', unit: '', least: 0, most: 240},
             {label: 'energy', unit: 'relative', least: 10 ** Math.floor(Math.log10(least)), most: 10 ** Math.ceil(Math.log10(most)), log: true});
           picture.plot = plot;
           plot.line([0, 240], [1, 1], palette.bodies[0]);
-          plot.line(steps, energies, palette.bodies[1]);
+          plot.line(steps.subarray(0, energies.length), energies, palette.bodies[1]);
           plot.legend([['exact', palette.bodies[0]], [rules[values.rule], palette.bodies[1]]]);
         },
       },
     ],
     finding({columns, values}) {
       const {shown} = live;
+      if (!is_open()) return 'Say first with which order the weight swings farther every time, and the steps are drawn.';
       const wh = values.w * values.h, energies = columns.energy;
       if (energies[0] === 0 || (values.x === 0 && values.v === 0)) return 'A weight that rests where the spring is slack rests by every rule.';
       const start = `With w h = ${shown(wh)}`;

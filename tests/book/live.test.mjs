@@ -65,11 +65,14 @@ for (const [chapter, name] of process.env.TUMBLE_LIVE.split(',').map(figure => f
     for (const values of [knobs.map(({start}) => start), ...settings_of(knobs)]) {
       const run = await module.run(values);
       assert.equal(run.refusal, undefined);
-      const finding = figure.finding(live.state_of(figure, run, 0, values));
-      assert.match(finding, /^[A-Z].*[.]$/s, values.join());
-      assert.doesNotMatch(finding, /undefined|NaN/, values.join());
-      assert.match(live.still_of(figure, run, palette), /<polyline/);
-      assert.doesNotMatch(live.still_of(figure, run, palette), /NaN|undefined/);
+      for (const is_answered of [false, true]) {
+        live.answered = () => is_answered;
+        const finding = figure.finding(live.state_of(figure, run, 0, values));
+        assert.match(finding, /^[A-Z].*[.]$/s, values.join());
+        assert.doesNotMatch(finding, /undefined|NaN/, values.join());
+        assert.match(live.still_of(figure, run, palette), /<polyline/);
+        assert.doesNotMatch(live.still_of(figure, run, palette), /NaN|undefined/);
+      }
     }
   });
 

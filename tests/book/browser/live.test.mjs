@@ -164,6 +164,17 @@ test('A guess is drawn into the figure that answers it as soon as it is made, wh
   await page.context().close();
 });
 
+test('A figure that would answer the question above it shows where it starts, and the rest once that is answered.', async () => {
+  const {page, figure} = await open_figure('phase_portrait', {gates: 'shut'});
+  const drawn = n => figure.locator('canvas').nth(n).evaluate(canvas => canvas.toDataURL());
+  assert.match(await told(figure), /^Say first/);
+  const before = [await drawn(0), await drawn(1)];
+  await page.locator('form[data-prediction="two_lines"]').getByLabel('velocity first').check();
+  await figure.locator('.live-finding').filter({hasText: 'spirals out'}).waitFor();
+  for (const n of [0, 1]) assert.notEqual(await drawn(n), before[n], `picture ${n}`);
+  await page.context().close();
+});
+
 test('Out of sight nothing moves, and a reader who wants little motion begins at rest.', async () => {
   const moving = figures.find(name => name === 'energy_sphere') ?? figures[0];
   const {page, figure} = await open_figure(moving);
