@@ -373,9 +373,9 @@ export class Blocks {
 
   /** A card for each chapter: its opening picture, its question, and what one can say afterwards, once all pages are read. */
   #chapters() {
-    const item = ({file, name, question, picture, say}) =>
-      `<li><a href="${file}">${picture ? thumbnail(picture) : ''}<b>${escape(name)}</b><span>${escape(capitalised(question ?? ''))}</span></a>` +
-      `${say ? `<p>${say}</p>` : ''}</li>`;
+    const item = page =>
+      `<li><a href="${page.file}">${thumbnail(page)}<b>${escape(page.name)}</b><span>${escape(capitalised(page.question ?? ''))}</span></a>` +
+      `${page.say ? `<p>${page.say}</p>` : ''}</li>`;
     return () => `<ol class="chapters unindexed">${this.pages.chapters.filter(page => !page.further).map(item).join('')}</ol>`;
   }
 

@@ -33,7 +33,7 @@ function in_page_colours(svg) {
 }
 
 /** A page may hold several drawings, and every one of gnuplot's calls its first marker gpPt0. */
-export function with_own_names(svg) {
+function with_own_names(svg) {
   const prefix = `drawing${++drawings}_`;
   return svg
     .replace(/\sid=(["'])([^"']*)\1/g, (_, quote, id) => ` id="${prefix}${id}"`)

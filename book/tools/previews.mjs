@@ -2,7 +2,6 @@
 import {spawnSync} from 'node:child_process';
 import {readFileSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
-import {with_own_names} from './figures.mjs';
 import {without_formulas} from './formulas.mjs';
 import {capitalised, escape, plain} from './text.mjs';
 
@@ -30,13 +29,22 @@ export function first_drawing(blocks) {
 
 /** For a place with room for a few moments of a motion, of the six that a still shows. */
 function shortened(svg) {
-  return svg.replace(/(<svg class="player-still" viewBox=")0 0 3600 616"/, '$11200 0 1200 540"');
+  if (!svg.includes('class="player-still"')) return svg;
+  return svg
+    .replace('viewBox="0 0 3600 616"', 'viewBox="1200 0 1200 540"')
+    .replace(/<svg x="(\d+)" y="0"[\s\S]*?<\/svg><text\b[\s\S]*?<\/text>/g, (cell, x) =>
+      ['1200', '1800'].includes(x) ? cell.replace(/<text\b[\s\S]*?<\/text>/, '') : '');
 }
 
-/** The drawing, small and silent: whoever hears the page hears the chapter's question. */
-export function thumbnail(svg) {
-  return with_own_names(shortened(svg).replace(/ role="img" aria-label="[^"]*"/, '')).replace('<svg', '<svg aria-hidden="true"');
+/** The drawing as a file of its own, in the colours of paper. */
+function drawing_file(svg, style) {
+  return shortened(svg)
+    .replace(/var\(--([\w-]+)\)/g, (_, name) => new RegExp(`--${name}: (#\\w{6});`).exec(style)[1])
+    .replace('<svg', '<svg xmlns="http://www.w3.org/2000/svg" xmlns:xlink="http://www.w3.org/1999/xlink" font-family="Lato, sans-serif"');
 }
+
+/** A page's drawing on a card, silent: whoever hears the card hears the page's question. */
+export const thumbnail = ({id, picture}) => (picture ? `<img src="previews/${id}.svg" loading="lazy" alt="" aria-hidden="true">` : '');
 
 /** What a search engine or a messenger shows of a page: its first sentences, to at least 70 letters. */
 export function description_of(html) {
@@ -52,8 +60,7 @@ function card(page, book, style) {
   const colour = name => new RegExp(`--${name}: (#\\w{6});`).exec(style)[1];
   const [left, top, wide, high] = /viewBox="([^"]*)"/.exec(shortened(page.picture))[1].split(' ').map(Number);
   const scale = Math.min((width - 2 * margin) / wide, (height - 4 * margin) / high);
-  const drawing = shortened(page.picture)
-    .replace(/var\(--([\w-]+)\)/g, (_, name) => colour(name))
+  const drawing = drawing_file(page.picture, style)
     .replace(/ style="[^"]*"/, '')
     .replace('<svg', `<svg x="${(width - wide * scale) / 2}" y="${3 * margin}" width="${wide * scale}" height="${high * scale}"`);
   const line = (y, size, weight, text) =>
@@ -68,9 +75,12 @@ export function preview(page, html, {book, source, rsvg, address}, folder) {
   const meta = (name, content) => `<meta ${name.startsWith('og:') ? 'property' : 'name'}="${name}" content="${escape(content)}">\n`;
   const description = page.id === 'mainpage' ? `${book.brief}.` : description_of(html);
   const words = meta('description', description) + meta('og:title', page.title) + meta('og:description', description) + meta('og:type', 'article');
-  if (!rsvg || !page.picture) return words;
+  if (!page.picture) return words;
+  const style = readFileSync(join(source, 'book/theme/book.css'), 'utf8');
+  writeFileSync(join(folder, `previews/${page.id}.svg`), drawing_file(page.picture, style));
+  if (!rsvg) return words;
   const file = `previews/${page.id}.png`;
-  const svg = card(page, book, readFileSync(join(source, 'book/theme/book.css'), 'utf8'));
+  const svg = card(page, book, style);
   const {status, stderr} = spawnSync(rsvg, ['--output', join(folder, file)], {input: svg});
   if (status !== 0) throw new Error(`${rsvg} could not draw the preview of ${page.path}: ${stderr}`);
   return words + meta('og:image', `${address}${file}`) + meta('twitter:card', 'summary_large_image');

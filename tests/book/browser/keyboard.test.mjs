@@ -58,11 +58,12 @@ test('Keys work the dark button, the folds, the copy buttons and the list of pag
   await page.locator('#dark').press('Space');
   assert.equal(await page.locator('#dark').getAttribute('aria-pressed'), 'true');
 
+  await page.locator('details.task > summary').first().press('Enter');
   const fold = page.locator('details.spoiler').first();
   await fold.locator('summary').press('Enter');
   assert.equal(await fold.evaluate(details => details.open), true);
 
-  const listing = page.locator('figure.listing', {has: page.locator('.copy')}).first();
+  const listing = page.locator('figure.listing:not(.output)', {has: page.locator('.copy')}).first();
   await listing.locator('.copy').press('Enter');
   await listing.locator('.copy', {hasText: 'Copied'}).waitFor();
   const copied = await page.evaluate(() => navigator.clipboard.readText());
