@@ -42,7 +42,7 @@ async function turn_knobs(figure) {
     const input = inputs.nth(n);
     const last = await ask(figure, 'JSON.stringify(live.values)');
     if (await input.evaluate(element => element.tagName === 'SELECT'))
-      await input.selectOption(await input.evaluate(element => String((Number(element.value) + 1) % element.length)));
+      await input.selectOption({value: await input.evaluate(element => String((Number(element.value) + 1) % element.length))});
     else {
       const key = await input.evaluate(element => (element.value === element.max ? 'ArrowLeft' : 'ArrowRight'));
       for (let times = 0; times < 3; ++times) await input.press(key);
