@@ -78,8 +78,8 @@ function solution_of({solution}) {
   return fold(solution_title, [...listing(solution), blank, ...lines_of_plain_text(solution.why)]);
 }
 
-/** What a student is told: the facts, the task, the checks and the hints. */
-function lines_of_task(exercise, exercises, pages) {
+/** What a student is told, as a closed card under its facts: the task, the checks, the hints, and what else `more` has. */
+function card(exercise, exercises, pages, more) {
   const before = exercise.prerequisites.map(path => link_to_earlier(path, exercises, pages));
   const checks = exercise.checks.map(({sentence, points}) => [sentence, String(points)]);
   return [
@@ -97,6 +97,10 @@ function lines_of_task(exercise, exercises, pages) {
     block(table('', [{text: 'what the checks hold you to'}, {text: 'points', is_number: true}], checks, 'table checks')),
     blank,
     ...exercise.hints.flatMap((hint, index) => [...fold(hint_titles[index], lines_of_plain_text(hint)), blank]),
+    ...more,
+    blank,
+    block('</details>'),
+    blank,
   ];
 }
 
@@ -104,15 +108,14 @@ function lines_of_exercise(exercise, exercises, pages) {
   return [
     text(`### ${exercise.title} {#exercise_${exercise.name}}`),
     blank,
-    ...lines_of_task(exercise, exercises, pages),
-    ...(exercise.solution ? solution_of(exercise) : []),
-    blank,
-    block(
-      `<p class="on-paper">Hints${exercise.solution ? ' and the solution' : ''} are folded away on the screen, and not printed: ` +
-        `<code>./course hint ${exercise.name}</code> gives one hint at a time.</p>`,
-    ),
-    block('</details>'),
-    blank,
+    ...card(exercise, exercises, pages, [
+      ...(exercise.solution ? solution_of(exercise) : []),
+      blank,
+      block(
+        `<p class="on-paper">Hints${exercise.solution ? ' and the solution' : ''} are folded away on the screen, and not printed: ` +
+          `<code>./course hint ${exercise.name}</code> gives one hint at a time.</p>`,
+      ),
+    ]),
   ];
 }
 
@@ -140,6 +143,6 @@ export function with_tasks(lines, exercises, pages) {
     if (!name) return [line];
     const exercise = exercises.find(each => each.name === name);
     if (!exercise) throw new BookError(`${line.place}: no exercise is called ${name}`);
-    return [blank, ...lines_of_task(exercise, exercises, pages), ...fold('The starter', listing(exercise.starter)), blank].map(each => ({place: line.place, ...each}));
+    return [blank, ...card(exercise, exercises, pages, fold('The starter', listing(exercise.starter)))].map(each => ({place: line.place, ...each}));
   });
 }

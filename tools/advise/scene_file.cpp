@@ -97,8 +97,8 @@ void append(SceneCandidates& made, const std::filesystem::path& file, const Fram
       world.step_by(scheme);
       const int promised = world.plan().accuracy.order;
       if (order > 0 && !is_kicked) continue;
-      // Verlet's is symmetric, and nearer where it promises no more; Suzuki's has five kicks a
-      // step.
+      // Verlet's may be nearer where it promises no more, being symmetric; Suzuki's has five kicks
+      // a step.
       if (promised == 0 || (promised <= order && scheme != Scheme::verlet)) continue;
       order = promised;
       Candidate candidate =

@@ -136,7 +136,8 @@ class Ledger {
 
 /// Kinetic and stored energy then and now, if anything stores some; else nothing. The books close
 /// whatever a step does, so where no effect takes or gives energy it is their sum that tells of a
-/// step too long for a force, such as near a point that attracts.
+/// step too long for a force, such as near a point that attracts. Kick and drift swing the energy
+/// of a spring by w h of it from least to most (chapter 6), so here w h is over 0.1.
 template <class Real, class Backend>
 std::string energies_of(const Ledger<Real>& ledger, const World<Real, Backend>& world) {
   bool is_stored = false, is_kept = true;

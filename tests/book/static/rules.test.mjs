@@ -28,6 +28,7 @@ const broken = [
   ['every_figure_says_what_it_shows',
     `<figure><figcaption>The explicit step gains energy</figcaption>
 <svg role="img" aria-label="The explicit step gains energy."></svg></figure>`, 'only repeats its title'],
+  ['every_fold_is_closed', '<details class="fold"><summary>The task</summary><p>All that follows is folded away.</p>', 'a fold is not closed'],
   ['every_formula_is_typeset',
     String.raw`<p>Newton: \f$ F = m a \f$.</p>`, String.raw`a formula was not typeset: "\f$ F = m a \f$`],
   ['every_formula_is_typeset', String.raw`<p>Newton: \( F = m a \).</p>`, String.raw`a formula was not typeset: "\( F = m a \)`],

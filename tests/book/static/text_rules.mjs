@@ -56,6 +56,14 @@ export function* every_code_in_a_line_is_marked(book) {
   }
 }
 
+export function* every_fold_is_closed(book) {
+  // A parser would close it at the end of the page, and fold away all that follows.
+  for (const page of book.pages.values()) {
+    const count = tag => page.source.split(tag).length - 1;
+    if (count('<details') !== count('</details>')) yield {path: page.path, line: 1, problem: 'a fold is not closed'};
+  }
+}
+
 export function* every_page_says_what_it_is_about(book) {
   // In its head, for search engines and messengers; where it has a preview, that is a picture of the book.
   for (const page of book.pages.values()) {
