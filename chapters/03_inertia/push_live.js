@@ -46,7 +46,7 @@
           live.arrow(painter, plot.place(tail), plot.place([values.at, 0]), palette.ink, 3);
           const [rest] = columns['at rest'];
           if (Number.isFinite(rest)) plot.points([rest], [0], palette.bodies[2], 5);
-          plot.legend([['centre of mass', palette.bodies[1]], ['end of the handle', palette.bodies[3], [3, 3]], ['stands still at first', palette.bodies[2]]]);
+          plot.legend([['centre', palette.bodies[1]], ['handle’s end', palette.bodies[3], [3, 3]], ['still at first', palette.bodies[2]]]);
         },
         drag(plot, at, {figure, values}, begins) {
           const [x, y] = plot.value_at(at);
