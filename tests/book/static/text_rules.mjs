@@ -159,9 +159,9 @@ export function* no_page_answers_its_question(book) {
     for (const form of page.with_class('prediction')) {
       const open = open_words_below(page, form), open_numbers = numbers_in(open);
       const answer = form.find(({name}) => name === 'p').map(paragraph => paragraph.text()).join(' ');
-      // A number of two digits is like another only where it has the same unit, and "times" is none: much that is measured has it.
-      const number = numbers_in(answer).find(told => told.digits >= (told.unit && told.unit !== 'times' ? 2 : 3) && open_numbers.some(({digits, value, unit}) =>
-        digits >= told.digits && Number(value.toPrecision(told.digits)) === told.value && (!told.unit || unit === told.unit)));
+      // Only a number with a unit is like another, and not where much is measured that has it: that changes with every run.
+      const number = numbers_in(answer).find(told => told.digits >= 2 && told.unit && !['times', 'ns', 'µs', 'ms', '%'].includes(told.unit) &&
+        open_numbers.some(({digits, value, unit}) => digits >= told.digits && Number(value.toPrecision(told.digits)) === told.value && unit === told.unit));
       const sentence = answer.split(/(?<=[.:]) /).find(told => told.length > 20 && open.includes(told.replace(/[.:]$/, '')));
       const told = sentence ?? (number && `${number.value} ${number.unit}`);
       if (told) yield {path: page.path, line: form.line, problem: `what answers "${form.attributes['data-prediction']}" stands outside its gate: "${told.trim()}"`};
