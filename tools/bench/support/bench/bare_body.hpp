@@ -12,9 +12,11 @@ namespace tumble::support::bench {
 /// The box number n, as it begins.
 template <class Real>
 RigidBody<Real> box_number(std::size_t n) {
-  const Box<Real> box{vector_of<Real>(edges)};
-  RigidBody<Real> body =
-      make_rigid_body<Real>("box", mass_properties(box, static_cast<Real>(mass))).body;
+  static const RigidBody<Real> at_rest =
+      make_rigid_body<Real>(
+          "box", mass_properties(Box<Real>{vector_of<Real>(edges)}, static_cast<Real>(mass)))
+          .body;
+  RigidBody<Real> body = at_rest;
   const Start start = start_of(n);
   body.centre.position = vector_of<Real>(start.position);
   body.centre.velocity = vector_of<Real>(start.velocity);

@@ -101,12 +101,12 @@ class Contest {
   Pace pace() const;
 
  private:
-  /// Bodies of which a step takes `time` ns or so each. Those that take long to make are made twice
-  /// where there are many.
+  /// Bodies of which a step takes `time` ns or so each. What takes long to make is made twice: many
+  /// bodies of a slow kind, and a million of any.
   template <class Bodies, class... Arguments>
   void add(const Case& subject, double time, const Arguments&... arguments) {
     const double steps = extent_.time / time / static_cast<double>(subject.count);
-    const bool slow = time > 50 && subject.count > 16'384;
+    const bool slow = subject.count > (time > 50 ? 16'384 : 500'000);
     measurements_.add(subject, slow ? 2 : extent_.repetitions,
                       static_cast<std::int64_t>(std::clamp(steps, 2., 1e5)),
                       [=] { return std::make_unique<Bodies>(arguments...); });

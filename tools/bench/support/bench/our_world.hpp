@@ -28,9 +28,9 @@ class OurWorld {
     for (std::size_t n = 0; n < setting.count; ++n) {
       const RigidBody<Real> body = box_number<Real>(n);
       if (has_tops(setting.scene))
-        world_.add(std::to_string(n), body);
+        world_.add(body);
       else
-        world_.add(std::to_string(n), body.centre);
+        world_.add(body.centre);
     }
     add_effects(setting.scene, vector_of<Real>(torque));
     if constexpr (requires { world_.backend().use_threads(1); })
@@ -42,7 +42,7 @@ class OurWorld {
   }
 
   Motion motion(std::size_t n) const {
-    const RigidBody<Real> body = world_.body(world_.find(std::to_string(n)));
+    const RigidBody<Real> body = world_.body(world_.handles()[n]);
     return {triple_of(body.centre.position), triple_of(body.centre.velocity),
             triple_of(angular_velocity_world(body.top))};
   }
