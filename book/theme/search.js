@@ -135,4 +135,12 @@
     query.focus();
     query.select();
   });
+
+  // A section that has moved to another page since its address was noted is looked up by its name.
+  const name = decodeURIComponent(location.hash.slice(1)).split('?')[0];
+  if (name && !document.getElementById(name))
+    ready().then(() => {
+      const places = window.bookIndex.documents.filter(({address}) => address.endsWith(`#${name}`));
+      if (places.length === 1) location.replace(places[0].address);
+    });
 })();

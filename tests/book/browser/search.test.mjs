@@ -82,3 +82,8 @@ test('What is nowhere in the book is said to be nowhere; Escape closes the answe
   await page.keyboard.press('Escape');
   assert.equal(await page.locator('#answers').isVisible(), false);
 });
+
+test('A section that has moved to another page is found there by its name.', async () => {
+  await page.goto(`${address('chapter_01_force.html')}#inertia_parallel`);
+  await assert_at_section_of_chapter_3();
+});
