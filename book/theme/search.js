@@ -140,7 +140,7 @@
   const name = decodeURIComponent(location.hash.slice(1)).split('?')[0];
   if (name && !document.getElementById(name))
     ready().then(() => {
-      const places = window.bookIndex.documents.filter(({address}) => address.endsWith(`#${name}`));
-      if (places.length === 1) location.replace(places[0].address);
+      const places = new Set(window.bookIndex.documents.map(({address}) => address).filter(address => address.endsWith(`#${name}`)));
+      if (places.size === 1) location.replace([...places][0]);
     });
 })();

@@ -75,7 +75,8 @@ function source_page(file, title) {
 }
 
 /** How much a place found there is worth: the chapters explain, their exercises ask, the reference lists. */
-function weight_of(page, {address}) {
+function weight_of(page, {address, are_checks}) {
+  if (are_checks) return 0.3; // they say in a sentence what the text explains
   if (page.under) return 0.4;
   if (/#exercise/.test(address)) return 0.6;
   if (['handbook', 'reference'].includes(page.id)) return 0.5; // they list what others explain

@@ -15,7 +15,10 @@ const silent = [
   /<a class="anchorlink"[\s\S]*?<\/a>/g,
   /<span class="verdict">[\s\S]*?<\/span>/g,
   /<span class="mark"[\s\S]*?<\/span>/g,
+  /<td[^>]*>[^<>\p{L}]*<\/td>/gu, // a number in a table
 ];
+
+const checks = /<details class="fold others"[\s\S]*?<\/details>|<div class="check [\s\S]*?<\/div><\/div>/g;
 
 /** Takes out elements of the class `unindexed`, with all that they hold. */
 function without_unindexed(html) {
@@ -45,7 +48,7 @@ function terms_in(html) {
   return [...new Set(found.filter(term => term && !/^\d+$/.test(term) && term.split(' ').length <= 4))];
 }
 
-/** The sections of a page: what stands before the first heading, then one for each heading. */
+/** The sections of a page: what stands before the first heading, then one for each heading, and its checks for themselves. */
 export function sections(page, html) {
   const parts = without_unindexed(html).split(/<h[2-4] id="([^"]*)">([\s\S]*?)<\/h[2-4]>/);
   const section = (address, heading, body) => ({
@@ -56,7 +59,12 @@ export function sections(page, html) {
     text: words(body),
   });
   const found = [section(page.file, '', parts[0])];
-  for (let n = 1; n < parts.length; n += 3) found.push(section(`${page.file}#${parts[n]}`, words(parts[n + 1]), parts[n + 2]));
+  for (let n = 1; n < parts.length; n += 3) {
+    const address = `${page.file}#${parts[n]}`, heading = words(parts[n + 1]);
+    found.push(section(address, heading, parts[n + 2].replace(checks, ' ')));
+    const more = parts[n + 2].match(checks)?.join(' ');
+    if (more) found.push({...section(address, 'Checks', more), are_checks: true});
+  }
   return found.filter(({text, section: heading}) => text || heading);
 }
 

@@ -1,4 +1,4 @@
-// Forty-two questions as readers ask them, and where each must lead first. TUMBLE_BOOK is the folder of the book.
+// Forty-eight questions as readers ask them, and where each must lead first. TUMBLE_BOOK is the folder of the book.
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
@@ -27,6 +27,12 @@ const questions = [
   ['dt', /conventions\.html#conventions_symbols|chapter_10_fixed_timestep/],
   ['NaN', /gallery\.html#gallery_nan|chapter_11_world/],
   ['gimbal lock', /chapter_04_quaternions\.html#which_numbers/],
+  ['my quaternion drifts', /chapter_07_orientation\.html#without_normalising/],
+  ['how do I add my own force', /effects\.html#effects_own/],
+  ['float or double', /conventions\.html#conventions_precision/],
+  ['timestep for a stiff spring', /chapter_06_semi_implicit_euler\.html#how_long_may_a_step_be/],
+  ['nlerp', /chapter_10_fixed_timestep\.html#timestep_draw/],
+  ['FetchContent', /reference\.html#reference_link/],
   // Headings.
   ['parallel axis', /chapter_03_inertia\.html#inertia_parallel/],
   ['parallel axes theorem', /chapter_03_inertia\.html#inertia_parallel/],
@@ -68,7 +74,7 @@ for (const [question, place] of questions) {
   });
 }
 
-test('There are forty-two questions.', () => assert.equal(questions.length, 42));
+test('There are forty-eight questions.', () => assert.equal(questions.length, 48));
 
 test('Where no place holds every word, the best for some of them comes, and the reader is told.', () => {
   const {hits, whole} = book_search.find('quaternion xylophone', prepared);
