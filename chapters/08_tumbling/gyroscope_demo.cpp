@@ -225,7 +225,7 @@ support::Recording recorded() {
   const support::Part wheel =
       support::Part::cylinder(support::flywheel.radius, support::flywheel.height)
           .at(Posed{.position = {0, 0, support::flywheel_above_tip}, .orientation = {}});
-  const double axle = 0.075, point = 0.01, stand = 0.05;
+  const double axle = 0.075, point = 0.01, stand = 0.075;
   const Quaterniond downwards{.real = 0, .imaginary = {1, 0, 0}};
   const support::Part shaft =
       support::Part::cylinder(0.002, axle - point)
@@ -233,14 +233,16 @@ support::Recording recorded() {
   const support::Part tip = support::Part::cone(0.002, point)
                                 .at(Posed{.position = {0, 0, point}, .orientation = downwards});
   recording.add_body("gyroscope", {wheel, shaft, tip});
-  recording.add_body("stand", {support::Part::cone(0.02, stand)});
+  recording.add_body(
+      "stand",
+      {support::Part::cone(0.015, stand).at(Posed{.position = {0, 0, -stand}, .orientation = {}})});
   recording.add_body("end of the axle", {support::Part::sphere(0.003)});
   Topd top = set_spinning(gyroscope, tilt, spin);
   for (int n = 0; n <= 2.8 * steps_per_second; ++n) {
     if (n % steps_per_frame == 0)
       recording.add_frame(
           std::array{Posed{.position = {0, 0, 0}, .orientation = top.orientation},
-                     Posed{.position = {0, 0, -stand}, .orientation = {}},
+                     Posed{.position = {0, 0, 0}, .orientation = {}},
                      Posed{.position = axle * axis_of(top), .orientation = top.orientation}});
     step(top);
   }
