@@ -133,7 +133,8 @@ void draw_pieces(support::Notebook& notebook, const Handle& handle) {
   Topd top = handle.thrown(0.3), at_once = top;
   support::expect(handle.axis[1] == 1 && handle.axis[2] == 2,
                   "the half turns are about axis 2, the whole ones about axis 3");
-  const double h = 0.2, i_a = top.inverse_moments[0];
+  const double h = 0.2, i_a = top.inverse_moments[0], energy = kinetic_energy(top);
+  double off = 0;
   for (int n = 0; n < 13; ++n) {
     const Vec3d& L = top.angular_momentum_body;
     view.draw(ends, {handle.in_order(L).normalized()});
@@ -143,7 +144,10 @@ void draw_pieces(support::Notebook& notebook, const Handle& handle) {
     turn_by_splitting(at_once, h);
     support::expect((L - at_once.angular_momentum_body).norm() < 1e-12 * L.norm(),
                     "the pieces make the step");
+    off = std::max(off, std::abs(kinetic_energy(top) / energy - 1));
   }
+  notebook.value("pieces_off", number("%.0f %%", 100 * off));
+  support::expect(off < 0.1, "the steps end beside the loop");
 }
 
 /// From one flip to the next, stepped: between two zeros of the rate about the shaft.
