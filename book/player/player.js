@@ -43,6 +43,20 @@
     }
   }
 
+  /** A function from a share of the duration, which draws a line there: in the drawing with the recording's name, if the page has one. Its first curve lasts as long. */
+  function cursor_of(name) {
+    const curve = document.querySelector(`.drawing [id$="_${name}_plot_1"]`);
+    if (!curve) return () => {};
+    const line = document.createElementNS('http://www.w3.org/2000/svg', 'line');
+    line.classList.add('player-cursor');
+    curve.ownerSVGElement.append(line);
+    return share => {
+      const {x, y, width, height} = curve.getBBox();
+      const ends = {x1: x + share * width, x2: x + share * width, y1: y, y2: y + height};
+      for (const [end, place] of Object.entries(ends)) line.setAttribute(end, place);
+    };
+  }
+
   class Player {
     time = 0;
     speed = 1;
@@ -62,6 +76,7 @@
       views.removeAttribute('aria-label');
       this.duration = Math.max(...this.views.map(({recording}) => player.duration_of(recording)));
       this.frame_time = this.views[0].recording.seconds_between_frames;
+      this.move_cursor = cursor_of(figure.dataset.recording);
       this.#make_controls();
       for (const view of this.views) this.#listen_to(view.canvas);
       figure.classList.add('live');
@@ -86,6 +101,7 @@
       this.slider.value = String(Math.round(this.time / this.frame_time));
       this.slider.setAttribute('aria-valuetext', shown);
       this.clock.textContent = shown;
+      this.move_cursor(this.time / this.duration);
     }
 
     #set_playing(is_playing) {

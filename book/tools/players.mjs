@@ -58,7 +58,7 @@ export function player(recordings, says, source) {
     throw new BookError(`the recording ${names} cannot be replayed: ${error.message}`);
   }
   return (
-    `<figure class="player unindexed"><div class="player-views" role="img" aria-label="${escape(says)}">` +
+    `<figure class="player unindexed" data-recording="${recordings[0].name}"><div class="player-views" role="img" aria-label="${escape(says)}">` +
     `${views.join('')}</div></figure>`
   );
 }

@@ -100,7 +100,7 @@
   }
 
   live.figures.energy_sphere = {
-    title: 'On the sphere of L each wrong rule goes wrong in its own way',
+    title: 'Seen from the box, L runs round a loop; half a round is a flip',
     hint: 'Drag the body or the sphere to turn it; by keys, with the arrows.',
     knobs: {
       rule: {label: 'Rule', choices: rules},

@@ -7,8 +7,8 @@ set format x "10^{%T}"
 set termoption enhanced
 set yrange [0:12]
 set label 1 "2 ln(1/wobble)/κ" at 1e-4, 4.2 left textcolor linetype 4
-set label 2 "exact, elliptic" at 3e-2, 5.4 left textcolor linetype 7
-set label 3 "• stepped" at 3e-2, 6.5 left textcolor linetype 1
+set label 2 "exact, elliptic" at 0.4, 7.3 left textcolor linetype 7
+set label 3 "• stepped" at 0.4, 8.5 left textcolor linetype 1
 plot "flip_times.tsv" using 1:4 with lines linestyle 4 notitle, \
      "flip_times.tsv" using 1:2 with lines linestyle 7 notitle, \
      "flip_times.tsv" using 1:3 with points linestyle 1 notitle

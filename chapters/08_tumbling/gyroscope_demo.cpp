@@ -218,17 +218,32 @@ void put_to_sleep(const support::Notebook& notebook) {
 
 /// The top let go, for the player to replay.
 support::Recording recorded() {
-  support::Recording recording("A gyroscope, let go", time_step * 4);
+  // Close enough for the drawn path to show the cusps, and for the wheel to be seen to turn
+  // forwards.
+  const int steps_per_frame = 3;
+  support::Recording recording("A gyroscope, let go", time_step * steps_per_frame);
   const support::Part wheel =
       support::Part::cylinder(support::flywheel.radius, support::flywheel.height)
           .at(Posed{.position = {0, 0, support::flywheel_above_tip}, .orientation = {}});
+  const double axle = 0.075, point = 0.01, stand = 0.075;
+  const Quaterniond downwards{.real = 0, .imaginary = {1, 0, 0}};
   const support::Part shaft =
-      support::Part::cylinder(0.002, 0.06).at(Posed{.position = {0, 0, 0.03}, .orientation = {}});
-  recording.add_body("gyroscope", {wheel, shaft});
+      support::Part::cylinder(0.002, axle - point)
+          .at(Posed{.position = {0, 0, (axle + point) / 2}, .orientation = {}});
+  const support::Part tip = support::Part::cone(0.002, point)
+                                .at(Posed{.position = {0, 0, point}, .orientation = downwards});
+  recording.add_body("gyroscope", {wheel, shaft, tip});
+  recording.add_body(
+      "stand",
+      {support::Part::cone(0.015, stand).at(Posed{.position = {0, 0, -stand}, .orientation = {}})});
+  recording.add_body("end of the axle", {support::Part::sphere(0.003)});
   Topd top = set_spinning(gyroscope, tilt, spin);
-  for (int n = 0; n <= 6 * steps_per_second; ++n) {
-    if (n % 4 == 0)
-      recording.add_frame(std::array{Posed{.position = {0, 0, 0}, .orientation = top.orientation}});
+  for (int n = 0; n <= 2.8 * steps_per_second; ++n) {
+    if (n % steps_per_frame == 0)
+      recording.add_frame(
+          std::array{Posed{.position = {0, 0, 0}, .orientation = top.orientation},
+                     Posed{.position = {0, 0, 0}, .orientation = {}},
+                     Posed{.position = axle * axis_of(top), .orientation = top.orientation}});
     step(top);
   }
   return recording;

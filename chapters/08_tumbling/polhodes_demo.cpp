@@ -81,7 +81,7 @@ void draw_sphere(support::Notebook& notebook, const Handle& handle) {
   support::Table outline = notebook.table("sphere", {"x", "y"});
   for (const Vec3d& point : rim) outline.row(view.right.dot(point), view.up.dot(point));
   support::Table ends = notebook.table("axes", {"x", "y", "name"});
-  const std::array names = {"axis 1", "axis 2", "axis 3"};
+  const std::array names = {"1", "2", "3"};
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3d end = Vec3d::Unit(axis);
     ends.row(view.right.dot(end), view.up.dot(end), names[static_cast<std::size_t>(axis)]);
@@ -96,7 +96,7 @@ void draw_sphere(support::Notebook& notebook, const Handle& handle) {
   for (int n = 0; n <= 60 * 4; ++n) {
     const Vec3d L = handle.in_order(top.angular_momentum_body) / size;
     off = std::max(off, std::abs(L.dot(inverse.cwiseProduct(L)) / level - 1));
-    if (n % 2 == 0) view.draw(points, {L});
+    if (n % 5 == 0) view.draw(points, {L});
     drift(top, 1.0 / 60);
   }
   support::Table through = open("polhode_through");
@@ -107,6 +107,47 @@ void draw_sphere(support::Notebook& notebook, const Handle& handle) {
       off);
   notebook.value("off", number("%.0e", off));
   support::expect(off < 1e-2, "the stepped points lie on the curve");
+}
+
+/// Turns the top about a body axis, and draws the way of the tip of L.
+template <int axis>
+void draw_turn(support::Table& table, const View& view, const Handle& handle, Topd& top,
+               double angle) {
+  std::vector<Vec3d> arc;
+  for (int n = 0; n <= 16; ++n) {
+    Topd turned = top;
+    turn_about_axis<axis>(turned, angle * n / 16);
+    arc.push_back(handle.in_order(turned.angular_momentum_body).normalized());
+  }
+  view.draw(table, arc);
+  turn_about_axis<axis>(top, angle);
+}
+
+/// Steps of the splitting, so long that one sees their pieces.
+void draw_pieces(support::Notebook& notebook, const Handle& handle) {
+  const View view;
+  const auto open = [&](const char* name) {
+    return notebook.table(name, {"front x", "front y", "back x", "back y"});
+  };
+  support::Table half = open("pieces_half"), whole = open("pieces_whole"), ends = open("steps");
+  Topd top = handle.thrown(0.3), at_once = top;
+  support::expect(handle.axis[1] == 1 && handle.axis[2] == 2,
+                  "the half turns are about axis 2, the whole ones about axis 3");
+  const double h = 0.2, i_a = top.inverse_moments[0], energy = kinetic_energy(top);
+  double off = 0;
+  for (int n = 0; n < 13; ++n) {
+    const Vec3d& L = top.angular_momentum_body;
+    view.draw(ends, {handle.in_order(L).normalized()});
+    draw_turn<1>(half, view, handle, top, h / 2 * (top.inverse_moments[1] - i_a) * L[1]);
+    draw_turn<2>(whole, view, handle, top, h * (top.inverse_moments[2] - i_a) * L[2]);
+    draw_turn<1>(half, view, handle, top, h / 2 * (top.inverse_moments[1] - i_a) * L[1]);
+    turn_by_splitting(at_once, h);
+    support::expect((L - at_once.angular_momentum_body).norm() < 1e-12 * L.norm(),
+                    "the pieces make the step");
+    off = std::max(off, std::abs(kinetic_energy(top) / energy - 1));
+  }
+  notebook.value("pieces_off", number("%.0f %%", 100 * off));
+  support::expect(off < 0.1, "the steps end beside the loop");
 }
 
 /// From one flip to the next, stepped: between two zeros of the rate about the shaft.
@@ -158,5 +199,6 @@ int main(int argument_count, char** arguments) {
   support::Notebook notebook(argument_count, arguments);
   const Handle handle;
   draw_sphere(notebook, handle);
+  draw_pieces(notebook, handle);
   wait_for_flips(notebook, handle);
 }

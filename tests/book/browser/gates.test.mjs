@@ -25,7 +25,7 @@ const shut = [false, true], open = [true, false];
 test('A gate is shut at first; an answer opens all gates of its name at once, and they stay so.', async () => {
   await page.goto(address(chapter));
   assert.deepEqual(await state_of(name), [shut, shut, shut]);
-  assert.equal(await page.getByText('What is conserved is the momentum').isVisible(), false);
+  assert.equal(await page.getByText('The conserved quantity is the momentum').isVisible(), false);
   await form(name).getByLabel('sideways').check();
   const opened = async () => {
     assert.deepEqual([await state_of(name), await state_of(another)], [[open, open, open], [shut]]);

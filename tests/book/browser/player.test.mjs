@@ -252,6 +252,22 @@ test('On 360 pixels two stand one below the other in a chapter, and both fit.', 
   });
 });
 
+test('In the drawing with the name of the recording a line goes with the time, along a curve that lasts as long.', async () => {
+  page = await open_page(browser);
+  await stop_the_clock(page);
+  await page.goto(address('chapter_08_tumbling.html'));
+  for (const share of [0, 0.25, 1]) {
+    await ask(page, 'player.seek(given * player.duration)', share);
+    const off = await page.locator('.player-cursor').evaluate((line, part) => {
+      const {x, width} = document.querySelector('[id$="_t_handle_plot_1"]').getBBox();
+      return (line.x1.baseVal.value - x) / width - part;
+    }, share);
+    assert.ok(Math.abs(off) < 1e-3, `at ${share} of the time the line is off by ${off}`);
+  }
+  await page.emulateMedia({media: 'print'});
+  assert.equal(await page.locator('.player-cursor').isVisible(), false);
+});
+
 test('On paper and without scripts there are still pictures, told in words.', async () => {
   await open_players();
   await page.emulateMedia({media: 'print'});

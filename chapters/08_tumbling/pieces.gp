@@ -1,0 +1,17 @@
+set title "A step is three turns, and ends beside the loop"
+set size ratio -1
+unset border
+unset tics
+unset grid
+unset key
+set xrange [-1.15:1.15]
+set yrange [-1.15:1.15]
+set label 1 "about 3" at -0.3, 0.47 left textcolor linetype 3
+set label 2 "about 2" at -0.3, 0.14 right textcolor linetype 2
+plot "sphere.tsv" using 1:2 with lines linecolor rgb "#555555" linewidth 1, \
+     "polhode_through.tsv" using 1:2 with lines linestyle 7, \
+     "pieces_half.tsv" using 1:2 with lines linetype 2 dashtype solid, \
+     "pieces_whole.tsv" using 1:2 with lines linetype 3 dashtype solid, \
+     "steps.tsv" using 1:2 with points linetype 1 pointtype 7 pointsize 0.7, \
+     "axes.tsv" using 1:2 with points pointtype 7 pointsize 0.6 linecolor rgb "#22303a", \
+     "axes.tsv" using 1:2:3 with labels offset 1.1,0 textcolor rgb "#22303a"
