@@ -41,7 +41,10 @@
           const upright = ranks.findIndex((_, axis) => is_upright(columns, axis));
           plot.points([cx], [cy], palette.bodies[upright] ?? palette.ink, 9);
           plot.points([cx], [cy], palette.paper, 3);
-          if (upright >= 0) plot.note(`${ranks[upright]}, towards you`, [cx + 0.04, cy - 0.2], palette.bodies[upright]);
+          if (upright >= 0) {
+            const side = cx > 0 ? -1 : 1; // where there is more room, on the left below the names of the other axes
+            plot.note(`${ranks[upright]}, towards you`, [cx + 0.04 * side, cy + (side < 0 ? -0.35 : -0.2)], palette.bodies[upright], side < 0 ? 'right' : 'left');
+          }
           for (const axis of flat) plot.note(ranks[axis], along(axis, columns['axes x'][axis] < 0 ? 0.62 : -0.62), palette.bodies[axis]);
         },
         drag(plot, at, {columns, figure}, begins) {
