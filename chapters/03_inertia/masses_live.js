@@ -18,7 +18,7 @@
     hint: 'Drag a mass. By keys, the arrows move the one that was dragged last, at first the heavy one.',
     knobs: {
       heavy: {label: 'Mass of the heavy one', log: true},
-      apart: {label: 'Its two halves, and those of all others, are apart by'},
+      apart: {label: 'Distance between the halves of each mass'},
     },
     panels: [
       {
@@ -41,7 +41,10 @@
           const upright = ranks.findIndex((_, axis) => is_upright(columns, axis));
           plot.points([cx], [cy], palette.bodies[upright] ?? palette.ink, 9);
           plot.points([cx], [cy], palette.paper, 3);
-          if (upright >= 0) plot.note(`${ranks[upright]}, towards you`, [cx + 0.04, cy - 0.2], palette.bodies[upright]);
+          if (upright >= 0) {
+            const side = cx > 0 ? -1 : 1; // where there is more room, on the left below the names of the other axes
+            plot.note(`${ranks[upright]}, towards you`, [cx + 0.04 * side, cy + (side < 0 ? -0.35 : -0.2)], palette.bodies[upright], side < 0 ? 'right' : 'left');
+          }
           for (const axis of flat) plot.note(ranks[axis], along(axis, columns['axes x'][axis] < 0 ? 0.62 : -0.62), palette.bodies[axis]);
         },
         drag(plot, at, {columns, figure}, begins) {
@@ -77,8 +80,8 @@
       const {with_unit} = live;
       const [small, middle, large] = columns.moments;
       if (alike(small, middle) || alike(middle, large))
-        return `Two moments are alike, ${with_unit(alike(small, middle) ? small : large, 'kg m²')} each: in the plane of their two axes every direction is as ` +
-          'principal as any other, and which ones are drawn is an accident.';
+        return `Two moments are equal, ${with_unit(alike(small, middle) ? small : large, 'kg m²')} each. In the plane of their two axes every direction is as ` +
+          'principal as any other, and the drawn ones are an accident.';
       const upright = ranks.findIndex((_, axis) => is_upright(columns, axis));
       const flat = Math.abs(large - small - middle) < 1e-9 * large ? ' Everything lies in one plane, so the largest is the sum of the other two.' : '';
       return `The axis towards you belongs to the ${ranks[upright]} moment. The middle one is ${with_unit(middle, 'kg m²')}, about ` +

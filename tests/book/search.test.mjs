@@ -19,7 +19,7 @@ const questions = [
   ['center of mass', /chapter_0[123]_|gallery/],
   ['inverse inertia tensor world space', /chapter_05_rigid_body\.html#rigid_body_tensor/],
   ['gyroscopic', /chapter_08_tumbling\.html#tumbling_euler/],
-  ['moment of inertia of a box', /chapter_03_inertia\.html#inertia_code_solids/],
+  ['moment of inertia of a box', /shapes\.html#inertia_code_solids/],
   ['energy drift', /chapter_06_semi_implicit_euler/],
   ['energy drift over time', /chapter_06_semi_implicit_euler\.html#euler_spring/],
   ['quaternion integration', /chapter_07_orientation\.html#the_exponential/],
@@ -36,7 +36,7 @@ const questions = [
   // Headings.
   ['parallel axis', /chapter_03_inertia\.html#inertia_parallel/],
   ['parallel axes theorem', /chapter_03_inertia\.html#inertia_parallel/],
-  ['principal axes', /chapter_03_inertia\.html#inertia_code_principal/],
+  ['principal axes', /shapes\.html#inertia_code_principal/],
   ['forgotten clear', /chapter_01_force\.html#the_forgotten_clear/],
   ['couple', /chapter_02_torque\.html#couples/],
   ['spiral of death', /chapter_10_fixed_timestep\.html#the_spiral_of_death/],
