@@ -24,7 +24,7 @@ double distance_of_line(const Vec3d& point, const Vec3d& along) {
 void tumble::support::run_live(Live& live) {
   const double at = live.knob("at", "m", 0.8, 0, 0.8);
   const double angle = live.knob("angle", "°", 60, -180, 180);
-  const double force = live.knob("force", "N", 10, 1, 20);
+  const double force = live.knob("force", "N", 10, 1, 15);
 
   // The hinge is the origin, the door lies along x, and its width is 0.8 m.
   const Vec3d point(at, 0, 0);

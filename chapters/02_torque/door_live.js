@@ -23,7 +23,7 @@
   /** An arrow round the hinge, as long as the torque is large. */
   function draw_turning(painter, plot, torque, colour) {
     if (Math.abs(torque) < 0.05) return;
-    const sweep = (torque / 16) * 2.4, count = 24;
+    const sweep = (torque / 12) * 2.4, count = 24;
     const arc = Array.from({length: count + 1}, (_, n) => plot.place([0.2 * Math.cos((sweep * n) / count), 0.2 * Math.sin((sweep * n) / count)]));
     painter.line(arc, colour, 3, 1);
     const [x, y] = arc.at(-1), [along_x, along_y] = [-Math.sin(sweep) * Math.sign(torque), -Math.cos(sweep) * Math.sign(torque)];
@@ -47,31 +47,31 @@
         aspect: 1.1,
         draw(picture, {columns, values}) {
           const {painter, palette, size} = picture;
-          const plot = new live.Plot(painter, palette, size, {label: 'from the hinge', unit: 'm', least: -0.55, most: 1.35},
-            {label: '', unit: '', least: -0.8, most: 0.8}, {equal: true});
+          const plot = new live.Plot(painter, palette, size, {label: 'from the hinge', unit: 'm', least: -0.3, most: 1.2},
+            {label: '', unit: '', least: -0.6, most: 0.6}, {equal: true});
           picture.plot = plot;
           const [along_x, along_y] = [Math.cos(radians(values.angle)), Math.sin(radians(values.angle))];
           const [distance] = columns.distance, [torque] = columns.torque;
-          painter.polygon([[0, 0.02], [width, 0.02], [width, -0.02], [0, -0.02]].map(corner => plot.place(corner)), palette.bodies[4]);
+          painter.polygon([[0, 0.03], [width, 0.03], [width, -0.03], [0, -0.03]].map(corner => plot.place(corner)), palette.grid);
           if (is_open()) {
             plot.line([values.at - 3 * along_x, values.at + 3 * along_x], [-3 * along_y, 3 * along_y], palette.ink, {width: 1, dash: [5, 4]});
             plot.line([0, distance * along_y], [0, -distance * along_x], palette.bodies[2], {width: 3});
             if (Math.abs(distance) > 0.1) plot.note('d', [(distance * along_y) / 2, (-distance * along_x) / 2], palette.bodies[2]);
             draw_turning(painter, plot, torque, palette.bodies[3]);
           }
-          if (values.at > 0.02) live.arrow(painter, plot.place([0, 0]), plot.place([values.at, 0]), palette.bodies[0]);
+          if (values.at > 0.02) live.arrow(painter, plot.place([0, 0]), plot.place([values.at, 0]), palette.bodies[0], 3);
           const tail = [values.at - per_newton * values.force * along_x, -per_newton * values.force * along_y];
           live.arrow(painter, plot.place(tail), plot.place([values.at, 0]), palette.bodies[1], 3.5);
           plot.points([tail[0]], [tail[1]], palette.bodies[1], 5);
           plot.points([0], [0], palette.ink, 5);
           plot.legend([['arm', palette.bodies[0]], ['push', palette.bodies[1]],
-            ...(is_open() ? [['line and distance', palette.bodies[2]], ['turns', palette.bodies[3]]] : [])]);
+            ...(is_open() ? [['distance d', palette.bodies[2]], ['turns', palette.bodies[3]]] : [])]);
         },
         drag(plot, at, {figure, values}, begins) {
           const [x, y] = plot.value_at(at), reach = per_newton * values.force;
           const tail = [values.at - reach * Math.cos(radians(values.angle)), -reach * Math.sin(radians(values.angle))];
           if (begins) figure.turns = Math.abs(y) > 0.07 || Math.hypot(x - tail[0], y - tail[1]) < 0.05;
-          if (!figure.turns) return {at: x};
+          if (!figure.turns) return {at: Math.round(100 * x) / 100};
           if (Math.hypot(values.at - x, y) < 0.02) return {};
           return {angle: Math.round((Math.atan2(-y, values.at - x) * 180) / Math.PI)};
         },
@@ -83,7 +83,7 @@
         draw(picture, {columns, values, figure}) {
           const {painter, palette, size} = picture;
           const plot = new live.Plot(painter, palette, size, {label: 'angle between door and push', unit: '°', least: -180, most: 180},
-            {label: 'torque', unit: 'N m', least: -18, most: 18});
+            {label: 'torque', unit: 'N m', least: -13, most: 13});
           picture.plot = plot;
           const seen = swept(figure, columns, values.angle);
           if (!is_open()) return;
@@ -98,7 +98,7 @@
           plot.legend([['turned so far', palette.bodies[3]], ['force × d', palette.bodies[2]]]);
         },
         drag: (plot, at) => ({angle: Math.round(plot.value_at(at)[0])}),
-        key: ([right, up], {values}) => ({angle: values.angle + 3 * (right || up)}),
+        key: ([right], {values}) => ({angle: values.angle + 3 * right}),
       },
     ],
     finding({columns, values}) {

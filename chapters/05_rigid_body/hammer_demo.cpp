@@ -35,7 +35,7 @@ void draw_frames(const support::Notebook& notebook, const ModelledBody<double>& 
       arrow_of("principal", physical, axis, std::array{"1", "2", "3"}[std::size_t(axis)]);
   row("world name", Vec3d(0.01, -0.025, 0), Vec3d::Zero(), "world");
   row("model name", drawn.position + Vec3d(-0.035, -0.02, 0), Vec3d::Zero(), "model");
-  row("principal name", physical.position + Vec3d(0.05, -0.05, 0), Vec3d::Zero(), "body");
+  row("principal name", physical.position + Vec3d(0.1, -0.012, 0), Vec3d::Zero(), "body");
   // The offset as a bar beside the handle.
   const Vec3d offset = physical.position - drawn.position;
   const Vec3d aside = 0.075 * Vec3d(offset.y(), -offset.x(), 0).normalized();
