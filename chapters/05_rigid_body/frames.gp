@@ -1,11 +1,11 @@
-@drawing 620,440
+@drawing 500,345
 set output name.".svg"
 unset border
 unset tics
 unset grid
 unset key
 set size ratio -1
-set xrange [-0.06:0.68]
+set xrange [-0.04:0.68]
 set yrange [-0.05:0.40]
 set margins 0, 0, 0, 2
 set title "One hammer, three sets of axes"
