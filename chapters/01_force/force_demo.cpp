@@ -1,4 +1,5 @@
-// A ball is thrown three times, with coarser and finer steps, and compared with the exact parabola.
+// A ball is thrown three times, with coarser and finer steps, and compared with the exact parabola;
+// and what the page's two drawings of a step are drawn from.
 #include <support/record.hpp>
 #include <tumble/force.hpp>
 
@@ -29,6 +30,54 @@ double height_thrown(int steps_per_second) {
   return ball.position.z();
 }
 
+/// One long step: where the velocities before and after the kick lead, and the kick itself.
+void draw_step(support::Notebook& notebook) {
+  const double h = 0.5;
+  support::Table table =
+      notebook.table("kick_drift", {"kind", "x (m)", "z (m)", "dx (m)", "dz (m)", "text"});
+  const auto row = [&](const char* kind, const Vec3d& from, const Vec3d& by,
+                       const char* text = "") {
+    table.row(kind, from.x(), from.z(), by.x(), by.z(), text);
+  };
+  Particled ball = make_particle(0.4, Vec3d(0, 0, 0), throw_velocity);
+  const Vec3d start = ball.position, old_way = h * ball.velocity;
+  add_gravity(ball, gravity);
+  kick(ball, h);
+  drift(ball, h);
+  const Vec3d new_way = ball.position - start;
+  row("old", start, old_way);
+  row("kick", start + old_way, new_way - old_way);
+  row("new", start, new_way);
+  row("ball", start, Vec3d::Zero());
+  row("ball", ball.position, Vec3d::Zero());
+  row("old name", 0.55 * old_way, Vec3d::Zero(), "h v, old");
+  row("kick name", start + old_way + 0.4 * (new_way - old_way), Vec3d::Zero(), "the kick, h² a");
+  row("new name", 0.6 * new_way, Vec3d::Zero(), "h v, new: the drift");
+  notebook.value("drawn_step", number("%.1f s", h));
+}
+
+/// The velocity upwards of the ball and of ten steps, each of which keeps one velocity.
+void draw_staircase(const support::Notebook& notebook) {
+  const int steps = 10;
+  const double h = double(seconds) / steps;
+  support::Table table = notebook.table(
+      "staircase", {"time (s)", "true velocity (m/s)", "velocity of the steps (m/s)"});
+  Particled ball = make_particle(0.4, Vec3d(0, 0, 0), throw_velocity);
+  double lost = 0;  // the triangles' area
+  for (int n = 0; n < steps; ++n) {
+    const double before = throw_velocity.z() + n * h * gravity.z(),
+                 after = before + h * gravity.z();
+    add_gravity(ball, gravity);
+    step(ball, h);
+    clear_force(ball);
+    table.row(n * h, before, ball.velocity.z());
+    table.row((n + 1) * h, after, ball.velocity.z());
+    lost += h * ((before + after) / 2 - ball.velocity.z());
+  }
+  support::expect(std::abs(exact_position(seconds).z() - ball.position.z() - lost) < 1e-12,
+                  "the triangles are what the steps miss");
+}
+
 }  // namespace
 
 int main(int argument_count, char** arguments) {
@@ -45,4 +94,6 @@ int main(int argument_count, char** arguments) {
     support::expect(std::abs(exact - height - predicted) < 1e-12 * seconds * steps_per_second,
                     "the ball is too low by g h t / 2");
   }
+  draw_step(notebook);
+  draw_staircase(notebook);
 }

@@ -29,7 +29,6 @@ Vec3d acceleration(const Particle& particle) {
 }  // namespace second_try
 //! [stage_2]
 
-//! [stage_3]
 namespace third_try {
 struct Particle {
   double inverse_mass;
@@ -38,7 +37,6 @@ struct Particle {
   Vec3d position;
 };
 }  // namespace third_try
-//! [stage_3]
 
 int main(int argument_count, char** arguments) {
   tumble::support::Notebook notebook(argument_count, arguments);

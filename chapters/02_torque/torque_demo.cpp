@@ -1,4 +1,4 @@
-// A door pushed at different places and angles; and what the page's two diagrams are drawn from.
+// A door pushed at different places; and what the page's two diagrams are drawn from.
 #include <numbers>
 #include <support/record.hpp>
 #include <tumble/torque.hpp>
@@ -76,20 +76,11 @@ int main(int argument_count, char** arguments) {
   const Vec3d push(0, 10, 0);
   const double at_the_handle = torque_about(hinge, handle, push).z();
   const double in_the_middle = torque_about(hinge, middle, push).z();
-  const double along_the_door = torque_about(hinge, handle, Vec3d(10, 0, 0)).z();
+  const double along_the_door = torque_about(hinge, handle, Vec3d(-10, 0, 0)).z();
   //! [door]
   std::printf("10 N at the handle, 0.8 m from the hinge:   %4.1f N m\n", at_the_handle);
   std::printf("10 N in the middle, 0.4 m from the hinge:   %4.1f N m\n", in_the_middle);
   std::printf("10 N at the handle, towards the hinge:      %4.1f N m\n", along_the_door);
-
-  support::Table table =
-      notebook.table("angle", {"angle (degree)", "torque (N m)", "10 N times distance (N m)"});
-  for (int degree = 0; degree <= 180; degree += 5) {
-    const double angle = degree * pi / 180;
-    const Vec3d force(10 * std::cos(angle), 10 * std::sin(angle), 0);
-    const Vec3d foot = handle - force * (handle.dot(force) / force.squaredNorm());
-    table.row(degree, torque_about(hinge, handle, force).z(), 10 * foot.norm());
-  }
   draw_lever_arm(notebook);
   draw_couple(notebook);
 }

@@ -12,38 +12,37 @@ namespace {
 void draw_frames(const support::Notebook& notebook, const ModelledBody<double>& made) {
   support::Table table =
       notebook.table("frames", {"kind", "x (m)", "y (m)", "dx (m)", "dy (m)", "text"});
-  const auto row = [&](const char* kind, const Vec3d& from, const Vec3d& by,
+  const auto row = [&](const std::string& kind, const Vec3d& from, const Vec3d& by,
                        const char* text = "") {
     table.row(kind, from.x(), from.y(), by.x(), by.y(), text);
   };
   const Posed drawn = drawn_pose(made.body, made.model_in_body), physical = pose_of(made.body);
   for (const Vec3d& corner : support::hammer_outline())
     row("body", point_outward(drawn, corner), Vec3d::Zero());
-  const auto axes = [&](const char* kind, const Posed& pose, const char* x, const char* y,
-                        const char* name, const Vec3d& name_at) {
-    for (const int axis : {0, 1}) {
-      const Vec3d arrow = rotate<double>(pose.orientation, 0.12 * Vec3d::Unit(axis));
-      row(kind, pose.position, arrow);
-      row("label", pose.position + 1.2 * arrow, Vec3d::Zero(), axis == 0 ? x : y);
-    }
-    row("dot", pose.position, Vec3d::Zero());
-    row("label", pose.position + name_at, Vec3d::Zero(), name);
+  const auto arrow_of = [&](const std::string& kind, const Posed& pose, int axis,
+                            const char* text) {
+    const Vec3d arrow = rotate<double>(pose.orientation, 0.12 * Vec3d::Unit(axis));
+    row(kind, pose.position, arrow);
+    row(kind + " name", pose.position + 1.16 * arrow, Vec3d::Zero(), text);
   };
-  axes("world", Posed{}, "x", "y", "world", {0.03, -0.035, 0});
-  axes("model", drawn, "x", "y", "model", {0.02, -0.05, 0});
-  // Of the body's axes, those two that lie in the page; which ones they are is the solver's choice.
-  for (int axis = 0; axis < 3; ++axis) {
-    const Vec3d arrow = rotate<double>(physical.orientation, 0.12 * Vec3d::Unit(axis));
-    if (std::abs(arrow.z()) > 0.06) continue;
-    row("principal", physical.position, arrow);
-    row("label", physical.position + 1.2 * arrow, Vec3d::Zero(),
-        axis == 0   ? "1"
-        : axis == 1 ? "2"
-                    : "3");
+  for (const auto& [kind, pose] : {std::pair("world", Posed{}), std::pair("model", drawn)}) {
+    arrow_of(kind, pose, 0, "x");
+    arrow_of(kind, pose, 1, "y");
   }
-  row("dot", physical.position, Vec3d::Zero());
-  row("label", physical.position + Vec3d(0.06, -0.045, 0), Vec3d::Zero(), "body");
-  row("offset", physical.position, drawn.position - physical.position);
+  // Of the body's axes, those two that lie in the page; which ones they are is the solver's choice.
+  for (const int axis : {0, 1, 2})
+    if (std::abs(rotate<double>(physical.orientation, Vec3d::Unit(axis)).z()) < 0.5)
+      arrow_of("principal", physical, axis, std::array{"1", "2", "3"}[std::size_t(axis)]);
+  row("world name", Vec3d(0.01, -0.025, 0), Vec3d::Zero(), "world");
+  row("model name", drawn.position + Vec3d(-0.035, -0.02, 0), Vec3d::Zero(), "model");
+  row("principal name", physical.position + Vec3d(0.1, -0.012, 0), Vec3d::Zero(), "body");
+  // The offset as a bar beside the handle.
+  const Vec3d offset = physical.position - drawn.position;
+  const Vec3d aside = 0.075 * Vec3d(offset.y(), -offset.x(), 0).normalized();
+  row("offset", drawn.position + aside, offset);
+  for (const Posed* end : {&drawn, &physical}) row("to the offset", end->position, 1.15 * aside);
+  row("offset name", drawn.position + 0.5 * offset + 1.25 * aside, Vec3d::Zero(),
+      "offset, constant");
 }
 
 }  // namespace

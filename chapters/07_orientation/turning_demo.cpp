@@ -1,4 +1,5 @@
-// How far each rule turns a body in one step, against what was asked.
+// How far each rule turns a body in one step, against what was asked; and what the page's drawing
+// of that step is drawn from.
 #include <numbers>
 #include <support/record.hpp>
 #include <tumble/orientation.hpp>
@@ -11,6 +12,30 @@ namespace {
 /// The angle of a turn about z, from 0 to 2π.
 double turned(const Quaterniond& q) {
   return 2 * std::atan2(q.imaginary.z(), q.real);
+}
+
+/// One step of 2 rad in the plane of the quaternion's real part and of its part along ω.
+void draw_step(support::Notebook& notebook, const Vec3d& omega) {
+  const double asked = 2;
+  support::Table table = notebook.table(
+      "off_the_circle", {"kind", "real", "along omega", "d real", "d along omega", "text"});
+  const auto row = [&](const char* kind, const Quaterniond& from, const Quaterniond& by,
+                       const char* text = "") {
+    table.row(kind, from.real, from.imaginary.z(), by.real, by.imaginary.z(), text);
+  };
+  const Quaterniond none{}, nowhere{.real = 0};
+  const Quaterniond step = asked * orientation_rate(none, omega), sum = none + step;
+  const Quaterniond first = turn_first_order(none, omega, asked),
+                    exponential = turn_exponential(none, omega, asked);
+  for (int n = 0; n <= 100; ++n) row("circle", turn_exponential(none, omega, 0.035 * n), nowhere);
+  for (int n = 0; n <= 100; ++n)
+    row("arc", turn_exponential(none, omega, 0.01 * asked * n), nowhere);
+  row("step", none, step);
+  row("back", nowhere, sum);
+  row("sum name", sum, nowhere, "1 + hω/2");
+  row("first", first, nowhere, "first order");
+  row("exponential", exponential, nowhere, "exponential");
+  notebook.value("half_asked", support::number("%g", step.imaginary.norm()));
 }
 
 }  // namespace
@@ -35,6 +60,8 @@ int main(int argument_count, char** arguments) {
     table.row(turn, turned(turn_first_order<double>({}, omega, turn)),
               turned(turn_exponential<double>({}, omega, turn)), pi);
   }
+
+  draw_step(notebook, omega);
 
   std::printf("\na wheel, 60 steps a second, first order: after 10 s it is behind by\n");
   for (const double turns_per_second : {0.1, 1.0, 5.0}) {

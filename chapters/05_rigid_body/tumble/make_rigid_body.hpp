@@ -77,13 +77,13 @@ void set_checked_angular_velocity(std::string_view name, Top<Real>& top,
 /// @throws std::invalid_argument with a sentence about `name` if no body can have these mass
 /// properties, if an axis that should turn has no inertia, if a number is not finite, if the
 /// orientation is not nearly unit, or if the angular velocity turns about a locked axis.
-//! [make_rigid_body]
 template <class Real>
 ModelledBody<Real> make_rigid_body(std::string_view name, const MassProperties<Real>& properties,
                                    const Pose<Same<Real>>& model_in_world = {},
                                    const Vec3<Same<Real>>& velocity = Vec3<Real>::Zero(),
                                    const Vec3<Same<Real>>& angular_velocity = Vec3<Real>::Zero(),
                                    Turning turning = Turning::free) {
+  //! [from_model_to_body]
   const PrincipalAxes<Real> principal = require_possible(name, properties);
   const Vec3<Real> inverses = free_inverse_moments(name, properties.inertia, principal, turning);
   const auto [a, b, c] = closest_pair_first(inverses);
@@ -98,10 +98,10 @@ ModelledBody<Real> make_rigid_body(std::string_view name, const MassProperties<R
   made.body.centre = make_particle(properties.mass, pose.position, velocity);
   made.body.top.orientation = normalized(pose.orientation);
   made.body.top.inverse_moments = {inverses(a), inverses(b), inverses(c)};
+  //! [from_model_to_body]
   set_checked_angular_velocity(name, made.body.top, angular_velocity);
   return made;
 }
-//! [make_rigid_body]
 
 /// A body that nothing can move or turn.
 /// @throws std::invalid_argument as checked_pose() does.

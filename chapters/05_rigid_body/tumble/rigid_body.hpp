@@ -74,7 +74,6 @@ void clear_forces(RigidBody<Real>& body) {
 /// A blow: a force times the short time that it lasts, `impulse` in N s, at `point` in m, both in
 /// world axes. It changes both momenta at once.
 /// @throws std::invalid_argument if either is not finite; the body is then unchanged.
-//! [apply_impulse_at]
 template <class Real>
 void apply_impulse_at(RigidBody<Real>& body, const Vec3<Same<Real>>& impulse,
                       const Vec3<Same<Real>>& point) {
@@ -83,20 +82,16 @@ void apply_impulse_at(RigidBody<Real>& body, const Vec3<Same<Real>>& impulse,
   body.centre.velocity += body.centre.inverse_mass * impulse;
   add_angular_momentum(body.top, torque_about(body.centre.position, point, impulse));
 }
-//! [apply_impulse_at]
 
 /// The velocity (m/s, world axes) of the part of the body that is now at `point` (m, world axes):
 /// v + ω × (p − x).
-//! [velocity_at]
 template <class Real>
 Vec3<Real> velocity_at(const RigidBody<Real>& body, const Vec3<Same<Real>>& point) {
   return body.centre.velocity +
          angular_velocity_world(body.top).cross(point - body.centre.position);
 }
-//! [velocity_at]
 
 /// ½ m v² of the centre of mass, in J; 0 for a static one.
-//! [energies]
 template <class Real>
 Real kinetic_energy(const Particle<Real>& particle) {
   return mass_of(particle) * particle.velocity.squaredNorm() / 2;
@@ -107,10 +102,8 @@ template <class Real>
 Real kinetic_energy(const RigidBody<Real>& body) {
   return kinetic_energy(body.centre) + kinetic_energy(body.top);
 }
-//! [energies]
 
 /// m v, in kg m/s, world axes.
-//! [momenta]
 template <class Real>
 Vec3<Real> momentum(const Particle<Real>& particle) {
   return mass_of(particle) * particle.velocity;
@@ -128,6 +121,5 @@ Vec3<Real> angular_momentum_about(const RigidBody<Real>& body, const Vec3<Same<R
   const Vec3<Real> p = momentum(body);
   return angular_momentum_world(body.top) + (body.centre.position - point).cross(p);
 }
-//! [momenta]
 
 }  // namespace tumble

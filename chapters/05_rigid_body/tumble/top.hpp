@@ -100,13 +100,11 @@ Vec3<Real> inverse_inertia_times(const Top<Real>& top, const Vec3<Same<Real>>& v
 
 /// The inverse inertia tensor in world axes, R I⁻¹ Rᵀ, 1/(kg m²). To show and to test: a step works
 /// in body axes, where the tensor is three numbers and loses none of them.
-//! [world_inverse_inertia]
 template <class Real>
 Mat3<Real> world_inverse_inertia(const Top<Real>& top) {
   const Mat3<Real> R = matrix_of(top.orientation);
   return R * top.inverse_moments.asDiagonal() * R.transpose();
 }
-//! [world_inverse_inertia]
 
 /// The inertia tensor in world axes, R I Rᵀ, kg m². A locked axis counts as 0.
 template <class Real>
@@ -131,20 +129,16 @@ void clear_torque(Top<Real>& top) {
 
 /// A sudden change of the angular momentum by `angular_impulse` (N m s, world axes): a torque times
 /// the short time that it lasts. The part about a locked axis is borne by whatever locks it.
-//! [add_angular_momentum]
 template <class Real>
 void add_angular_momentum(Top<Real>& top, const Vec3<Same<Real>>& angular_impulse) {
   const Vec3<Real> change_body = rotate_back(top.orientation, angular_impulse);
   top.angular_momentum_body += free_part(top, change_body);
 }
-//! [add_angular_momentum]
 
 /// The energy of turning, ½ L · I⁻¹ L, in J.
-//! [kinetic_energy]
 template <class Real>
 Real kinetic_energy(const Top<Real>& top) {
   return dot(angular_velocity_body(top), top.angular_momentum_body) / 2;
 }
-//! [kinetic_energy]
 
 }  // namespace tumble

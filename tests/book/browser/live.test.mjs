@@ -164,14 +164,31 @@ test('A guess is drawn into the figure that answers it as soon as it is made, wh
   await page.context().close();
 });
 
-test('A figure that would answer the question above it shows where it starts, and the rest once that is answered.', async () => {
-  const {page, figure} = await open_figure('phase_portrait', {gates: 'shut'});
-  const drawn = n => figure.locator('canvas').nth(n).evaluate(canvas => canvas.toDataURL());
-  assert.match(await told(figure), /^Say first/);
-  const before = [await drawn(0), await drawn(1)];
-  await page.locator('form[data-prediction="two_lines"]').getByLabel('velocity first').check();
-  await figure.locator('.live-finding').filter({hasText: 'spirals out'}).waitFor();
-  for (const n of [0, 1]) assert.notEqual(await drawn(n), before[n], `picture ${n}`);
+for (const [name, prediction, choice, found] of [['phase_portrait', 'two_lines', 'velocity first', 'spirals out'], ['door', 'door', '8, 4 and 0', 'makes a torque of']])
+  test(`${name} would answer the question above it: it shows where it starts, and the rest once that is answered.`, async () => {
+    const {page, figure} = await open_figure(name, {gates: 'shut'});
+    const drawn = n => figure.locator('canvas').nth(n).evaluate(canvas => canvas.toDataURL());
+    assert.match(await told(figure), /\bSay first/);
+    assert.ok(!(await told(figure)).includes(found));
+    const before = [await drawn(0), await drawn(1)];
+    await page.locator(`form[data-prediction="${prediction}"]`).getByLabel(choice).check();
+    await figure.locator('.live-finding').filter({hasText: found}).waitFor();
+    for (const n of [0, 1]) assert.notEqual(await drawn(n), before[n], `picture ${n}`);
+    await page.context().close();
+  });
+
+test('The door’s graph is drawn where the push has been turned, and begins again with a reset.', async () => {
+  const {page, figure} = await open_figure('door');
+  const curve = () => ask(figure, 'live.described.seen.filter(Boolean).length');
+  await told(figure);
+  const at_first = await curve();
+  await figure.locator('canvas').nth(1).focus();
+  for (let times = 0; times < 10; ++times) await page.keyboard.press('ArrowRight');
+  await page.waitForFunction(() => document.getElementById('live_door').live.values.angle === 90);
+  assert.equal(await curve(), at_first + 10);
+  await figure.locator('button', {hasText: 'Reset'}).click();
+  await page.waitForFunction(() => document.getElementById('live_door').live.values.angle === 60);
+  assert.equal(await curve(), at_first);
   await page.context().close();
 });
 
