@@ -4,6 +4,7 @@ set title "A spin of six turns a second bends a free kick past the wall into the
 set xlabel "towards the goal (m)"
 set ylabel "to the left (m)"
 unset key
+unset grid
 set size ratio -1
 set lmargin 7
 set rmargin 5
@@ -19,6 +20,6 @@ do for [n = 0:3] { set object n + 1 circle at 9.15, 0.95 + 0.5 * n size 0.24 fil
 set label 2 "wall" at 9.15, 3.4 center textcolor rgb "#22303a"
 set object 5 circle at 0, 0 size 0.25 fillstyle solid 1 fillcolor rgb "#22303a"
 set label 3 "with spin" at 19, 3.6 right textcolor linetype 1
-set label 4 "without" at 17, -1.1 left textcolor linetype 2
+set label 4 "without" at 11, -1.1 left textcolor linetype 2
 plot "free_kick.tsv" using 1:2 with lines linestyle 1, \
      "free_kick.tsv" using 3:4 with lines linestyle 2
