@@ -28,7 +28,7 @@ struct HoldAttitude {
 namespace {
 
 /// The angle (rad) by which the satellite is off after half a minute.
-double angle_left(int rate, support::Notebook& notebook) {
+double angle_left(int rate, support::Notebook& notebook, support::Table& path) {
   //! [use]
   World<double> orbit(steps_per_second(rate));
   orbit.on_warning([](const std::string& told) { std::printf("  %s\n", told.c_str()); });
@@ -37,8 +37,13 @@ double angle_left(int rate, support::Notebook& notebook) {
   const BodyHandle satellite =
       orbit.add("satellite", make_rigid_body<double>("satellite", solid, askew).body);
   orbit.add(HoldAttitude<double>{.stiffness = 40, .damping = 60});
-  for (int n = 0; n < 30 * rate; ++n) orbit.step();
   //! [use]
+  for (int n = 0; n < 30 * rate; ++n) {
+    if (n <= 12 * rate)
+      path.row(double(rate), orbit.time(),
+               rotation_vector_of(orbit.body(satellite).top.orientation).z());
+    orbit.step();
+  }
   if (rate == 10) notebook.value("limit", support::number("%.2f s", orbit.step_limit().time_step));
   return rotation_vector_of(orbit.body(satellite).top.orientation).norm();
 }
@@ -47,9 +52,10 @@ double angle_left(int rate, support::Notebook& notebook) {
 
 int main(int argument_count, char** arguments) {
   support::Notebook notebook(argument_count, arguments);
+  support::Table path = notebook.table("attitude", {"rate", "time (s)", "about z (rad)"});
   for (const int rate : {10, 2}) {
     std::printf("%d steps per second\n", rate);
-    const double angle = angle_left(rate, notebook);
+    const double angle = angle_left(rate, notebook, path);
     std::printf("  after 30 s it is off by %.2g rad\n", angle);
     support::expect((angle < 1e-4) == (rate == 10), "the loop holds where nothing was announced");
   }

@@ -9,10 +9,10 @@ using namespace tumble;
 
 namespace {
 
-//! [kick]
 // A football: 0.43 kg, radius 0.11 m, struck with 25 m/s and six turns a second about the
 // upright.
 World<double> free_kick(double turns_per_second) {
+  //! [kick]
   const double radius = 0.11, density = 1.2, area = std::numbers::pi * radius * radius;
   const double spin = 2 * std::numbers::pi * turns_per_second;
   World<double> world(steps_per_second(240));
@@ -25,9 +25,9 @@ World<double> free_kick(double turns_per_second) {
   // A fifth of what air without friction would give: a wake is not so well behaved.
   world.add(Magnus<double>{.strength = 8.0 / 3 * std::numbers::pi * density * radius * radius *
                                        radius / 5});
+  //! [kick]
   return world;
 }
-//! [kick]
 
 }  // namespace
 

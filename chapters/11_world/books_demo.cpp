@@ -10,8 +10,9 @@ using namespace tumble;
 
 namespace {
 
+/// The box as it is thrown, at the end of its tether.
 template <class Real>
-double books(bool print) {
+World<Real> thrown_box() {
   World<Real> world;
   const BodyHandle box = world.add(
       "box",
@@ -26,12 +27,37 @@ double books(bool print) {
           .attachment = {Real(0.1), 0, Real(0.1)}},
       {box});
   world.add(QuadraticDrag<Real>{.coefficient = Real(0.05)});
+  return world;
+}
+
+template <class Real>
+double books(bool print) {
+  World<Real> world = thrown_box<Real>();
   //! [books]
   Ledger<Real> ledger(world);
   for (int n = 0; n < 600; ++n) ledger.step(world);
   //! [books]
   if (print) std::printf("%s\n", table_of(ledger, world).c_str());
   return ledger.rest(world).energy;
+}
+
+/// What each effect has put in by each moment, and what the box has then.
+void fill_accounts(support::Notebook& notebook) {
+  World<double> world = thrown_box<double>();
+  Ledger<double> ledger(world);
+  support::Table table =
+      notebook.table("accounts", {"time (s)", "gravity", "spring", "quadratic drag", "the box"});
+  for (int n = 0; n <= 600; ++n) {
+    const auto energy_of = [&](std::string_view name) {
+      for (const LedgerLine& line : ledger.lines())
+        if (line.name == name) return line.energy;
+      return 0.0;
+    };
+    if (n % 3 == 0)
+      table.row(world.time(), energy_of("gravity"), energy_of("spring"),
+                energy_of("quadratic drag"), ledger.now(world).energy);
+    ledger.step(world);
+  }
 }
 
 }  // namespace
@@ -44,4 +70,5 @@ int main(int argument_count, char** arguments) {
   support::expect(std::abs(rest_float) > 1e3 * std::abs(rest), "a float rounds more");
   notebook.value("rest", support::number("%.1e J", rest));
   notebook.value("rest_float", support::number("%.1e J", rest_float));
+  fill_accounts(notebook);
 }

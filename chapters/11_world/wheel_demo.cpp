@@ -29,12 +29,21 @@ void turn_telescope(support::Notebook& notebook) {
   orbit.add(wheel, {telescope});
   //! [telescope]
   std::printf("  time, s   spin, rad/s   turned, degrees\n");
+  support::Table shares = notebook.table("wheel", {"time (s)", "body", "wheel"});
   double angle = 0;
-  for (int second = 0; second <= 40; second += 10) {
+  for (int n = 0; n <= 40 * 20; ++n) {
     const Top<double> top = orbit.body(telescope).top;
-    angle = rotation_vector_of(top.orientation).norm() / degree;
-    std::printf("  %7d   %11.4f   %15.3f\n", second, angular_velocity_body(top).y() + 0.0, angle);
-    for (int n = 0; n < 200; ++n) orbit.step();
+    if (n % 200 == 0) {
+      angle = rotation_vector_of(top.orientation).norm() / degree;
+      std::printf("  %7d   %11.4f   %15.3f\n", n / 20, angular_velocity_body(top).y() + 0.0, angle);
+    }
+    if (n % 10 == 0) {
+      double wheels = 0;
+      for (const auto& instance : orbit.effects())
+        wheels += instance.effect->rotor_momentum_body(orbit.time()).y();
+      shares.row(orbit.time(), top.angular_momentum_body.y(), wheels);
+    }
+    orbit.step();
   }
   notebook.value("angle", support::number("%.1f°", angle));
   support::expect(std::abs(angle - 300 / 200. / degree) < 1e-9, "it turns by the area of h/I");

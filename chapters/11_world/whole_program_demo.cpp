@@ -29,6 +29,7 @@ struct Game {
     world.on_warning([](const std::string& text) { std::printf("warning: %s\n", text.c_str()); });
   }
 
+  //! [frame]
   /// A frame of so many seconds: the steps that are due, and where the brick is drawn then.
   Pose<double> frame(double seconds) {
     const std::int64_t due = steps_due(clock, nanoseconds_of(seconds));
@@ -38,6 +39,7 @@ struct Game {
     }
     return drawing.pose(brick, fraction_of_step<double>(clock));
   }
+  //! [frame]
 };
 
 void play() {
@@ -50,6 +52,7 @@ void play() {
                   static_cast<long long>(game.world.ticks()), text_of(drawn.position).c_str());
     if (frame == 9) write_snapshot(saved, game.world.save());
   }
+  //! [input]
   try {  // a player's input that can't be
     const Vec3d centre = game.world.body(game.brick).centre.position;
     game.world.push_at(game.brick, {1e308, 0, 0}, centre);
@@ -58,10 +61,13 @@ void play() {
   } catch (const SimulationError& error) {
     std::printf("%s\n", error.what());
   }
+  //! [input]
+  //! [back]
   std::istringstream file(saved.str());
   game.world.restore(read_snapshot<double>(file));
   game.drawing.cut(game.brick);  // it is not drawn on the way back
   std::printf("back to step %lld\n", static_cast<long long>(game.world.ticks()));
+  //! [back]
 }
 //! [whole_program]
 

@@ -10,7 +10,6 @@
 namespace tumble {
 
 /// Exponential damping of the velocity, v ← v e^(−k h), see chapter 9.
-//! [linear_damping]
 template <class Real>
 struct LinearDamping {
   static constexpr std::string_view name = "linear damping";
@@ -20,6 +19,7 @@ struct LinearDamping {
   Real fraction = 1;  ///< e^(−k h), which prepare() computes
 
   void check() const { checked_damping_rate(rate, "linear damping"); }
+  //! [damping]
   void prepare(Real time_step) { fraction = fraction_kept(rate, time_step); }
   std::string_view skip_reason(const BodyFlags& flags) const {
     return rate == 0      ? "its rate is zero"
@@ -30,6 +30,7 @@ struct LinearDamping {
     damp(centre, fraction);
     return centre.velocity;
   }
+  //! [damping]
   /// No fraction e^(−k h) is more than 1, however long the step.
   NoResponse response(const BodyState<Real>&) const { return {}; }
   template <class Wide>
@@ -37,7 +38,6 @@ struct LinearDamping {
     return {rate, fraction};
   }
 };
-//! [linear_damping]
 
 /// Exponential damping of the spin, L ← L e^(−k h).
 template <class Real>
@@ -106,7 +106,6 @@ struct QuadraticDrag {
 /// (Kutta and Joukowski); summed over the slices of a ball of radius r that makes S = 8/3 π ρ r³ in
 /// air without friction. In honey it is π ρ r³ (Rubinow and Keller, 1961), and a real wake must be
 /// measured.
-//! [magnus]
 template <class Real>
 struct Magnus {
   static constexpr std::string_view name = "Magnus force";
@@ -118,6 +117,7 @@ struct Magnus {
     require_finite("strength of the Magnus force", strength, "kg");
     require_finite("wind", wind, "m/s");
   }
+  //! [magnus]
   std::string_view skip_reason(const BodyFlags& flags) const {
     return strength == 0  ? "its strength is zero"
            : !flags.turns ? "no spin and nothing that can give torque"
@@ -127,17 +127,16 @@ struct Magnus {
     const Vec3<Real> through_air = body.centre.velocity - wind;
     return strength * angular_velocity_world(body.top).cross(through_air);
   }
+  //! [magnus]
   template <class Wide>
   Magnus<Wide> broadcast() const {
     return {strength, wind.template cast<Wide>()};
   }
 };
-//! [magnus]
 
 /// Buoyancy of a ball in a liquid that fills the half-space below a level surface: Archimedes'
 /// force −ρ V g, where V is what of the ball lies below. A cap of depth d of a ball of radius r
 /// holds V = π d² (r − d/3).
-//! [buoyancy]
 template <class Real>
 struct Buoyancy {
   static constexpr std::string_view name = "buoyancy";
@@ -156,12 +155,14 @@ struct Buoyancy {
   std::string_view skip_reason(const BodyFlags&) const {
     return density == 0 || radius == 0 || gravity == 0 ? "it lifts nothing" : "";
   }
+  //! [buoyancy]
   Vec3<Real> force(const Particle<Real>& centre, Real) const {
     const Real below = surface - centre.position.z() + radius;
     const Real depth = select(below < 0, Real(0), select(below > 2 * radius, 2 * radius, below));
     const Real volume = std::numbers::pi_v<Real> * depth * depth * (radius - depth / 3);
     return {0, 0, density * volume * gravity};
   }
+  //! [buoyancy]
   /// As the ball leaves the water the area that the surface cuts from it vanishes, with a kink.
   int smoothness() const { return 1; }
   /// ρ g times the area that the surface cuts from the ball, at most that of a great circle.
@@ -173,6 +174,5 @@ struct Buoyancy {
     return {density, radius, surface, gravity};
   }
 };
-//! [buoyancy]
 
 }  // namespace tumble

@@ -30,7 +30,6 @@ struct Gravity {
 //! [gravity]
 
 /// Uniform gravity as an acceleration, v ← v + h g: the same for every mass, so nobody asks for it.
-//! [gravity_as_acceleration]
 template <class Real>
 struct GravityAsAcceleration {
   static constexpr std::string_view name = "gravity as acceleration";
@@ -41,7 +40,9 @@ struct GravityAsAcceleration {
   std::string_view skip_reason(const BodyFlags&) const {
     return gravity == Vec3<Real>::Zero() ? "gravity is zero" : "";
   }
+  //! [acceleration]
   Vec3<Real> acceleration(const Particle<Real>&, Real) const { return gravity; }
+  //! [acceleration]
   template <class Wide>
   GravityAsAcceleration<Wide> broadcast() const {
     return {gravity.template cast<Wide>()};
@@ -50,12 +51,10 @@ struct GravityAsAcceleration {
     return -mass_of(body.centre) * dot(gravity, body.centre.position);
   }
 };
-//! [gravity_as_acceleration]
 
 /// Gravity towards a point, F = −G M m r/|r|³ with r from the point to the body. `strength` is G M:
 /// 3.986e14 m³/s² for the Earth. At the point itself the force is not defined: a step that meets it
 /// stops with an error.
-//! [point_gravity]
 template <class Real>
 struct PointGravity {
   static constexpr std::string_view name = "point gravity";
@@ -71,11 +70,13 @@ struct PointGravity {
     return strength == 0 ? "its strength is zero" : "";
   }
   // Divided by |r| one factor at a time: |r|³ would leave float's range from 7e12 m on.
+  //! [towards_a_point]
   Vec3<Real> force(const Particle<Real>& body, Real) const {
     const Vec3<Real> r = body.position - centre;
     const Real distance = r.norm();
     return -(mass_of(body) * (strength / distance / distance)) * (r / distance);
   }
+  //! [towards_a_point]
   /// A small step aside turns the force by its angle, so it meets the stiffness G M m/|r|³: with
   /// it, a circular orbit has the angular frequency of its revolutions. Along r the force drives.
   /// At the point itself a step stops anyway.
@@ -92,6 +93,5 @@ struct PointGravity {
     return -mass_of(body.centre) * (strength / (body.centre.position - centre).norm());
   }
 };
-//! [point_gravity]
 
 }  // namespace tumble

@@ -106,7 +106,6 @@ PlanRow row_of(const EffectInstance<Real>& instance, const Planner<Real>& planne
 }
 
 /// The lines of all, in the order of a step with one kick. A rotor has one for all that it does.
-//! [rows_of]
 template <class Real>
 std::vector<PlanRow> rows_of(const Planner<Real>& planner, const NamedBodies<Real>& bodies) {
   const StepPlan<Real>& plan = planner.step_plan();
@@ -119,7 +118,6 @@ std::vector<PlanRow> rows_of(const Planner<Real>& planner, const NamedBodies<Rea
       });
   return rows;
 }
-//! [rows_of]
 
 /// The plan as a table of text, like a database's EXPLAIN. Effects that nobody calls for are listed
 /// below the others: they are no pass at all.

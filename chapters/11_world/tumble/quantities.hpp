@@ -9,7 +9,6 @@
 namespace tumble {
 
 /// A set of quantities, combined from those below with `|`.
-//! [quantities]
 struct Quantities {
   unsigned bits = 0;
 
@@ -31,7 +30,6 @@ inline constexpr Quantities of_body = of_centre | of_top;
 // Where a body is, which way it faces, and how fast it moves and turns.
 inline constexpr Quantities of_motion = position | velocity | orientation | spin;
 }  // namespace quantity
-//! [quantities]
 
 /// "position, velocity"
 inline std::string text_of(Quantities set) {

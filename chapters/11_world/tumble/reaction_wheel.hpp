@@ -13,7 +13,6 @@ namespace tumble {
 ///
 /// The wheel is balanced: how it turns changes neither the centre of mass nor the inertia of the
 /// body, in both of which it counts as if it stood still.
-//! [reaction_wheel]
 template <class Real>
 struct ReactionWheel {
   Vec3<Real> axis = {0, 0, 1};  ///< a, of length 1, body axes
@@ -24,13 +23,14 @@ struct ReactionWheel {
   std::string name = "reaction wheel";                 ///< what plans and errors call it
 
   /// What the wheel holds at `time` (s), kg m²/s, body axes.
+  //! [reaction_wheel]
   Vec3<Real> rotor_momentum_body(Real time) const {
     return (momentum + torque * (std::clamp(time, from, until) - from)) * axis;
   }
+  //! [reaction_wheel]
   std::string_view skip_reason(const BodyFlags&) const {
     return momentum == 0 && torque == 0 ? "the wheel stands still" : "";
   }
-  //! [reaction_wheel]
 
   /// @throws std::invalid_argument unless the axis has length 1, `until` is not before `from`, and
   /// the rest is finite.

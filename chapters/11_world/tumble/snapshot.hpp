@@ -8,7 +8,6 @@
 namespace tumble {
 
 /// The motion of all bodies after so many steps. What acts on them is not part of it.
-//! [snapshot]
 template <class Real>
 struct Snapshot {
   std::int64_t ticks = 0;
@@ -16,7 +15,6 @@ struct Snapshot {
   std::vector<TopMotion<Real>> tops;
   std::vector<bool> has_moved, has_turned;  ///< what the plan knew of the bodies
 };
-//! [snapshot]
 
 /// How all bodies move now, and what the planner knows of whether they do.
 template <class Real>

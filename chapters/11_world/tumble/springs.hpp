@@ -7,7 +7,6 @@
 namespace tumble {
 
 /// What a spring is made of: a stiffness, a damper beside it and the length at which it rests.
-//! [spring]
 template <class Real>
 struct Spring {
   Real stiffness = 0;       ///< k, N/m
@@ -19,6 +18,7 @@ struct Spring {
 /// The force (N) on the one end of a spring: −(k (l − l₀) + c l̇) n, where n leads along `extent`
 /// (m) from the other end to this one and `rate` is how fast that changes (m/s). A spring without
 /// length pulls towards nowhere.
+//! [spring_force]
 template <class Real>
 Vec3<Real> spring_force(const Spring<Real>& spring, const Vec3<Real>& extent,
                         const Vec3<Same<Real>>& rate) {
@@ -30,6 +30,7 @@ Vec3<Real> spring_force(const Spring<Real>& spring, const Vec3<Real>& extent,
       spring.only_pulls ? select(stretch < 0 || tension < 0, Real(0), tension) : tension;
   return -pull * n;
 }
+//! [spring_force]
 
 /// ½ k (l − l₀)², J.
 template <class Real>
@@ -37,7 +38,6 @@ Real spring_energy(const Spring<Real>& spring, const Vec3<Real>& extent) {
   const Real stretch = extent.norm() - spring.rest_length;
   return spring.only_pulls && stretch < 0 ? 0 : spring.stiffness * stretch * stretch / 2;
 }
-//! [spring]
 
 /// How many derivatives of the force never jump: none of a tether, whose slope does as it becomes
 /// taut.
@@ -67,7 +67,6 @@ Vec3<Real> velocity_of_arm(const BodyState<Real>& body, const Vec3<Same<Real>>& 
 }
 
 /// A spring from a point of the body to a point of the world.
-//! [spring_to_point]
 template <class Real>
 struct SpringToPoint {
   Spring<Real> spring = {};
@@ -93,12 +92,14 @@ struct SpringToPoint {
   std::string_view skip_reason(const BodyFlags&) const {
     return spring.stiffness == 0 && spring.damping == 0 ? "it neither pulls nor damps" : "";
   }
+  //! [spring_to_point]
   Push<Real> push(const BodyState<Real>& body, Real) const {
     const Vec3<Real> arm = arm_of(body, attachment);
     const Vec3<Real> extent = body.centre.position - anchor + arm;
     const Vec3<Real> force = spring_force<Real>(spring, extent, velocity_of_arm<Real>(body, arm));
     return {.force = force, .torque = arm.cross(force)};
   }
+  //! [spring_to_point]
   template <class Wide>
   SpringToPoint<Wide> broadcast() const {
     return {{spring.stiffness, spring.damping, spring.rest_length, spring.only_pulls},
@@ -110,10 +111,8 @@ struct SpringToPoint {
     return spring_energy<Real>(spring, body.centre.position - anchor + arm_of(body, attachment));
   }
 };
-//! [spring_to_point]
 
 /// A spring from a point of one body to a point of another.
-//! [spring_between]
 template <class Real>
 struct SpringBetween {
   Spring<Real> spring = {};
@@ -141,6 +140,7 @@ struct SpringBetween {
   std::string_view skip_reason() const {
     return spring.stiffness == 0 && spring.damping == 0 ? "it neither pulls nor damps" : "";
   }
+  //! [spring_between]
   PairPush<Real> push(const BodyState<Real>& first, const BodyState<Real>& second, Real) const {
     const Vec3<Real> arm = arm_of(first, attachment_first);
     const Vec3<Real> other_arm = arm_of(second, attachment_second);
@@ -152,12 +152,12 @@ struct SpringBetween {
             .torque_on_first = arm.cross(force),
             .torque_on_second = force.cross(other_arm)};
   }
+  //! [spring_between]
   Real potential_energy(const BodyState<Real>& first, const BodyState<Real>& second) const {
     return spring_energy<Real>(
         spring, first.centre.position - second.centre.position +
                     (arm_of(first, attachment_first) - arm_of(second, attachment_second)));
   }
 };
-//! [spring_between]
 
 }  // namespace tumble

@@ -56,7 +56,6 @@ const EffectInstance<Real>& instance_of(const Pass<Real>& pass, const StepPlan<R
 
 /// Calls `visit` with one pass after another, for these substeps. `effects` and `motions` have the
 /// places of those that take part, by phase.
-//! [for_each_pass]
 template <class Real, class Visit>
 void for_each_pass(const StepPlan<Real>& plan, const std::vector<Substep<Real>>& substeps,
                    const EffectsByPhase& effects, const EffectsByPhase& motions,
@@ -75,7 +74,6 @@ void for_each_pass(const StepPlan<Real>& plan, const std::vector<Substep<Real>>&
         visit(Pass<Real>{row, substep, places[backwards ? places.size() - 1 - n : n]});
     }
 }
-//! [for_each_pass]
 
 /// The passes of a step that visit anybody.
 template <class Real, class Visit>

@@ -8,7 +8,6 @@
 namespace tumble {
 
 /// A force that turns with the body it is fixed to: R F at the centre plus the torque R (p × F).
-//! [thruster]
 template <class Real>
 struct Thruster {
   static constexpr Quantities reads = quantity::time | quantity::orientation;
@@ -30,12 +29,14 @@ struct Thruster {
   std::string_view skip_reason(const BodyFlags&) const {
     return force_body == Vec3<Real>::Zero() ? "its force is zero" : "";
   }
+  //! [thruster]
   Push<Real> push(const BodyState<Real>& body, Real time) const {
     const Real burning = select(time >= from && time < until, Real(1), Real(0));
     const Vec3<Real> torque_body = point.cross(force_body);
     return {.force = burning * rotate(body.top.orientation, force_body),
             .torque = burning * rotate(body.top.orientation, torque_body)};
   }
+  //! [thruster]
   /// Its torque is constant in body axes, and so no turn and no place changes it: nothing that it
   /// does comes back to it.
   NoResponse response(const BodyState<Real>&) const { return {}; }
@@ -44,6 +45,5 @@ struct Thruster {
     return {force_body.template cast<Wide>(), point.template cast<Wide>(), from, until, name};
   }
 };
-//! [thruster]
 
 }  // namespace tumble

@@ -120,7 +120,6 @@ struct Steady {
 
 /// Rules that one can choose from while a program runs. Only what a list names is compiled, so
 /// whoever wants more rules makes a longer list, and nobody else pays for it.
-//! [turning_rules]
 template <class... Rules>
 struct TurningRules {
   static constexpr std::array<std::string_view, sizeof...(Rules)> names = {Rules::name...};
@@ -139,7 +138,6 @@ void TurningRules<Rules...>::choose(AnyWorld& world, std::size_t index) {
   };
   (offer(Rules{}), ...);
 }
-//! [turning_rules]
 
 /// Those of chapter 8.
 using FirstTurningRules =

@@ -1,0 +1,114 @@
+// Whom each pass of a step visits: in a small world as it stands, and while that world is changed.
+#include <support/record.hpp>
+#include <tumble/air_and_water.hpp>
+#include <tumble/gravity.hpp>
+#include <tumble/solids.hpp>
+#include <tumble/spheres.hpp>
+#include <tumble/springs.hpp>
+#include <tumble/thruster.hpp>
+#include <tumble/world.hpp>
+
+using namespace tumble;
+
+namespace {
+
+using PassOfBodies = EffectInstance<double>;
+
+struct SmallWorld {
+  World<double> world;
+  BodyHandle drop, coin;
+  EffectHandle thruster, drag;
+};
+
+SmallWorld small_world() {
+  SmallWorld small;
+  World<double>& world = small.world;
+  const auto body = [&](const char* name, const MassPropertiesd& solid, const Vec3d& place,
+                        const Vec3d& angular_velocity) {
+    return world.add(
+        name, make_rigid_body<double>(name, solid, {place}, {0, 0, 0}, angular_velocity).body);
+  };
+  const MassPropertiesd brick = mass_properties(Box<double>{{0.3, 0.5, 0.8}}, 1);
+  world.add("post", make_static_particle<double>({0, 0, 3}));
+  small.drop = world.add("drop", make_particle<double>(0.05, {-1.5, 0, 1}));
+  const BodyHandle ball =
+      body("ball", mass_properties(Sphere<double>{0.15}, 1), {0.5, 0, 1.4}, {0, 0, 0});
+  const BodyHandle box = body("box", brick, {1.5, 0, 1}, {0, 0, 0});
+  body("brick", brick, {4, 0, 1}, {0, 3, 0});
+  small.coin =
+      body("coin", mass_properties(Box<double>{{0.02, 0.02, 0.002}}, 0.005), {6, 0, 0}, {0, 0, 0});
+  world.add(Gravity<double>{}, {small.drop, ball, box});
+  world.add(SpringToPoint<double>{.spring = {.stiffness = 400, .rest_length = 1.2},
+                                  .anchor = {0, 0, 3},
+                                  .attachment = {0, 0, 0.15}},
+            {ball});
+  small.thruster =
+      world.add(Thruster<double>{.force_body = {0, 0, 5}, .point = {0, 0.2, 0}}, {box});
+  small.drag = world.add(QuadraticDrag<double>{});
+  world.add(AngularDamping<double>{.rate = 0.1});
+  return small;
+}
+
+/// Calls `visit` with each effect and each motion, in the order of a step.
+template <class Visit>
+void for_each_row(const World<double>& world, const Visit& visit) {
+  const StepPlan<double>& plan = world.step_plan();
+  for_each_pass_even_idle(plan, plan.substeps, [&](const Pass<double>& pass) {
+    if (pass.row.kind != PassKind::input) visit(instance_of(pass, plan));
+  });
+}
+
+bool is_visited(const World<double>& world, const PassOfBodies& pass, BodyIndex body) {
+  const BodyIndex top = world.bodies().top_of[body];
+  const bool by_its_top = pass.effect->traits().visits_tops();
+  if (by_its_top && top == no_index) return false;
+  return pass.members.indices.contains(by_its_top ? top : body);
+}
+
+/// A cell for each pass and each body.
+void show_members(support::Notebook& notebook) {
+  const World<double> world = small_world().world;
+  support::Table table = notebook.table("members", {"pass", "row", "body", "column", "visited"});
+  std::size_t rows = 0, visits = 0;
+  for_each_row(world, [&](const PassOfBodies& pass) {
+    ++rows;
+    for (BodyIndex body = 0; body < world.body_count(); ++body) {
+      const bool visited = is_visited(world, pass, body);
+      visits += visited;
+      table.row(pass.effect->name(), double(rows), world.name_of(world.handle_at(body)),
+                double(body) + 1, double(visited));
+    }
+  });
+  notebook.value("visits", std::to_string(visits));
+  notebook.value("cells", std::to_string(rows * world.body_count()));
+}
+
+/// How many bodies each pass visits in each step, while the world is changed.
+void show_changes(support::Notebook& notebook) {
+  SmallWorld small = small_world();
+  support::Table table = notebook.table(
+      "changes", {"step", "gravity", "spring", "thruster", "quadratic drag", "kick",
+                  "kick of the spin", "angular damping", "drift", "steady turning", "tumbling"});
+  for (int step = 0; step <= 100; ++step) {
+    if (step == 20) small.world.set_angular_velocity(small.coin, {0, 0, 30});
+    if (step == 40)
+      small.world.change(small.drag, QuadraticDrag<double>{.coefficient = 0.01, .wind = {2, 0, 0}});
+    if (step == 60) small.world.change(small.thruster, Thruster<double>{});
+    if (step == 80) small.world.remove(small.drop);
+    std::vector<double> visited;
+    for_each_row(small.world,
+                 [&](const PassOfBodies& pass) { visited.push_back(double(pass.members.size())); });
+    support::expect(visited.size() == 10, "there are as many passes as names of them");
+    table.row(double(step), visited[0], visited[1], visited[2], visited[3], visited[4], visited[5],
+              visited[6], visited[7], visited[8], visited[9]);
+    small.world.step();
+  }
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+  support::Notebook notebook(argument_count, arguments);
+  show_members(notebook);
+  show_changes(notebook);
+}
