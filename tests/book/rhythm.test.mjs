@@ -29,7 +29,8 @@ function lines_of_snippet(folder, file, mark) {
 /** What is measured of one page. */
 function measured(path) {
   const folder = join(root, dirname(path)), lines = readFileSync(join(root, path), 'utf8').split('\n').slice(1);
-  const blocks = lines.join('\n').split(/\n\s*\n|(?<=\}\})\n(?=\{\{)/);
+  // A directive on a line of its own is a block, whatever stands in the next line.
+  const blocks = lines.join('\n').split(/\n\s*\n|\n(?=\{\{(?!value|set)\w)|(?<=^\{\{(?!value|set)\w[^\n]*\}\})\n/m);
   const most = Object.fromEntries(Object.keys(limits).map(name => [name, 0]));
   const raise = (name, value) => { most[name] = Math.max(most[name], value); };
   let words = 0, since_picture = 0, code = 0, long = 0, folds = [], is_turn = false, is_touched = false, sentences = 0, long_sentences = 0;
