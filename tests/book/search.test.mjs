@@ -30,7 +30,7 @@ const questions = [
   ['my quaternion drifts', /chapter_07_orientation\.html#without_normalising/],
   ['how do I add my own force', /effects\.html#effects_own/],
   ['float or double', /conventions\.html#conventions_precision/],
-  ['timestep for a stiff spring', /chapter_06_semi_implicit_euler\.html#how_long_may_a_step_be/],
+  ['timestep for a stiff spring', /how_long_may_a_step_be|step_limits/],
   ['nlerp', /chapter_10_fixed_timestep\.html#timestep_draw/],
   ['FetchContent', /reference\.html#reference_link/],
   // Headings.
