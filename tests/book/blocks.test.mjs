@@ -7,6 +7,7 @@ import {test} from 'node:test';
 import {Directives} from '../../book/tools/directives.mjs';
 import {semester} from '../../book/tools/exercise_tables.mjs';
 import {with_tasks} from '../../book/tools/exercises.mjs';
+import {figure} from '../../book/tools/figures.mjs';
 import {Results} from '../../book/tools/results.mjs';
 import {verdict_grid} from '../../book/tools/verdict_grid.mjs';
 
@@ -81,4 +82,10 @@ test('A number that was not measured is quoted nowhere else, and one that no pro
   assert.match(set_with_gaps(['ODE takes {{value contest.ode}}.']).complaints[0], /bench\.md:1: program contest did not measure "ode".*\{\{measured contest\.ode\}\}/);
   assert.match(set_with_gaps(['{{measured contest.jolt}}', 'Jolt.', '{{end}}']).complaints[0], /wrote no value "jolt"; there are: bullet, ode/);
   assert.match(set_with_gaps(['{{measured contest.ode}}', 'ODE.']).complaints[0], /\{\{measured contest\.ode\}\} has no \{\{end\}\}/);
+});
+
+test("A drawing's areas take the page's colours as its lines do.", () => {
+  const {svg} = figure('<svg><g transform="translate(0,20)" fill="black" font-size="18.00" text-anchor="start"><text>Title</text></g>' +
+    "<polygon fill = 'rgb(238, 243, 246)' points = '1,2 3,4'/><path stroke='rgb( 85, 85, 85)' d='M1,2 L3,4'/></svg>", 'what it shows', 'drops');
+  assert.match(svg, /<polygon fill="var\(--figure-fill\)".*<path stroke="var\(--figure-frame\)"/);
 });
