@@ -9,7 +9,7 @@ import {player} from './players.mjs';
 import {answers, gate, prediction} from './predictions.mjs';
 import {thumbnail} from './previews.mjs';
 import {BookError, table_in} from './results.mjs';
-import {table} from './tables.mjs';
+import {table, without_empty} from './tables.mjs';
 import {table_of_costs} from './costs.mjs';
 import {scene_keys} from './scene_keys.mjs';
 import {verdict_grid} from './verdict_grid.mjs';
@@ -120,10 +120,20 @@ export class Blocks {
     return file.replace(/^.*\/(?=(?:chapters|exact|tools)\/)/, '');
   }
 
+  /** [program, name] of PROGRAM.NAME or CHAPTER/PROGRAM.NAME. */
+  #named_value(argument, directive) {
+    const [, ...names] = /^(?:\w+\/)?(\w+)\.(\w+)$/.exec(argument) ?? [];
+    if (!names.length) throw new BookError(`{{${directive} ${argument}}} should read {{${directive} program.name}}`);
+    return names;
+  }
+
+  is_measured(page, argument) {
+    const [program, name] = this.#named_value(argument, 'measured');
+    return this.results.is_measured(this.#of(page, argument)[0], program, name);
+  }
+
   value_of(page, argument) {
-    const match = /^(?:\w+\/)?(\w+)\.(\w+)$/.exec(argument);
-    if (!match) throw new BookError(`{{value ${argument}}} should read {{value program.name}}`);
-    const [, group, name] = match;
+    const [group, name] = this.#named_value(argument, 'value');
     if (!(group in this.values)) {
       const [chapter] = this.#of(page, argument);
       return this.results.value(chapter, group, name);
@@ -180,9 +190,9 @@ export class Blocks {
   #table(page, argument) {
     const [reference, caption] = parted(argument);
     if (this.#is_unmeasured(page, reference)) return unmeasured(caption);
-    const {columns, rows} = reference in kept_tables
+    const {columns, rows} = without_empty(reference in kept_tables
       ? table_in(readFileSync(join(this.settings.source, kept_tables[reference]), 'utf8'))
-      : this.results.table(...this.#of(page, reference));
+      : this.results.table(...this.#of(page, reference)));
     const is_number = (_, column) => rows.every(row => /^-?[\d.]+(e[+-]?\d+)?$|^$/.test(row[column]));
     return table(escape(caption), columns.map((text, column) => ({text, is_number: is_number(text, column)})),
       rows.map(row => row.map(cell)));

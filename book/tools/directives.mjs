@@ -35,8 +35,14 @@ export class Directives {
 
   #expand_line(page, line, inside, folds, place) {
     if (/^\s*(```|~~~)/.test(line)) inside.code = !inside.code;
-    if (inside.code) return line;
+    const is_skipped = folds.at(-1)?.is_skipped;
+    if (inside.code) return is_skipped ? '' : line;
     const block = /^(\s*)\{\{(?!(?:value|set)\b)(\w+)\s*(.*)\}\}\s*$/.exec(line);
+    if (is_skipped) {
+      if (['fold', 'gate', 'note', 'measured'].includes(block?.[2])) folds.push({opened: line.trim(), closing: '', place, is_skipped});
+      else if (block?.[2] === 'end') folds.pop();
+      return '';
+    }
     if (block && !inside.formula) return block[1] + this.#block(page, block[2], block[3].trim(), folds, place);
     return line.split(/(\\f[$[\]])/).map(part => {
       if (part === '\\f$') inside.formula = !inside.formula;
@@ -78,9 +84,14 @@ export class Directives {
       folds.push({opened: '{{note}}', closing: '</aside>', place});
       return this.#marker('<aside class="note">');
     }
+    if (name === 'measured') {
+      folds.push({opened: `{{measured ${argument}}}`, closing: '', place, is_skipped: !this.makers.is_measured(page, argument)});
+      return '';
+    }
     if (name === 'end') {
-      if (!folds.length) throw new BookError('{{end}} closes no {{fold Title}}, no {{gate name}} and no {{note}}');
-      return this.#marker(folds.pop().closing);
+      if (!folds.length) throw new BookError('{{end}} closes no {{fold Title}}, no {{gate name}}, no {{note}} and no {{measured name}}');
+      const {closing} = folds.pop();
+      return closing && this.#marker(closing);
     }
     if (name === 'snippet') {
       const {caption, command} = this.makers.snippet(page, argument);
@@ -96,7 +107,7 @@ export class Directives {
   }
 
   #unknown(name) {
-    const known = ['value', 'set', 'section', 'task', 'snippet', ...Object.keys(this.makers.kinds), 'fold', 'gate', 'note', 'end'].join(', ');
+    const known = ['value', 'set', 'section', 'task', 'snippet', ...Object.keys(this.makers.kinds), 'fold', 'gate', 'note', 'measured', 'end'].join(', ');
     return new BookError(`unknown directive {{${name}}}; there are ${known}`);
   }
 }

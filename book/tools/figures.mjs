@@ -26,7 +26,7 @@ const hex = (...parts) => `#${parts.map(part => Number(part).toString(16).padSta
 function in_page_colours(svg) {
   return svg
     .replace(/rgb\(\s*(\d+),\s*(\d+),\s*(\d+)\s*\)/g, (_, red, green, blue) => hex(red, green, blue))
-    .replace(/\b(stroke|fill|color)=(["'])(#[0-9a-fA-F]{6}|black)\2/g, (all, property, quote, colour) => {
+    .replace(/\b(stroke|fill|color) ?= ?(["'])(#[0-9a-fA-F]{6}|black)\2/g, (all, property, quote, colour) => {
       const name = colours[colour.toLowerCase()];
       return name ? `${property}="var(${name})"` : all;
     });

@@ -9,7 +9,7 @@ export class BookError extends Error {}
 const known = names => (names.length ? `there are: ${names.join(', ')}` : 'there are none');
 
 export function table_in(text) {
-  const [columns, ...rows] = text.trimEnd().split('\n').map(line => line.split('\t'));
+  const [columns, ...rows] = text.replace(/\n+$/, '').split('\n').map(line => line.split('\t'));
   return {columns, rows};
 }
 
@@ -47,6 +47,18 @@ export class Results {
 
   value(chapter, program, name) {
     if (this.unmeasured.includes(chapter)) return '–';
+    const value = this.#written(chapter, program, name);
+    if (!value)
+      throw new BookError(`program ${program} did not measure "${name}"; what is said of it stands between {{measured ${program}.${name}}} and {{end}}`);
+    return value;
+  }
+
+  /** Whether there is such a value; where something was not measured, its program writes an empty one. */
+  is_measured(chapter, program, name) {
+    return !this.unmeasured.includes(chapter) && this.#written(chapter, program, name) !== '';
+  }
+
+  #written(chapter, program, name) {
     const {rows} = this.table(chapter, program, '.values.tsv', 'values of program');
     const row = rows.find(cells => cells[0] === name);
     if (!row)

@@ -3,6 +3,14 @@ import {escape} from './text.mjs';
 
 const shown = cell => (typeof cell === 'string' ? escape(cell) : cell.html);
 
+/** Without the rows and the columns that hold nothing beside their heading: what was not measured. */
+export function without_empty({columns, rows}) {
+  const full_rows = rows.filter(([, ...cells]) => !cells.length || cells.some(Boolean));
+  const shown = columns.map((_, column) => column === 0 || full_rows.some(row => row[column]));
+  const only_shown = cells => cells.filter((_, column) => shown[column]);
+  return {columns: only_shown(columns), rows: full_rows.map(only_shown)};
+}
+
 /** Columns are {text, is_number}; a cell is a text or {html}. Rows of `sums` stand below a line. */
 export function table(caption, columns, rows, kind = 'table', sums = []) {
   const mark = column => (columns[column].is_number ? ' class="number"' : '');

@@ -50,11 +50,43 @@ Bodies<float> after_a_minute(AnyWorld world) {
   return world.bodies();
 }
 
+/// What the figure draws: drops that fall for a tenth of a second, all by one addition.
+void write_drops(const support::Notebook& notebook) {
+  using Eight = Pack<float, 8>;
+  const Eight::Lanes heights = {2.9f, 1.4f, 3.6f, 2.2f, 3.1f, 1.8f, 2.5f, 1.1f};  // m
+  const Eight::Lanes speeds = {-5, -7, -4, -8, -6, -5, -9, -4};                   // m/s
+  const Eight z = heights, change = Eight(0.1f) * Eight(speeds), next = z + change;
+  support::Table table = notebook.table("drops", {"lane", "z (m)", "change (m)", "next (m)"});
+  for (int lane = 0; lane < 8; ++lane) table.row(double(lane), z[lane], change[lane], next[lane]);
+}
+
+/// What another figure draws: which packs of points and bodies may be visited at the same time, and
+/// where their tops lie.
+void write_colouring(const support::Notebook& notebook) {
+  constexpr int lanes = 4;
+  Bodies<float> bodies;
+  IndexSet all;
+  const Top<float> top;
+  for (const char kind : std::string_view("BBoBBBBBoBBooBBB"))
+    all.insert(append(bodies, Particle<float>{}, kind == 'B' ? &top : nullptr));
+  const PackColouring parts =
+      pack_colouring(packed_index_set<float, lanes>(all), packed<float, lanes>(bodies));
+  support::Table table = notebook.table("colouring", {"body", "part", "top"});
+  for (std::size_t part = 0; part < parts.size(); ++part)
+    for (const std::uint32_t pack : parts[part])
+      for (BodyIndex body = pack * lanes; body < (pack + 1) * lanes; ++body)
+        table.row(double(body), double(part),
+                  is_point(bodies, body) ? -1. : double(bodies.top_of[body]));
+  support::expect(parts.size() == 2, "two parts keep these packs apart");
+}
+
 }  // namespace
 
 int main(int argument_count, char** arguments) {
   support::Notebook notebook(argument_count, arguments);
 
+  write_drops(notebook);
+  write_colouring(notebook);
   Top<Packed> pack;
   for (int lane = 0; lane < width; ++lane) set_lane(pack, lane, top_number(lane));
   turn_for_a_second(pack);

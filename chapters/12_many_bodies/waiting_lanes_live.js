@@ -42,7 +42,7 @@
     const below = top + rows * cell + 12;
     painter.text('on the ground', left, below, 'left', palette.bodies[1]);
     painter.text('waits', size.width / 2, below, 'center', palette.bodies[0]);
-    painter.text('nobody needs it', left + across * cell, below, 'right', palette.ink);
+    painter.text('no lane needs it', left + across * cell, below, 'right', palette.ink);
   }
 
   function draw_packs(picture, state) {
@@ -78,7 +78,7 @@
   }
 
   live.figures.waiting_lanes = {
-    title: 'In a pack everybody waits for whoever needs the branch',
+    title: 'In a pack, all lanes wait for one',
     knobs: {
       width: {label: 'Bodies in a pack', choices: widths.map(String)},
       order: {label: 'Order of the balls', choices: orders},
@@ -88,7 +88,7 @@
     duration: ({columns}) => columns.time.at(-1),
     still_time: 0.5,
     panels: [
-      {label: 'The lanes of all packs at this moment: on the ground, waiting for a neighbour, or in a pack that has none there.', aspect: 1.25,
+      {label: 'The lanes of all packs at this moment: on the ground, waiting for a neighbour, or in a pack with none on the ground.', aspect: 1.25,
         draw: draw_lanes},
       {label: 'The share of balls on the ground against time, and that of packs that hold one of them.', aspect: 1.25, draw: draw_packs},
       {label: 'How many times as fast as one by one packs of each width are.', aspect: 1.25, draw: draw_gain},
@@ -101,8 +101,8 @@
       const packs = 100 * sum(columns.packs) / (steps * balls / width);
       const all = costs(state), alone = all[0].skipping, own = all[values.width];
       const start = `A ball is on the ground for ${shown(on_ground, 2)} % of the time. `;
-      if (width === 1) return `${start}One by one nobody waits: the branch is taken by whoever needs it.`;
-      return `${start}Of the packs of ${width}, ${shown(packs, 2)} % hold one that is. If the branch is skipped where nobody needs it, they are ` +
+      if (width === 1) return `${start}One by one, only the balls on the ground take the branch.`;
+      return `${start}Of the packs of ${width}, ${shown(packs, 2)} % hold one that is. If the branch is skipped where no lane needs it, they are ` +
         `${shown(alone / own.skipping, 2)} times as fast as one by one; with both branches always, ${shown(alone / own.both, 2)} times.`;
     },
   };

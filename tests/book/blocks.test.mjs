@@ -1,8 +1,14 @@
 // Blocks that are made of what they are given alone.
 import assert from 'node:assert/strict';
+import {mkdirSync, mkdtempSync, rmSync, writeFileSync} from 'node:fs';
+import {tmpdir} from 'node:os';
+import {join} from 'node:path';
 import {test} from 'node:test';
+import {Directives} from '../../book/tools/directives.mjs';
 import {semester} from '../../book/tools/exercise_tables.mjs';
 import {with_tasks} from '../../book/tools/exercises.mjs';
+import {figure} from '../../book/tools/figures.mjs';
+import {Results} from '../../book/tools/results.mjs';
 import {verdict_grid} from '../../book/tools/verdict_grid.mjs';
 
 const verdicts = {name: 'in_double', columns: ['method', 'A'], rows: [['steady', '✗ L 4e-01'], ['explicit, |L| restored', '✗ E 2e-01'], ['splitting', '✓ E 1e-05']]};
@@ -40,4 +46,46 @@ test('A task is what students are told, on any page, and never holds the solutio
   assert.ok(!all.includes('{#exercise_'), 'its address is that of the exercise in its chapter');
   assert.ok(lines.slice(1).every(({place}) => ['page.md:2', 'task.md:3'].includes(place)), 'a line has no place');
   assert.throws(() => with_tasks([{text: '{{task absent}}', place: 'page.md:2'}], exercises, pages), /page\.md:2: no exercise is called absent/);
+});
+
+/** A page of the tool `bench`, set from results of which ODE's were not measured; {text, blocks, complaints}. */
+function set_with_gaps(lines, unmeasured = []) {
+  const folder = mkdtempSync(join(tmpdir(), 'tumble-gaps-'));
+  mkdirSync(join(folder, 'bench'));
+  writeFileSync(join(folder, 'bench/contest.values.tsv'), 'name\tvalue\nbullet\t15\node\t\n');
+  writeFileSync(join(folder, 'bench/times.tsv'), 'bodies\tours\tODE\tBullet\n4\t2\t\t30\n16\t2.5\t\t\n64\t\t\t\n');
+  const tools = [{name: 'bench', folder: 'tools/bench'}], complaints = [];
+  const directives = new Directives({floors: [], tools, source: folder}, new Results(folder, tools, unmeasured), {chapters: []}, []);
+  const page = {chapter: 'bench', path: 'tools/bench/bench.md', lines: lines.map((text, n) => ({text, place: `bench.md:${n + 1}`}))};
+  const text = directives.expand(page, complaints);
+  rmSync(folder, {recursive: true});
+  return {text, blocks: directives.blocks.join('\n'), complaints};
+}
+
+test('A table has no row and no column for what was not measured, and keeps its other gaps.', () => {
+  const {blocks, complaints} = set_with_gaps(['{{table times | How long}}']);
+  assert.deepEqual(complaints, []);
+  assert.deepEqual([...blocks.matchAll(/<th .*?>(.*?)<\/th>/g)].map(([, name]) => name), ['bodies', 'ours', 'Bullet']);
+  assert.deepEqual([...blocks.matchAll(/<td class="number">(.*?)<\/td>/g)].map(([, cell]) => cell), ['4', '2', '30', '16', '2.5', '']);
+});
+
+test('What is said of a number is left out where it was not measured, with all that it holds.', () => {
+  const lines = ['{{measured contest.bullet}}', 'Bullet takes {{value contest.bullet}}.', '{{end}}', 'Between.', '{{measured contest.ode}}', 'ODE takes {{value contest.ode}}.',
+    '{{fold How}}', 'Hidden.', '{{end}}', '{{end}}', 'After.'];
+  const {text, complaints} = set_with_gaps(lines);
+  assert.deepEqual(complaints, []);
+  assert.deepEqual(text.split('\n'), ['', 'Bullet takes 15.', '', 'Between.', '', '', '', '', '', '', 'After.']);
+  assert.deepEqual(set_with_gaps(lines, ['bench']).text.split('\n').filter(Boolean), ['Between.', 'After.']);
+});
+
+test('A number that was not measured is quoted nowhere else, and one that no program knows is no gap.', () => {
+  assert.match(set_with_gaps(['ODE takes {{value contest.ode}}.']).complaints[0], /bench\.md:1: program contest did not measure "ode".*\{\{measured contest\.ode\}\}/);
+  assert.match(set_with_gaps(['{{measured contest.jolt}}', 'Jolt.', '{{end}}']).complaints[0], /wrote no value "jolt"; there are: bullet, ode/);
+  assert.match(set_with_gaps(['{{measured contest.ode}}', 'ODE.']).complaints[0], /\{\{measured contest\.ode\}\} has no \{\{end\}\}/);
+});
+
+test("A drawing's areas take the page's colours as its lines do.", () => {
+  const {svg} = figure('<svg><g transform="translate(0,20)" fill="black" font-size="18.00" text-anchor="start"><text>Title</text></g>' +
+    "<polygon fill = 'rgb(238, 243, 246)' points = '1,2 3,4'/><path stroke='rgb( 85, 85, 85)' d='M1,2 L3,4'/></svg>", 'what it shows', 'drops');
+  assert.match(svg, /<polygon fill="var\(--figure-fill\)".*<path stroke="var\(--figure-frame\)"/);
 });

@@ -38,7 +38,7 @@ function measured(path) {
   for (const block of blocks.map(text => text.trim()).filter(Boolean)) {
     if (/^## Your turn/.test(block)) is_turn = true;
     const [, name, argument = ''] = /^\{\{(\w+)\s*([\s\S]*?)\}\}$/.exec(block) ?? [];
-    if (['fold', 'gate', 'note'].includes(name)) folds.push(name);
+    if (['fold', 'gate', 'note', 'measured'].includes(name)) folds.push(name);
     else if (name === 'end') folds.pop();
     const is_folded = folds.includes('fold');
     if (['figure', 'live', 'player', 'players'].includes(name)) {

@@ -27,17 +27,25 @@ struct PackMask {
 };
 //! [mask]
 
+/// Where a pack begins in memory, a multiple of so many bytes. Eigen, whose vectors hold packs,
+/// aligns nothing to more than this machine's registers need.
+template <class Real, int width>
+inline constexpr std::size_t pack_alignment = std::min(
+    width * sizeof(Real), std::max<std::size_t>(EIGEN_MAX_STATIC_ALIGN_BYTES, alignof(Real)));
+
 /// `width` numbers, one for each of as many bodies. It stands where the chapters say `Real`: what
 /// they wrote for one body then works on `width` of them at once.
 //! [pack]
 template <class Real, int width>
 struct Pack {
-  // The compilers' own type. Eigen, whose vectors hold it, aligns nothing to more than this
-  // machine's registers need.
-  static constexpr std::size_t alignment = std::min(
-      width * sizeof(Real), std::max<std::size_t>(EIGEN_MAX_STATIC_ALIGN_BYTES, alignof(Real)));
-  using Lanes __attribute__((vector_size(width * sizeof(Real)), aligned(alignment))) = Real;
+  static constexpr std::size_t bytes = width * sizeof(Real);
+  static constexpr std::size_t alignment = pack_alignment<Real, width>;
+  using Lanes __attribute__((vector_size(bytes), aligned(alignment))) = Real;  // the compilers' own
   Lanes lanes;
+
+  friend Pack operator+(Pack a, Pack b) { return a.lanes + b.lanes; }
+  friend Pack operator*(Pack a, Pack b) { return a.lanes * b.lanes; }
+  //! [pack]
 
   Pack() = default;
   Pack(Lanes values) : lanes(values) {}
@@ -47,9 +55,7 @@ struct Pack {
 
   Real operator[](int lane) const { return lanes[lane]; }
 
-  friend Pack operator+(Pack a, Pack b) { return a.lanes + b.lanes; }
   friend Pack operator-(Pack a, Pack b) { return a.lanes - b.lanes; }
-  friend Pack operator*(Pack a, Pack b) { return a.lanes * b.lanes; }
   friend Pack operator/(Pack a, Pack b) { return a.lanes / b.lanes; }
   friend Pack operator-(Pack a) { return -a.lanes; }
   Pack& operator+=(Pack b) { return *this = *this + b; }
@@ -75,7 +81,6 @@ struct Pack {
     return a;
   }
 };
-//! [pack]
 
 /// @cond what is known of numbers elsewhere, said of packs
 /// What sine_cosine() needs to know of a pack is what it knows of one of its numbers.

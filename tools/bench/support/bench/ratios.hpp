@@ -20,9 +20,9 @@ inline std::string shown(Maybe value, const char* format = "%.3g") {
   return value ? number(format, *value) : "";
 }
 
-/// The same for a sentence.
+/// The same for a sentence, which the book leaves out where there is nothing to say.
 inline std::string said(Maybe value, const char* format = "%.2g") {
-  return value ? number(format, *value) : "(not measured)";
+  return shown(value, format);
 }
 
 /// What the tables ask of the measurements.

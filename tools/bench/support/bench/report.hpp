@@ -66,15 +66,15 @@ class Report {
          "ns per body and step with everything on; ODE in " + ode_precision +
              ", the others in float",
          {{"bodies", "bodies"},
-          {"world", "our world"},
-          {"cheapest", "our world, cheapest stable rule"},
-          {"loop", "plain loop, splitting"},
-          {"no sine", "plain loop, no sine"},
-          {"explicit", "plain loop, explicit"},
-          {"2^k apart", "the same, columns a power of two apart"},
+          {"world", "world"},
+          {"cheapest", "world, no sine"},
+          {"loop", "loop"},
+          {"no sine", "loop, no sine"},
+          {"explicit", "loop, explicit"},
+          {"2^k apart", "columns 2ᵏ apart"},
           {"Bullet", "Bullet's functions"},
           {"its world", "Bullet's world"},
-          {"ODE", "ODE"}},
+          {"ODE", "ODE, " + ode_precision}},
          for_each_count(row));
     const auto doubles = [&](std::size_t n) -> std::vector<Maybe> {
       const auto time = [&](const std::string& contender) {
@@ -85,12 +85,12 @@ class Report {
     };
     show(notebook_, "times_double", "The same in double",
          {{"bodies", "bodies"},
-          {"world", "our world"},
-          {"cheapest", "our world, cheapest stable rule"},
-          {"loop", "plain loop, splitting"},
-          {"no sine", "plain loop, no sine"},
-          {"explicit", "plain loop, explicit"},
-          {"ratio", "our world ÷ plain loop"}},
+          {"world", "world"},
+          {"cheapest", "world, no sine"},
+          {"loop", "loop"},
+          {"no sine", "loop, no sine"},
+          {"explicit", "loop, explicit"},
+          {"ratio", "world ÷ loop"}},
          for_each_count(doubles));
   }
 
@@ -112,14 +112,14 @@ class Report {
     };
     show(notebook_, name, title,
          {{"bodies", "bodies"},
-          {"us/loop", "we ÷ plain loop"},
-          {"Bullet/us", "Bullet's functions ÷ we"},
-          {"off", "gyroscopic term off"},
-          {"world/us", "Bullet's world ÷ we"},
-          {"ODE/us", "ODE ÷ we"},
-          {"off", "gyroscopic term off"},
-          {"we, 1/2", "we, one thread ÷ two"},
-          {"loop, 1/2", "plain loop, one thread ÷ two"}},
+          {"us/loop", "world ÷ loop"},
+          {"Bullet/us", "Bullet's functions ÷ world"},
+          {"off", "term off"},
+          {"world/us", "Bullet's world ÷ ours"},
+          {"ODE/us", "ODE ÷ world"},
+          {"off", "term off"},
+          {"we, 1/2", "world, two threads"},
+          {"loop, 1/2", "loop, two threads"}},
          for_each_count(row));
   }
 
@@ -145,15 +145,15 @@ class Report {
          "What the memory can do, and the part of it that is used, %; the last column: points "
          "under gravity",
          {{"bodies", "bodies"},
-          {"KiB", "arrays (KiB)"},
-          {"GB/s", "memory (GB/s)"},
-          {"2 threads", "on two threads (GB/s)"},
-          {"world", "our world (%)"},
-          {"cheapest", "cheapest stable rule (%)"},
-          {"loop", "plain loop, splitting (%)"},
-          {"no sine", "plain loop, no sine (%)"},
-          {"explicit", "plain loop, explicit (%)"},
-          {"points", "our world, points under gravity (%)"}},
+          {"KiB", "KiB"},
+          {"GB/s", "GB/s"},
+          {"2 threads", "GB/s, two threads"},
+          {"world", "world (%)"},
+          {"cheapest", "no sine (%)"},
+          {"loop", "loop (%)"},
+          {"no sine", "loop, no sine (%)"},
+          {"explicit", "loop, explicit (%)"},
+          {"points", "world, points (%)"}},
          for_each_count(row));
   }
 
@@ -173,11 +173,11 @@ class Report {
          "ns per body and step of scenes with one effect more or another, " +
              std::to_string(extent_.count_of_effects) + " bodies",
          {{"scene", "scene"},
-          {"float", "our world, float (ns)"},
-          {"loop", "plain loop, float (ns)"},
+          {"float", "world, float"},
+          {"loop", "loop, float"},
           {"ratio", "ratio, float"},
-          {"double", "our world, double (ns)"},
-          {"loop", "plain loop, double (ns)"},
+          {"double", "world, double"},
+          {"loop", "loop, double"},
           {"ratio", "ratio, double"}},
          rows);
   }
@@ -198,14 +198,22 @@ class Report {
       notebook_.value(name, said(value));
     };
     const auto at = [&](const std::string& who, std::size_t n) { return ratios_.time(who, n); };
-    notebook_.value("ode_precision", ode_precision);
+    const auto peers = [&]() -> std::string {
+      const bool has_bullet = at(bullet_functions, in).has_value();
+      const bool has_ode = ratios_.time(ode_world, in, 1, ode_precision).has_value();
+      return has_bullet && has_ode ? "Bullet and ODE"
+             : has_bullet          ? "Bullet"
+             : has_ode             ? "ODE"
+                                   : "";
+    };
+    notebook_.value("peers", peers());
+    notebook_.value("most_of_peers", std::to_string(extent_.most_of_peers));
 #ifdef TUMBLE_OWN_PEERS
-    notebook_.value("peers_compiled", "are compiled from their own sources with the same flags");
+    notebook_.value("peers_compiled", "from its own sources, with the same flags");
 #else
     notebook_.value(
         "peers_compiled",
-        "are the installed libraries, as their distribution has compiled them, which on "
-        "Debian means for every processor of the architecture");
+        "by the distribution, which on Debian means for every processor of the architecture");
 #endif
     notebook_.value("bodies_in_cache", std::to_string(in));
     notebook_.value("bodies_out_of_cache", std::to_string(out));
