@@ -17,7 +17,7 @@ const limits = {
 const count_words = text => text.split(/\s+/).filter(word => /[\p{L}\p{N}]/u.test(word)).length;
 /** Prose as it is counted: a formula or a value is one word, a link its words. */
 const counted = text => text.replace(/\\f\$.*?\\f\$|\\f\[[\s\S]*?\\f\]|\{\{value [^{}]*\}\}/g, ' 1 ').replace(/\{\{set [^|{}]*\|([^{}]*)\}\}/g, '$1')
-  .replace(/\]\([^)]*\)|\\(?:ref|subpage) \w+/g, ' ').replace(/[*`[\]]/g, '');
+  .replace(/\]\([^)]*\)|\\(?:ref|subpage) \w+/g, ' ').replace(/^\s*(?:-|\d+\.) /gm, '').replace(/[*`[\]]/g, '');
 
 /** Lines of code between the marks of a snippet, or of a block of code. */
 function lines_of_snippet(folder, file, mark) {
@@ -29,7 +29,7 @@ function lines_of_snippet(folder, file, mark) {
 /** What is measured of one page. */
 function measured(path) {
   const folder = join(root, dirname(path)), lines = readFileSync(join(root, path), 'utf8').split('\n').slice(1);
-  const blocks = lines.join('\n').split(/\n\s*\n|(?<=\}\})\n(?=\{\{)/);
+  const blocks = lines.join('\n').replace(/^\{\{(?:fold|gate|note|end)\b.*\}\}$/gm, '\n$&\n').split(/\n\s*\n|(?<=\}\})\n(?=\{\{)/);
   const most = Object.fromEntries(Object.keys(limits).map(name => [name, 0]));
   const raise = (name, value) => { most[name] = Math.max(most[name], value); };
   let words = 0, since_picture = 0, code = 0, long = 0, folds = [], is_turn = false, is_touched = false, sentences = 0, long_sentences = 0;
