@@ -1,20 +1,23 @@
 // What a mass that cannot be gets: a sentence, before anything moves.
-#include <support/record.hpp>
+#include <support/refusals.hpp>
 #include <tumble/particle.hpp>
 
+using namespace tumble;
+
 int main(int argument_count, char** arguments) {
-  tumble::support::Notebook notebook(argument_count, arguments);
+  support::Notebook notebook(argument_count, arguments);
+  support::Table table = support::table_of_refusals(notebook, "bad_masses");
   int refused = 0;
+  const auto attempt = [&](const char* what, float mass) {
+    refused += support::try_it(table, what, "make_particle", [mass] { make_particle(mass); });
+  };
   using Limits = std::numeric_limits<float>;
-  for (const float mass : {0.0f, -2.0f, Limits::quiet_NaN(), Limits::infinity(), 1e-41f}) {
-    try {
-      tumble::make_particle(mass);
-    } catch (const std::invalid_argument& error) {
-      std::printf("%s\n", error.what());
-      ++refused;
-    }
-  }
-  tumble::support::expect(refused == 5, "every one of the five masses is refused");
+  attempt("no mass", 0);
+  attempt("a mass below zero", -2);
+  attempt("a mass of 0/0", Limits::quiet_NaN());
+  attempt("an infinite mass", Limits::infinity());
+  attempt("a mass at the end of float's range", 1e-41f);
+  support::expect(refused == 5, "every one of the five masses is refused");
   // Below the normal numbers a digit is lost with every halving; the smallest of all has one left.
   notebook.value("digits_left",
                  std::to_string(std::ilogb(1e-41f) - std::ilogb(Limits::denorm_min()) + 1));

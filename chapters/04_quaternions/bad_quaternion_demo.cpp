@@ -1,35 +1,30 @@
 // What four numbers that are no orientation get: a sentence, before anything turns.
-#include <support/record.hpp>
+#include <support/refusals.hpp>
 #include <tumble/rotation_matrix.hpp>
 #include <tumble/rotation_vector.hpp>
 
 using namespace tumble;
 
-namespace {
-
-template <class Action>
-bool refused(const Action& action) {
-  try {
-    action();
-  } catch (const std::invalid_argument& error) {
-    std::printf("%s\n", error.what());
-    return true;
-  }
-  return false;
-}
-
-}  // namespace
-
 int main(int argument_count, char** arguments) {
   support::Notebook notebook(argument_count, arguments);
-  using Limits = std::numeric_limits<double>;
-  int count = 0;
-  const Vec3d none = Vec3d::Zero();
-  for (const Quaterniond& q : {Quaterniond{0, none}, Quaterniond{Limits::quiet_NaN(), none},
-                               Quaterniond{1, Vec3d(1, 0, 0)}})
-    count += refused([&] { checked_orientation(q, "orientation of the book"); });
-  count += refused([] { quaternion_about(Vec3d(0, 0, 0), 1.0); });
-  count += refused([] { quaternion_about(Vec3d(0, 0, 1), 1e7); });
-  count += refused([] { quaternion_of<double>(Vec3d(1, 1, -1).asDiagonal(), "camera"); });
-  support::expect(count == 6, "each of the six is refused");
+  support::Table table = support::table_of_refusals(notebook, "bad_quaternions");
+  int refused = 0;
+  const auto orient = [&](const char* what, double real, const Vec3d& imaginary) {
+    refused += support::try_it(table, what, "checked_orientation", [&] {
+      checked_orientation(Quaterniond{real, imaginary}, "orientation of the book");
+    });
+  };
+  orient("four zeros", 0, {0, 0, 0});
+  orient("a component of 0/0", std::numeric_limits<double>::quiet_NaN(), {0, 0, 0});
+  orient("a quaternion that is not normalised", 1, {1, 0, 0});
+  orient("one that was typed to two digits", 0.71, {0.71, 0, 0});
+  const auto turn = [&](const char* what, const Vec3d& axis, double angle) {
+    refused +=
+        support::try_it(table, what, "quaternion_about", [&] { quaternion_about(axis, angle); });
+  };
+  turn("a turn about no axis", {0, 0, 0}, 1.0);
+  turn("a turn by ten million radians", {0, 0, 1}, 1e7);
+  refused += support::try_it(table, "the matrix of a mirror", "quaternion_of",
+                             [] { quaternion_of<double>(Vec3d(1, 1, -1).asDiagonal(), "camera"); });
+  support::expect(refused == 6, "all but the one that was typed are refused");
 }

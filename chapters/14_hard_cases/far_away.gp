@@ -1,7 +1,7 @@
 @drawing 560,400
 set title "In float, a body at 1 m/s is too fast far from the origin, and further out stands still"
 set xlabel "time (s)"
-set ylabel "way gone (m)"
+set ylabel "distance moved (m)"
 set xrange [0:2]
 set xtics 0.5
 set rmargin 17

@@ -102,6 +102,28 @@ std::string turns_of() {
   return std::to_string(Row::row.kicks.size() + Row::row.drifts.size() + 1);
 }
 
+/// The largest error of the energy so far, over ten minutes of problem A at a radian a step: which
+/// errors only waver, and which add up.
+void follow_errors(const Notebook& notebook, const std::vector<TurningRung<double>>& all) {
+  const HardCase<double> fast = fast_case<double>();
+  const double start = kinetic_energy(fast.top);
+  const std::array<std::string_view, 4> names = {"splitting", "splitting, Blanes-Moan 4",
+                                                 "Dormand-Prince 8", "L apart, Dormand-Prince 8"};
+  Table table = notebook.table("adding_up", {"time (s)", names[0], names[1], names[2], names[3]});
+  std::array<Topd, 4> tops;
+  tops.fill(fast.top);
+  std::array<double, 4> largest{};
+  for (int n = 1, next = 1; n <= 10 * fast.steps; ++n) {
+    for (std::size_t m = 0; m < tops.size(); ++m) {
+      method_called(all, names[m]).turn(tops[m], fast.time_step);
+      largest[m] = std::max(largest[m], std::abs(kinetic_energy(tops[m]) / start - 1));
+    }
+    if (n < next && n < 10 * fast.steps) continue;
+    table.row(n * fast.time_step, largest[0], largest[1], largest[2], largest[3]);
+    next = std::max(n + 1, n * 11 / 10);
+  }
+}
+
 /// The default on what it does worst, beside three rivals: for longer, and on a faster body.
 void try_default(Notebook& notebook) {
   const std::vector<TurningRung<double>> all = all_methods<double>();
@@ -110,6 +132,7 @@ void try_default(Notebook& notebook) {
     return watched<double>(fast.top, method_called(all, name).turn, minutes * fast.steps,
                            fast.steps_to_angle, fast.time_step);
   };
+  follow_errors(notebook, all);
   const auto words = [](const Motion& motion) {
     return motion.diverged == 0 ? number("%.0e", motion.energy_error)
                                 : "gone in step " + std::to_string(motion.diverged);

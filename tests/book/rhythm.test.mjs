@@ -17,7 +17,7 @@ const limits = {
 const count_words = text => text.split(/\s+/).filter(word => /[\p{L}\p{N}]/u.test(word)).length;
 /** Prose as it is counted: a formula or a value is one word, a link its words. */
 const counted = text => text.replace(/\\f\$.*?\\f\$|\\f\[[\s\S]*?\\f\]|\{\{value [^{}]*\}\}/g, ' 1 ').replace(/\{\{set [^|{}]*\|([^{}]*)\}\}/g, '$1')
-  .replace(/\]\([^)]*\)|\\(?:ref|subpage) \w+/g, ' ').replace(/[*`[\]]/g, '');
+  .replace(/\]\([^)]*\)|\\(?:ref|subpage) \w+/g, ' ').replace(/^\s*(?:-|\d+\.) /gm, '').replace(/[*`[\]]/g, '');
 
 /** Lines of code between the marks of a snippet, or of a block of code. */
 function lines_of_snippet(folder, file, mark) {
