@@ -12,9 +12,9 @@
   live.figures.stutter = {
     title: 'Which of the two balls stutters?',
     knobs: {
-      rate: {label: 'Steps of the world', whole: true, words: value => `${value} a second`},
-      frames: {label: 'Frames of the screen', whole: true, words: value => `${value} a second`},
-      slower: {label: 'Slow motion', log: true, whole: true, words: value => `${value} times slower`},
+      rate: {label: 'Steps of the world', words: value => `${Math.floor(value)} a second`},
+      frames: {label: 'Frames of the screen', words: value => `${Math.floor(value)} a second`},
+      slower: {label: 'Slow motion', log: true, words: value => `${live.shown(value, 2)} times slower`},
     },
     duration: ({columns}) => columns['shown at'].at(-1),
     still_time: 4,
@@ -60,7 +60,7 @@
     ],
     finding({columns, values}) {
       const {shown, with_unit} = live;
-      const start = `A step lasts ${with_unit(1000 / values.rate, 'ms')} and a frame ${with_unit(1000 / values.frames, 'ms')}`;
+      const start = `A step lasts ${with_unit(1000 / Math.floor(values.rate), 'ms')} and a frame ${with_unit(1000 / Math.floor(values.frames), 'ms')}`;
       if (!is_open()) return `${start}. Say first how far the ball that stutters leaps.`;
       const [leaps, even] = [moves(columns['last state']), moves(columns['between two'])];
       const [least, most_moved] = [Math.min(...leaps), Math.max(...leaps)];
