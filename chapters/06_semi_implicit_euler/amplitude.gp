@@ -1,5 +1,5 @@
 set title "How far does the weight get?"
-set xlabel "w h"
+set xlabel "ωh"
 set ylabel "largest |x| (m)"
 set logscale y
 set xrange [0:2.1]
@@ -7,5 +7,7 @@ set yrange [0.8:40]
 set ytics (1, 2, 5, 10, 20)
 set samples 2001
 set arrow from 2, graph 0 to 2, graph 1 nohead linecolor rgb "#555555"
-plot [0:1.9985] 1/sqrt(1 - x*x/4) with lines linestyle 7 title "1/sqrt(1 - (w h/2)^2)", \
-     "amplitude.tsv" using 1:2 with points linestyle 1 title "2000 steps"
+set label 1 "1/√(1 − ω²h²/4)" at 1.72, 4 right textcolor linetype 7
+set label 2 "2000 steps" at 0.98, 1.5 right textcolor linetype 1
+plot [0:1.9985] 1/sqrt(1 - x*x/4) with lines linestyle 7 notitle, \
+     "amplitude.tsv" using 1:2 with points linestyle 1 notitle

@@ -91,6 +91,55 @@ TEST_CASE("On an orbit the energy of kick and drift swings and does not drift") 
   }
 }
 
+TEST_CASE("Under a pendulum's pull or a sun's E + hFv/2 wavers by h², and E by h") {
+  // Of 1 kg: a pendulum of 1 rad/s released at 2 rad, and the satellite.
+  const auto pendulum_pull = [](const Vec3d& place) { return Vec3d(-std::sin(place.x()), 0, 0); };
+  const auto pendulum_energy = [](const Particled& body) {
+    return body.velocity.squaredNorm() / 2 - std::cos(body.position.x());
+  };
+  const auto sun_pull = [](const Vec3d& place) -> Vec3d {
+    return -place / std::pow(place.norm(), 3);
+  };
+  /// How far E, and E + ½ h F·v, get from their start in the time between two moments.
+  const auto wavering = [](const auto& pull, const auto& energy, const Particled& start, double h,
+                           double from, double to) {
+    Particled body = start;
+    const auto nearby = [&] {
+      return energy(body) + h / 2 * pull(body.position).dot(body.velocity);
+    };
+    const double first_energy = energy(body), first_nearby = nearby();
+    double energy_off = 0, nearby_off = 0;
+    for (int n = 1; n * h <= to; ++n) {
+      clear_force(body);
+      add_force(body, pull(body.position));
+      step(body, h);
+      if (n * h < from) continue;
+      energy_off = std::max(energy_off, std::abs(energy(body) - first_energy));
+      nearby_off = std::max(nearby_off, std::abs(nearby() - first_nearby));
+    }
+    return std::pair(energy_off, nearby_off);
+  };
+  const auto check = [&](const auto& pull, const auto& energy, const Particled& start) {
+    for (const double h : {0.04, 0.02, 0.01}) {
+      CAPTURE(h);
+      const auto [energy_off, nearby_off] = wavering(pull, energy, start, h, 0, 100);
+      const auto [half_energy, half_nearby] = wavering(pull, energy, start, h / 2, 0, 100);
+      // A first order halves, a second quarters; the next order is below a twentieth of either.
+      const double ratio = energy_off / half_energy, nearby_ratio = nearby_off / half_nearby;
+      CHECK(ratio > 1.9);
+      CHECK(ratio < 2.1);
+      CHECK(nearby_ratio > 3.9);
+      CHECK(nearby_ratio < 4.1);
+    }
+    // It does not drift: some hundred swings later it wavers as far.
+    const double early = wavering(pull, energy, start, 0.04, 0, 100).second;
+    const double late = wavering(pull, energy, start, 0.04, 1900, 2000).second;
+    CHECK(late < 1.05 * early);
+  };
+  check(pendulum_pull, pendulum_energy, make_particle(1.0, Vec3d(2, 0, 0)));
+  check(sun_pull, orbit_energy<double>, satellite(0.5));
+}
+
 TEST_CASE("On an orbit of eccentricity 0.5 explicit Euler gains energy in every step") {
   Particled body = satellite(0.5);
   for (int n = 0; n < 2000; ++n) {

@@ -8,7 +8,7 @@ using tumble::support::number;
 
 namespace {
 
-const double frequency = 1;  // w, rad/s: one swing takes 2π seconds
+const double frequency = 1;  // ω, rad/s: one swing takes 2π seconds
 const double pi = 3.14159265358979323846;
 
 void gather_spring(Particled& weight) {
@@ -98,7 +98,7 @@ int main(int argument_count, char** arguments) {
   const double half = frequency * time_step / 2;
   const double bound = half / (1 - half);
   support::expect(largest <= bound * (1 + 1e-9) && largest >= bound * (1 - 1e-3),
-                  "the energy of kick and drift rises by (w h/2)/(1 - w h/2)");
+                  "the energy of kick and drift rises by (ωh/2)/(1 − ωh/2)");
   support::expect(energy(explicitly) > 1e6, "explicit Euler's energy has grown a million times");
 
   support::Table energies = notebook.table(

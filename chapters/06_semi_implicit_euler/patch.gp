@@ -1,18 +1,25 @@
-@drawing 480,470
+@drawing 500,290
 set output name.".svg"
-set title "A kick and a drift shear a patch of starts and keep its area"
-set xlabel "position x (m)"
-set ylabel "velocity v (m/s)"
+# Start, kick and drift side by side; the explicit step is outlined beside the drift.
+set multiplot layout 1,3 margins 0.15,0.99,0.21,0.86 spacing 0.03,0 title "A kick and a drift shear a patch of starts and keep its area" font "sans-serif,18"
+set xlabel "x (m)"
+set ylabel "v (m/s)"
 set size ratio -1
 set xrange [0.2:1.6]
-set xtics 0.4
-set yrange [-1.05:0.35]
-set label 1 "start" at 1.02, 0 center textcolor rgb "#22303a"
-set label 2 "after the kick" at 1.23, -0.8 left textcolor linetype 3
-set label 3 "after the drift" at 0.35, -0.9 center textcolor rgb "#0b6aa2"
-set label 4 "explicit step" at 1.28, -0.42 left textcolor linetype 2
+set xtics 0.8
+set yrange [-1.25:0.5]
+set ytics 0.5
 of(kind) = strcol(1) eq kind ? column(2) : NaN
-plot "patch.tsv" using (of("start")):3 with filledcurves closed fillstyle transparent solid 0.25 border linestyle 7 notitle, \
-     "patch.tsv" using (of("kicked")):3 with filledcurves closed fillstyle transparent solid 0.25 border linestyle 3 notitle, \
+set label 1 "start" at 0.9, 0.33 center textcolor rgb "#22303a"
+plot "patch.tsv" using (of("start")):3 with filledcurves closed fillstyle transparent solid 0.25 border linestyle 7 notitle
+unset ylabel
+set format y ""
+set label 1 "after the kick" at 0.9, 0.33 center textcolor linetype 3
+plot "patch.tsv" using (of("start")):3 with lines linestyle 7 notitle, \
+     "patch.tsv" using (of("kicked")):3 with filledcurves closed fillstyle transparent solid 0.25 border linestyle 3 notitle
+set label 1 "after the drift" at 0.9, 0.33 center textcolor rgb "#0b6aa2"
+set label 2 "explicit step" at 1.0, -1.06 center textcolor linetype 2
+plot "patch.tsv" using (of("kicked")):3 with lines linestyle 3 notitle, \
      "patch.tsv" using (of("stepped")):3 with filledcurves closed fillstyle transparent solid 0.35 border linestyle 1 notitle, \
-     "patch.tsv" using (of("explicit")):3 with filledcurves closed fillstyle transparent solid 0.08 border linestyle 2 notitle
+     "patch.tsv" using (of("explicit")):3 with lines linestyle 2 notitle
+unset multiplot

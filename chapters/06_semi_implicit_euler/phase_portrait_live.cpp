@@ -9,7 +9,7 @@ using namespace tumble;
 namespace {
 
 /// Implicit Euler takes both rates from the end of the step. For a spring that can be solved:
-/// v' = v − h w² (x + h v').
+/// v' = v − h ω² (x + h v').
 void implicit_step(Particled& weight, double frequency, double h) {
   const double square = frequency * frequency;
   weight.velocity = (weight.velocity - h * square * weight.position) / (1 + h * h * square);
@@ -25,10 +25,12 @@ void tumble::support::run_live(Live& live) {
   const double x = live.knob("x", "m", 1, -2, 2);
   const double v = live.knob("v", "m/s", 0, -2, 2);
 
-  std::vector<double>&time = live.column("time", "s"), &places = live.column("place", "m"),
+  // Places are multiplied by ω, so that the exact path is a circle whatever ω is.
+  std::vector<double>&time = live.column("time", "s"), &places = live.column("scaled place", "m/s"),
   &speeds = live.column("velocity", "m/s"), &energies = live.column("energy", "of E₀");
-  std::vector<double>&circle_x = live.column("exact place", "m"),
-  &circle_v = live.column("exact velocity", "m/s"), &curve_x = live.column("curve place", "m"),
+  std::vector<double>&circle_x = live.column("exact scaled place", "m/s"),
+  &circle_v = live.column("exact velocity", "m/s"),
+  &curve_x = live.column("curve scaled place", "m/s"),
   &curve_v = live.column("curve velocity", "m/s");
 
   Particled weight = make_particle(1.0, Vec3d(x, 0, 0), Vec3d(v, 0, 0));
@@ -37,7 +39,7 @@ void tumble::support::run_live(Live& live) {
   for (int n = 0; n <= steps; ++n) {
     const double place = weight.position.x(), velocity = weight.velocity.x();
     time.push_back(n * h);
-    places.push_back(place);
+    places.push_back(w * place);
     speeds.push_back(velocity);
     energies.push_back(energy > 0 ? (velocity * velocity + square * place * place) / energy : 1);
     clear_force(weight);
@@ -50,16 +52,16 @@ void tumble::support::run_live(Live& live) {
       implicit_step(weight, w, h);
   }
 
-  // The circle of the exact motion, and the ellipse Q = v² + w²x² − h w² x v that kick and drift
-  // keeps, in the coordinates a = w x + v, b = w x − v: Q = (a² + b²)/2 − h w (a² − b²)/4.
+  // The circle of the exact motion, and the ellipse Q = v² + ω²x² − h ω² x v that kick and drift
+  // keeps, in the coordinates a = ω x + v, b = ω x − v: Q = (a² + b²)/2 − h ω (a² − b²)/4.
   const double Q = energy - h * square * x * v;
   const double along = std::sqrt(Q / (0.5 - h * w / 4)), across = std::sqrt(Q / (0.5 + h * w / 4));
   for (int n = 0; n <= 120; ++n) {
     const auto [sine, cosine] = sine_cosine(2 * std::numbers::pi * n / 120);
-    circle_x.push_back(std::sqrt(energy) / w * cosine);
+    circle_x.push_back(std::sqrt(energy) * cosine);
     circle_v.push_back(std::sqrt(energy) * sine);
     if (rule != 1 || h * w >= 2) continue;
-    curve_x.push_back((along * cosine + across * sine) / (2 * w));
+    curve_x.push_back((along * cosine + across * sine) / 2);
     curve_v.push_back((along * cosine - across * sine) / 2);
   }
 }

@@ -11,7 +11,7 @@
     knobs: {
       rule: {label: 'Rule', choices: rules},
       h: {label: 'Time step h', log: true},
-      w: {label: 'Angular frequency w'},
+      w: {label: 'Angular frequency ω'},
       x: {label: 'Initial position'},
       v: {label: 'Initial velocity'},
     },
@@ -19,29 +19,29 @@
     still_time: 12,
     panels: [
       {
-        label: 'Velocity against position: the exact circle, the curve that the rule keeps if it keeps one, and the stepped weight.',
+        label: 'Velocity v against ωx: the exact circle, the curve that the rule keeps if it keeps one, and the stepped weight.',
         draw(picture, {columns, values, time}) {
           const {painter, palette, size} = picture;
           const largest = list => list.reduce((most, value) => (Number.isFinite(value) ? Math.max(most, Math.abs(value)) : most), 0);
-          const round = Math.max(0.5, largest(columns['exact place']), largest(columns['exact velocity']));
+          const round = Math.max(0.5, largest(columns['exact scaled place']), largest(columns['exact velocity']));
           // What runs away is followed for a while.
-          const drawn = is_open() ? ['place', 'velocity', 'curve place', 'curve velocity'] : [];
+          const drawn = is_open() ? ['scaled place', 'velocity', 'curve scaled place', 'curve velocity'] : [];
           const reach = 1.2 * Math.min(4 * round, Math.max(round, ...drawn.map(name => largest(columns[name]))));
-          const plot = new live.Plot(painter, palette, size, {label: 'position', unit: 'm', least: -reach, most: reach},
-            {label: 'velocity', unit: 'm/s', least: -reach, most: reach}, {equal: true});
+          const plot = new live.Plot(painter, palette, size, {label: 'ωx', unit: 'm/s', least: -reach, most: reach},
+            {label: 'v', unit: 'm/s', least: -reach, most: reach}, {equal: true});
           picture.plot = plot;
-          plot.line(columns['exact place'], columns['exact velocity'], palette.bodies[0]);
-          if (is_open()) plot.line(columns['curve place'], columns['curve velocity'], palette.bodies[2], {dash: [6, 4]});
+          plot.line(columns['exact scaled place'], columns['exact velocity'], palette.bodies[0]);
+          if (is_open()) plot.line(columns['curve scaled place'], columns['curve velocity'], palette.bodies[2], {dash: [6, 4]});
           const shown = is_open() ? Math.floor(time / values.h + 1e-9) + 1 : 1;
-          const [x, v] = [columns.place.subarray(0, shown), columns.velocity.subarray(0, shown)];
+          const [x, v] = [columns['scaled place'].subarray(0, shown), columns.velocity.subarray(0, shown)];
           plot.line(x, v, palette.bodies[1], {width: 1, opacity: 0.6});
           plot.points(x, v, palette.bodies[1]);
           plot.points([x.at(-1)], [v.at(-1)], palette.bodies[1], 6);
           plot.legend([['exact', palette.bodies[0]], [rules[values.rule], palette.bodies[1]]]);
         },
-        drag(plot, at) {
-          const [x, v] = plot.value_at(at);
-          return {x, v};
+        drag(plot, at, {values}) {
+          const [scaled, v] = plot.value_at(at);
+          return {x: scaled / values.w, v};
         },
         key: ([right, up], {values}) => ({x: values.x + 0.1 * right, v: values.v + 0.1 * up}),
       },
@@ -50,12 +50,14 @@
         draw(picture, {columns, values}) {
           const {painter, palette, size} = picture;
           const steps = columns.time.map((_, n) => n);
-          const energies = (is_open() ? columns.energy : columns.energy.subarray(0, 1)).map(energy => Math.max(1e-12, Math.min(1e12, energy)));
+          // Where the energy leaves the axis the plot ends, so that a steep line is still seen as one.
+          const beyond = is_open() ? columns.energy.findIndex(energy => !(energy > 1e-12 && energy < 1e12)) : 1;
+          const energies = columns.energy.subarray(0, beyond < 0 ? steps.length : Math.max(1, beyond)), last = beyond > 1 ? Math.max(5, beyond) : 240;
           const least = Math.min(0.1, energies.reduce((a, b) => Math.min(a, b))), most = Math.max(10, energies.reduce((a, b) => Math.max(a, b)));
-          const plot = new live.Plot(painter, palette, size, {label: 'steps', unit: '', least: 0, most: 240},
+          const plot = new live.Plot(painter, palette, size, {label: 'steps', unit: '', least: 0, most: last},
             {label: 'energy', unit: 'relative', least: 10 ** Math.floor(Math.log10(least)), most: 10 ** Math.ceil(Math.log10(most)), log: true});
           picture.plot = plot;
-          plot.line([0, 240], [1, 1], palette.bodies[0]);
+          plot.line([0, last], [1, 1], palette.bodies[0]);
           plot.line(steps.subarray(0, energies.length), energies, palette.bodies[1]);
           plot.legend([['exact', palette.bodies[0]], [rules[values.rule], palette.bodies[1]]]);
         },
@@ -66,15 +68,15 @@
       if (!is_open()) return 'Say first with which order the weight swings farther every time, and the steps are drawn.';
       const wh = values.w * values.h, energies = columns.energy;
       if (energies[0] === 0 || (values.x === 0 && values.v === 0)) return 'A weight that rests where the spring is slack rests by every rule.';
-      const start = `With w h = ${shown(wh)}`;
+      const start = `With ωh = ${shown(wh)}`;
       if (values.rule === 0)
-        return `${start} it spirals out: each step multiplies the energy by ${shown(energies[1] / energies[0], 4)}, which is 1 + (w h)².`;
+        return `${start} it spirals out: each step multiplies the energy by 1 + ${shown(energies[1] / energies[0] - 1)}, which is 1 + (ωh)².`;
       if (values.rule === 2)
-        return `${start} it spirals in: each step divides the energy by ${shown(energies[0] / energies[1], 4)}, which is 1 + (w h)².`;
+        return `${start} it spirals in: each step divides the energy by 1 + ${shown(energies[0] / energies[1] - 1)}, which is 1 + (ωh)².`;
       const most = energies.reduce((a, b) => Math.max(a, b)), least = energies.reduce((a, b) => Math.min(a, b));
       if (wh < 2)
         return `${start} it stays on an ellipse: in 240 steps the energy varies between ${shown(least)} and ${shown(most)} of its initial value and always comes back.`;
-      if (wh === 2) return `${start} it stands on the border: the ellipse has become a pair of lines.`;
+      if (wh === 2) return `${start} it is at the limit: the ellipse has become a pair of lines.`;
       return `${start}, which is beyond 2, there is no ellipse left: after 240 steps the energy is ${shown(energies.at(-1))} times its initial value.`;
     },
   };

@@ -24,7 +24,7 @@ double amplitude(double time_step, int steps) {
 
 int main(int argument_count, char** arguments) {
   support::Notebook notebook(argument_count, arguments);
-  std::printf("   w h   largest |x| of 1000 steps   1/sqrt(1 - (w h/2)^2)   period too short by\n");
+  std::printf("    ωh   largest |x| of 1000 steps       1/√(1 − ω²h²/4)   period too short by\n");
   for (const double wh : {0.1, 0.5, 1.0, 1.5, 1.9, 1.99, 1.999, 2.001, 2.01}) {
     const double largest = amplitude(wh, 1000);
     if (wh < 2)
@@ -37,12 +37,12 @@ int main(int argument_count, char** arguments) {
   }
   const double growth = amplitude(2.001, 1060) / amplitude(2.001, 1000);
   support::expect(std::abs(growth / std::exp(60 * 2 * std::acosh(2.001 / 2)) - 1) < 1e-9,
-                  "beyond 2 a step grows by exp(2 acosh(w h / 2))");
+                  "beyond 2 a step grows by exp(2 acosh(ωh/2))");
   notebook.value("growth", number("%.0f", growth));
-  support::expect(amplitude(1.999, 100'000) < 31.63, "w h = 1.999 stays bounded");
-  support::expect(amplitude(2.001, 1000) > 1e20, "w h = 2.001 does not");
+  support::expect(amplitude(1.999, 100'000) < 31.63, "ωh = 1.999 stays bounded");
+  support::expect(amplitude(2.001, 1000) > 1e20, "ωh = 2.001 does not");
 
-  support::Table measured = notebook.table("amplitude", {"w h", "largest |x| (m)"});
+  support::Table measured = notebook.table("amplitude", {"ωh", "largest |x| (m)"});
   for (int n = 2; n <= 39; ++n) measured.row(n * 0.05, amplitude(n * 0.05, 2000));
   for (const double wh : {1.97, 1.98, 1.99, 1.995}) measured.row(wh, amplitude(wh, 2000));
 

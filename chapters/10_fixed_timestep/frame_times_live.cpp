@@ -21,11 +21,20 @@ void tumble::support::run_live(Live& live) {
   std::vector<double>&time = live.column("time", "s"), &frames = live.column("frame", "ms"),
   &simulated = live.column("simulated", "s"), &dropped = live.column("dropped", "s"),
   &taken = live.column("steps", "");
+  // The account of each frame, in ms: what waited, what comes in, what is dropped, what waits then.
+  std::vector<double>&waited = live.column("waited", "ms"), &paid = live.column("paid in", "ms"),
+  &lost = live.column("lost", "ms"), &waits = live.column("waits", "ms");
   StepClock clock = make_step_clock(steps_per_second(60), nanoseconds_of(longest), most_steps);
   const std::int64_t end = 10'000'000'000, shortest = 1'000'000'000 / 60;
   std::int64_t now = 0, frame = shortest;
   while (now < end) {
+    const double step_ms = 1000 * time_step_of<double>(clock.step);
+    const double dropped_before = dropped_time<double>(clock);
+    waited.push_back(step_ms * fraction_of_step<double>(clock));
+    paid.push_back(static_cast<double>(frame) / 1e6);
     const std::int64_t due = steps_due(clock, frame);
+    lost.push_back(1000 * (dropped_time<double>(clock) - dropped_before));
+    waits.push_back(step_ms * fraction_of_step<double>(clock));
     // Each step costs what is drawn for the moment in which it begins.
     double work = picture * 1e6;
     for (std::int64_t n = 0; n < due; ++n) {

@@ -2,5 +2,7 @@ set title "How far does the ball move in each frame?"
 set xlabel "frame"
 set ylabel "position (cm)"
 set xtics 4
-plot "stutter.tsv" using 1:2 with linespoints linestyle 2 title "last state", \
-     "stutter.tsv" using 1:3 with linespoints linestyle 1 title "between the last two"
+set label 1 "A: last state" at 11.4, 30 right textcolor linetype 2
+set label 2 "B: between the last two" at 11.6, 14 left textcolor linetype 1
+plot "stutter.tsv" using 1:2 with linespoints linestyle 2 notitle, \
+     "stutter.tsv" using 1:3 with linespoints linestyle 1 notitle

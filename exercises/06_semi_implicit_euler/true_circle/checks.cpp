@@ -6,7 +6,7 @@ using namespace tumble::exercise;
 
 namespace {
 
-/// 4 kg on 16 N/m: w = 2 rad/s.
+/// 4 kg on 16 N/m: ω = 2 rad/s.
 template <class Real>
 Particle<Real> weight(const Vec3<Same<Real>>& position, const Vec3<Same<Real>>& velocity,
                       Same<Real> mass = 4) {
@@ -70,7 +70,7 @@ EXERCISE_CHECK(
       .must_be(truth.velocity, 32 * unit_roundoff<Real>);
   require(found.force.isZero(0), "the force " + shown(found.force) +
                                      " N is left behind. It would act again in the next step");
-  // With 4 kg on 16 N/m the mass, w² and the root of the stiffness are one number: so another.
+  // With 4 kg on 16 N/m the mass, ω² and the root of the stiffness are one number: so another.
   const auto other = weight<Real>(Vector(1, 0, Real(-0.5)), Vector(0, 2, 1), 2);
   const auto other_truth = by_matrix(other, h, 18), other_found = stepped(other, h, 1, 18);
   Found("the place of 2 kg on 18 N/m after a step of a quarter of a second", "m",
@@ -103,7 +103,7 @@ EXERCISE_CHECK("Half the step, a quarter of the error") {
     return double(body.position.x()) - std::cos(w * time);
   };
   const double coarse = miss(24), fine = miss(48);
-  // The phase is off by w² h²/24 of w t; the next order changes the ratio by w² h²/10, 0.6 %. In
+  // The phase is off by ω² h²/24 of ω t; the next order changes the ratio by ω² h²/10, 0.6 %. In
   // float 48 steps round 16 times each, a hundredth of the finer error.
   Found("the error with 24 steps, divided by that with 48,", "", coarse / fine)
       .mistake(2,
@@ -121,7 +121,7 @@ EXERCISE_CHECK(
       .mistake(energy(body) * 2, "that is m v² + k x²: the factor ½ is missing")
       .mistake(energy(body) / 4, "the mass, 4 kg, is missing")
       .must_be(energy(body), 16 * energy(body) * unit_roundoff<Real>);
-  const Real h = Real(0.25);  // w h = 1/2
+  const Real h = Real(0.25);  // ω h = 1/2
   const Real start = kept(body, h), energy_there = energy(body);
   // Each step rounds x and v some sixteen times; the ellipse has the size of its energy. The last
   // roundings are those of kept() itself.
@@ -132,19 +132,19 @@ EXERCISE_CHECK(
     const Real now = kept(body, h);
     if (std::abs(now - start) <= (16 * n + 16) * rounding) continue;
     const bool is_energy = std::abs(start - energy_there) <= 16 * rounding;
-    fail(sentence("after ", n, " steps with w h = 1/2 it is ", now, " J instead of ", start, " J. ",
+    fail(sentence("after ", n, " steps with ω h = 1/2 it is ", now, " J instead of ", start, " J. ",
                   is_energy ? "It is the energy, which this step does not keep: α differs from 1"
-                            : "Put x' and v' into v² + α w² x², and ask for the mixed term to "
+                            : "Put x' and v' into v² + α ω² x², and ask for the mixed term to "
                               "vanish"));
   }
   Found("what is kept after 64 steps of your own", "J",
         kept(stepped(weight<Real>(Vec3<Real>(1, 0, Real(-0.5)), Vec3<Real>(0, 2, 1)), h, 64), h))
       .must_be(start, (16 * 64 + 16) * rounding);
-  // With 4 kg on 16 N/m the mass, w² and the root of the stiffness are one number: so another.
+  // With 4 kg on 16 N/m the mass, ω² and the root of the stiffness are one number: so another.
   const auto other = weight<Real>(Vec3<Real>(1, 0, Real(-0.5)), Vec3<Real>(0, 2, 1), 2);
   const Real other_energy = other.velocity.squaredNorm() + 9 * other.position.squaredNorm();
   Found("what is kept of 2 kg on 18 N/m for a step of no length", "J", kept(other, 0, 18))
-      .mistake(other_energy * Real(4.5), "w², which is 9 here, stands where the mass belongs")
+      .mistake(other_energy * Real(4.5), "ω², which is 9 here, stands where the mass belongs")
       .must_be(other_energy, 16 * double(other_energy) * unit_roundoff<Real>);
   Found("what is kept of 2 kg on 18 N/m after a step, less what was kept before it,", "J",
         kept(by_matrix(other, h, 18), h, 18) - kept(other, h, 18))

@@ -12,9 +12,9 @@ void symmetric_step(tumble::Particle<Real>& weight, Real stiffness, Real time_st
   todo("half a kick, a drift, half a kick, each with the force of its place");
 }
 
-/// What symmetric_step() leaves unchanged, in J: ½ m (v² + α w² x²), w² = k/m, with an α that goes
+/// What symmetric_step() leaves unchanged, in J: ½ m (v² + α ω² x²), ω² = k/m, with an α that goes
 /// to 1 as the step goes to zero.
 template <class Real>
 Real kept(const tumble::Particle<Real>& weight, Real stiffness, Real time_step) {
-  todo("half of m times the combination of v² and w² x² that the step keeps");
+  todo("half of m times the combination of v² and ω² x² that the step keeps");
 }

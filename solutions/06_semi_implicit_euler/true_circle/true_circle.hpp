@@ -21,11 +21,11 @@ void symmetric_step(tumble::Particle<Real>& weight, Real stiffness, Real time_st
   //! [end]
 }
 
-/// What symmetric_step() leaves unchanged, in J: ½ m (v² + α w² x²), w² = k/m, with an α that goes
+/// What symmetric_step() leaves unchanged, in J: ½ m (v² + α ω² x²), ω² = k/m, with an α that goes
 /// to 1 as the step goes to zero.
 template <class Real>
 Real kept(const tumble::Particle<Real>& weight, Real stiffness, Real time_step) {
-  //! [solution] half of m times the combination of v² and w² x² that the step keeps
+  //! [solution] half of m times the combination of v² and ω² x² that the step keeps
   const Real square = stiffness * weight.inverse_mass;
   const Real leaning_back = 1 - square * time_step * time_step / 4;
   return tumble::mass_of(weight) *
