@@ -10,8 +10,8 @@ set ytics ("Euler" 11.5, "Verlet" 10, "Suzuki" 5) scale 0
 set grid noytics
 forwards = "#0b6aa2"
 backwards = "#c2500a"
-set style arrow 1 head filled size screen 0.02,20 linecolor rgb forwards linewidth 2
-set style arrow 2 head filled size screen 0.02,20 linecolor rgb backwards linewidth 2
+set style arrow 1 head nofilled size screen 0.02,20 linecolor rgb forwards linewidth 2
+set style arrow 2 head nofilled size screen 0.02,20 linecolor rgb backwards linewidth 2
 # Suzuki's five steps of Verlet, each below the one before: where they begin, and how long they are.
 p = 1 / (4 - 4**(1.0 / 3))
 begins(i) = i < 3 ? i * p : 1 - (5 - i) * p
