@@ -337,6 +337,8 @@ int main(int argument_count, char** arguments) {
               "tolerance");
   for (int n = 0; n < 3; ++n) std::printf("%6s %6s %7s", "steps", "again", "error");
   std::puts("");
+  Table counted = notebook.table("own_steps_tolerance",
+                                 {"tolerance", "pair 5(4)", "pair 8(5,3)", "Nyström 8(6)"});
   const Particled there = exactly_after(orbit.evaluate_forces, orbit.start, orbit.seconds);
   for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
     std::printf("%-10.0e", tolerance);
@@ -345,20 +347,22 @@ int main(int argument_count, char** arguments) {
       const StepCounts counts = by(particle);
       std::printf("%6ld %6ld %7.0e", counts.steps, counts.rejected,
                   (particle.position - there.position).norm());
+      return static_cast<double>(counts.steps);
     };
-    go([&](Particled& p) {
+    const double fifth = go([&](Particled& p) {
       return integrate<DormandPrince54>(p, orbit.evaluate_forces, 0.0, orbit.seconds,
                                         {tolerance, tolerance});
     });
-    go([&](Particled& p) {
+    const double eighth = go([&](Particled& p) {
       return integrate<DormandPrince853>(p, orbit.evaluate_forces, 0.0, orbit.seconds,
                                          {tolerance, tolerance});
     });
-    go([&](Particled& p) {
+    const double nystrom = go([&](Particled& p) {
       return integrate_by_nystrom<DormandPrinceNystrom86>(p, orbit.evaluate_forces, 0.0,
                                                           orbit.seconds, {tolerance, tolerance});
     });
     std::puts("");
+    counted.row(tolerance, fifth, eighth, nystrom);
   }
   write_energies(notebook, orbit);
   write_paces(notebook);
