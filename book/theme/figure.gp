@@ -8,7 +8,7 @@
 #   #b9c2c9           the grid
 # A line is named where it ends: title "its name" at end, in its own colour. Where lines end in one place or leave the picture,
 # a label stands beside them: set label 1 "its name" at x, y textcolor linetype 2. Where the place of a line depends on the
-# machine, the name is plotted with labels, beside a row of the table: see price_rod.gp. Letters have one size, that of the text.
+# machine, the name is plotted with labels, beside a row of the table: see price_ordinary.gp. Letters have one size, that of the text.
 # The title states the finding. Its size marks it: the book takes it out and sets it as text above the drawing, where it
 # can break into lines. So leave its font alone. Empty paper around the drawing is cut away.
 # A drawing of another size begins with @drawing WIDTH,HEIGHT.

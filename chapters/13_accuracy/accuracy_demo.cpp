@@ -59,13 +59,18 @@ void write_runs(const Notebook& notebook, const std::string& table,
       runs.row(m.method, m.precision, std::max(m.error, 1e-17), m.nanoseconds / m.seconds);
 }
 
-/// A row a problem: what meets the tolerance at what price.
+/// A row a problem: what meets the tolerance at what price. A library that never does has no
+/// column.
 void write_prices(const Notebook& notebook, const std::vector<Measurement>& all,
                   const std::vector<std::string>& problems, double wanted) {
-  Table table = notebook.table(
-      "prices_" + power_of_ten(wanted),
-      {"problem", "cheapest", "price of 1 s", "cheapest that steps, its step or tolerance",
-       "its price", "Odeint's", "Simbody's", "Bullet's", "ODE's"});
+  using Row = std::vector<std::string>;
+  std::vector<Row> columns = {{"problem"},
+                              {"cheapest"},
+                              {"price of 1 s"},
+                              {"cheapest that steps, its step or tolerance"},
+                              {"its price"}};
+  const std::array<const char*, 4> libraries = {"Odeint", "Simbody", "Bullet", "ODE"};
+  for (const char* library : libraries) columns.push_back({library + std::string("'s")});
   for (const std::string& problem : problems) {
     const auto list = cheapest(all, problem, wanted);
     const auto first = first_of(list, is_ours), step = first_of(list, is_rung);
@@ -73,14 +78,19 @@ void write_prices(const Notebook& notebook, const std::vector<Measurement>& all,
     const auto price = [&](const auto& run) {
       return run ? times(run->nanoseconds / first->nanoseconds) : std::string("–");
     };
-    const auto name = [](const auto& run) { return run ? run->method : std::string("none does"); };
-    const auto price_of = [&](const char* library) {
-      return price(first_of(list, is_of(library)));
-    };
-    table.row(problem, name(first), time_of(first->nanoseconds / first->seconds),
-              name(step) + (step ? ", " + knob_of(*step) : std::string()), price(step),
-              price_of("Odeint"), price_of("Simbody"), price_of("Bullet"), price_of("ODE"));
+    Row row = {problem, first->method, time_of(first->nanoseconds / first->seconds),
+               step ? step->method + ", " + knob_of(*step) : "none does", price(step)};
+    for (const char* library : libraries) row.push_back(price(first_of(list, is_of(library))));
+    for (std::size_t n = 0; n < row.size(); ++n) columns[n].push_back(row[n]);
   }
+  const auto is_empty = [](const Row& column) {
+    return std::all_of(column.begin() + 1, column.end(), [](auto& cell) { return cell == "–"; });
+  };
+  columns.erase(std::remove_if(columns.begin() + 5, columns.end(), is_empty), columns.end());
+  std::ofstream file(notebook.file_in_folder("prices_" + power_of_ten(wanted) + ".tsv"));
+  for (std::size_t n = 0; n < columns[0].size(); ++n)
+    for (const Row& column : columns)
+      file << column[n] << (&column == &columns.back() ? '\n' : '\t');
 }
 
 /// What a step of one length takes, ns, at best and in double.

@@ -4,6 +4,10 @@
 using namespace tumble;
 using namespace tumble::support;
 
+// What the reports call them.
+TYPE_TO_STRING_AS("the pair 5(4)", tumble::DormandPrince54);
+TYPE_TO_STRING_AS("the pair 8(5,3)", tumble::DormandPrince853);
+
 namespace {
 
 /// A push along one line that depends on the time alone, and what follows from it for a kilogram

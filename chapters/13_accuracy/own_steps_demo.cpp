@@ -234,26 +234,57 @@ std::array<double, 2> errors_of_spins(double faster) {
   return errors;
 }
 
-/// Rejected steps on a particle that a strong damper stops at once: what is left moves slowly, but
-/// a step may be no longer than the damper allows.
-StepCounts with_damper(bool remembers) {
+/// A step that was tried: how long it was (s), and whether it counted.
+struct Attempt {
+  double length;
+  bool is_accepted;
+};
+
+/// What is tried on a particle that a strong damper stops at once: what is left moves slowly, but a
+/// step may be no longer than the damper allows. The controller sees two errors, or one.
+std::vector<Attempt> with_damper(bool remembers) {
   const auto damper = [](Particled& particle, double time) {
     particle.force = -1000 * (particle.velocity - Vec3d(std::cos(time), 0, 0));
   };
-  EmbeddedSteps<DormandPrince54, Particled, decltype(damper), double> steps(
-      make_particle(1.0, {0, 0, 0}, {1, 0, 0}), damper, 0, {1e-2, 1e-2});
-  if (remembers) return integrate_adaptively(steps, 2.0, 1e-3, [](double, double) {});
-  StepCounts counts;
+  using Steps = EmbeddedSteps<DormandPrince54, Particled, decltype(damper), double>;
+  Steps steps(make_particle(1.0, {0, 0, 0}, {1, 0, 0}), damper, 0, {1e-2, 1e-2});
+  StepControl control(Steps::power);
+  std::vector<Attempt> attempts;
   for (double gone = 0, h = 1e-3; gone < 2;) {
-    const double error = std::sqrt(steps.attempt(h));
-    if (error <= 1) {
+    const auto square = static_cast<float>(steps.attempt(h));
+    attempts.push_back({h, square <= 1});
+    if (square <= 1) {
       steps.accept();
       gone += h;
     }
-    ++(error <= 1 ? counts.steps : counts.rejected);
-    h *= std::clamp(0.85 * std::pow(error, -1 / 4.0), 0.1, 6.0);
+    const double forgetful = std::clamp(0.85 * std::pow(square, -0.5 / Steps::power), 0.1, 6.0);
+    h *= remembers ? static_cast<double>(control.factor(square)) : forgetful;
   }
-  return counts;
+  return attempts;
+}
+
+/// The attempts of both controllers, of which the figure shows a stretch; how many of the one's
+/// and of the other's were rejected.
+void write_hunting(Notebook& notebook) {
+  const std::vector<Attempt> two = with_damper(true), one = with_damper(false);
+  Table table = notebook.table("own_steps_hunting",
+                               {"attempt", "one error (s)", "is it accepted", "two errors (s)"});
+  for (std::size_t n = 100; n < 150; ++n)
+    table.row(static_cast<double>(n), one[n].length, one[n].is_accepted ? 1.0 : 0.0, two[n].length);
+  const auto rejected = [](const std::vector<Attempt>& all) {
+    return std::count_if(all.begin(), all.end(), [](const Attempt& a) { return !a.is_accepted; });
+  };
+  const auto calm = rejected(two), hunting = rejected(one);
+  const auto calm_steps = std::ssize(two) - calm, hunting_steps = std::ssize(one) - hunting;
+  std::printf(
+      "A strong damper: %td steps and %td rejected by the controller that remembers,\n%td and "
+      "%td by one that does not.\n",
+      calm_steps, calm, hunting_steps, hunting);
+  notebook.value("hunting_rejected", std::to_string(hunting));
+  notebook.value("hunting_steps", std::to_string(hunting_steps));
+  notebook.value("calm_rejected", std::to_string(calm));
+  notebook.value("calm_steps", std::to_string(calm_steps));
+  expect(hunting > 3 * calm && hunting > 20, "a controller without a memory hunts");
 }
 
 /// A resting top that is struck after 5.3 s, for a twentieth of a second.
@@ -306,6 +337,8 @@ int main(int argument_count, char** arguments) {
               "tolerance");
   for (int n = 0; n < 3; ++n) std::printf("%6s %6s %7s", "steps", "again", "error");
   std::puts("");
+  Table counted = notebook.table("own_steps_tolerance",
+                                 {"tolerance", "pair 5(4)", "pair 8(5,3)", "Nyström 8(6)"});
   const Particled there = exactly_after(orbit.evaluate_forces, orbit.start, orbit.seconds);
   for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8, 1e-10}) {
     std::printf("%-10.0e", tolerance);
@@ -314,20 +347,22 @@ int main(int argument_count, char** arguments) {
       const StepCounts counts = by(particle);
       std::printf("%6ld %6ld %7.0e", counts.steps, counts.rejected,
                   (particle.position - there.position).norm());
+      return static_cast<double>(counts.steps);
     };
-    go([&](Particled& p) {
+    const double fifth = go([&](Particled& p) {
       return integrate<DormandPrince54>(p, orbit.evaluate_forces, 0.0, orbit.seconds,
                                         {tolerance, tolerance});
     });
-    go([&](Particled& p) {
+    const double eighth = go([&](Particled& p) {
       return integrate<DormandPrince853>(p, orbit.evaluate_forces, 0.0, orbit.seconds,
                                          {tolerance, tolerance});
     });
-    go([&](Particled& p) {
+    const double nystrom = go([&](Particled& p) {
       return integrate_by_nystrom<DormandPrinceNystrom86>(p, orbit.evaluate_forces, 0.0,
                                                           orbit.seconds, {tolerance, tolerance});
     });
     std::puts("");
+    counted.row(tolerance, fifth, eighth, nystrom);
   }
   write_energies(notebook, orbit);
   write_paces(notebook);
@@ -358,17 +393,7 @@ int main(int argument_count, char** arguments) {
   expect(each_step[1] > 1e-5 && each_step[1] > 100 * each_step[0],
          "with a tolerance for each step a faster top errs by more, since it takes more of them");
 
-  const StepCounts remembering = with_damper(true), forgetful = with_damper(false);
-  std::printf(
-      "A strong damper: %ld steps and %ld rejected by the controller that remembers,\n%ld and "
-      "%ld by one that does not.\n",
-      remembering.steps, remembering.rejected, forgetful.steps, forgetful.rejected);
-  notebook.value("hunting_rejected", std::to_string(forgetful.rejected));
-  notebook.value("hunting_steps", std::to_string(forgetful.steps));
-  notebook.value("calm_rejected", std::to_string(remembering.rejected));
-  notebook.value("calm_steps", std::to_string(remembering.steps));
-  expect(forgetful.rejected > 3 * remembering.rejected, "a controller without a memory hunts");
-
+  write_hunting(notebook);
   write_blow(notebook);
 
   // Beyond the end: the loop stops after the step that has passed it.

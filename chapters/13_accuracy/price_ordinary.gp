@@ -6,7 +6,7 @@ set logscale xy
 set format x "10^{%T}"
 set format y "10^{%T}"
 set termoption enhanced
-set xrange [50:1e6]
+set xrange [50:2e6]
 set yrange [1e-15:10]
 set ytics 1e-15, 1e5
 unset key
@@ -16,7 +16,6 @@ run(method) = is(method, "double") ? column(4) : NaN
 named = ""
 name_at(method, level) = is(method, "double") && column(3) < level && named ne method ? (named = method, column(4)) : NaN
 grey = "#555555"
-set label 1 "engines" at 9e5, 1e-3 right textcolor rgb grey
 set label 2 "Odeint" at 1.9e5, 1.5e-13 left textcolor rgb grey
 plot for [m in "'Odeint rk4' 'Odeint Dormand-Prince 5' 'Odeint Fehlberg 7(8)' 'Odeint Bulirsch-Stoer'"] \
        "runs_ordinary.tsv" using (run(m)):3 with lines linecolor rgb grey linewidth 1 dashtype 1, \
@@ -35,4 +34,7 @@ plot for [m in "'Odeint rk4' 'Odeint Dormand-Prince 5' 'Odeint Fehlberg 7(8)' 'O
      "" using (name_at("splitting, Blanes-Moan 6", 1e-4)):3:("splitting 6") with labels left offset 0.6,-0.2 textcolor linetype 3, \
      "" using (name_at("Runge-Kutta", 1e-7)):3:("RK 4") with labels left offset 0.8,0.4 textcolor linetype 2, \
      "" using (name_at("Dormand-Prince 8", 1e-8)):3:("RK 8") with labels right offset -0.8,-0.4 textcolor linetype 4, \
-     "" using (run("exact solution")):3:("exact") with labels left offset 1.2,0 textcolor linetype 6
+     "" using (run("exact solution")):3:("exact") with labels left offset 1.2,0 textcolor linetype 6, \
+     "" using (name_at("Bullet functions", 0.014)):3:("Bullet") with labels left offset 0.6,0 textcolor rgb grey, \
+     "" using (name_at("ODE QuickStep, finite rotation", 0.35)):3:("ODE") with labels left offset 0.8,0.4 textcolor rgb grey, \
+     "" using (name_at("Simbody Merson, controlled", 1e-4)):3:("Simbody") with labels right offset -0.2,-0.9 textcolor rgb grey

@@ -1,6 +1,8 @@
 #include <functional>
 #include <support/checks.hpp>
+#include <tumble/embedded_pairs.hpp>
 #include <tumble/step_control.hpp>
+#include <utility>
 
 using namespace tumble;
 using namespace tumble::support;
@@ -42,7 +44,127 @@ void check_roughly(double found, double expected) {
   CHECK(found >= expected / rough);
 }
 
+/// What a step of length h does to a fast part of the motion, y' = −y: it multiplies it by the
+/// first, and estimates its error as the second of its parts.
+template <class Pair>
+std::pair<double, double> of_fast_part(double h) {
+  constexpr auto& rule = Pair::Rule::rule;
+  constexpr std::size_t stages = rule.nodes.size();
+  std::array<double, stages + 1> rates = {};
+  double end = 1;
+  for (std::size_t i = 0; i < stages; ++i) {
+    double there = 1;
+    for (std::size_t j = 0; j < i; ++j)
+      there += h * static_cast<double>(rule.coefficients[i][j]) * rates[j];
+    rates[i] = -there;
+    end += h * static_cast<double>(rule.weights[i]) * rates[i];
+  }
+  rates[stages] = -end;
+  std::array<double, Pair::errors.size()> errors = {};
+  for (std::size_t n = 0; n < errors.size(); ++n)
+    for (std::size_t j = 0; j <= stages; ++j)
+      errors[n] += h * static_cast<double>(Pair::errors[n][j]) * rates[j];
+  double error = std::abs(errors[0]);
+  if constexpr (errors.size() == 2)
+    error *= std::abs(errors[0]) / std::hypot(errors[0], errors[1] / 10);
+  return {std::abs(end), error};
+}
+
+/// By which powers of the step, near the longest that is stable, the fast part grows and the error
+/// for each second does: ρ and ε.
+template <class Pair>
+std::pair<double, double> powers_at_the_limit() {
+  double stable = 1, unstable = 20;
+  while (of_fast_part<Pair>(unstable).first < 1) unstable *= 2;
+  for (int n = 0; n < 60; ++n) {
+    const double middle = (stable + unstable) / 2;
+    (of_fast_part<Pair>(middle).first < 1 ? stable : unstable) = middle;
+  }
+  const double apart = 1e-5;
+  const auto [growth, error] = of_fast_part<Pair>(stable * std::exp(apart));
+  const auto [less, smaller] = of_fast_part<Pair>(stable * std::exp(-apart));
+  return {std::log(growth / less) / (2 * apart), std::log(error / smaller) / (2 * apart) - 1};
+}
+
+/// By which factor deviations from the limit of stability grow in a step, in the long run, where
+/// the controller weighs the last error by a and the one before by b.
+double growth_at_the_limit(double power, std::pair<double, double> powers, double a, double b) {
+  const auto [rho, epsilon] = powers;
+  const int steps = 600;
+  double e = 1, before = 0.5, x = 0.3, logarithm = 0;
+  for (int n = 0; n < steps; ++n) {
+    const double change = -(a * e - b * before) / power;
+    before = std::exchange(e, e + rho * x + epsilon * change);
+    x += change;
+    const double size = std::abs(e) + std::abs(before) + std::abs(x);
+    logarithm += std::log(size);
+    e /= size;
+    before /= size;
+    x /= size;
+  }
+  return std::exp(logarithm / steps);
+}
+
+/// The same on a smooth stretch: the larger root of z² = (1 − a) z + b.
+double growth_where_smooth(double a, double b) {
+  return std::abs(1 - a) / 2 + std::sqrt((1 - a) * (1 - a) / 4 + b);
+}
+
+/// How many steps of 200 fail, and how long the last is, where a step of length 1 has the error
+/// that is allowed and each next one errs by so much more.
+std::pair<int, double> on_a_smooth_stretch(int power, double more) {
+  StepControl control(power);
+  double h = 0.5, error = 1;
+  int failed = 0;
+  for (int n = 0; n < 200; ++n) {
+    const double ratio = error * std::pow(h, power);
+    if (ratio > 1)
+      ++failed;
+    else
+      error *= more;
+    h *= static_cast<double>(control.factor(static_cast<float>(ratio * ratio)));
+  }
+  return {failed, h};
+}
+
 }  // namespace
+
+TEST_CASE(
+    "Where errors are smooth steps settle at 0.58 of the longest, and none is rejected as long as "
+    "equal steps err more by less than 0.85^-k each") {
+  const double settled = std::pow(0.85, 1 / 0.3);
+  CHECK(std::abs(settled - 0.58) < 0.005);
+  for (const int power : {DormandPrince54::power - 1, DormandPrince853::power - 1}) {
+    CAPTURE(power);
+    const auto [failed, h] = on_a_smooth_stretch(power, 1);
+    CHECK(failed == 0);
+    // A rough power errs by 0.045, of which the loop makes 0.045/0.3, and a rough digit by half.
+    CHECK(std::abs(std::log2(h / settled)) <= 0.045 / 0.3 + 0.0225 / power);
+    const double most = std::pow(0.85, -power);
+    const double rough_step = std::exp2(0.045 * power + 0.3 * 0.0225);
+    CHECK(on_a_smooth_stretch(power, most / rough_step).first == 0);
+    CHECK(on_a_smooth_stretch(power, most * rough_step).first > 0);
+  }
+  CHECK(std::abs(std::pow(0.85, -4) - 1.92) < 0.005);
+}
+
+TEST_CASE(
+    "At the limit of stability a step's deviation grows if one error is seen, and dies out if two "
+    "are") {
+  const auto powers = powers_at_the_limit<DormandPrince54>();
+  CHECK(std::abs(powers.first - 6.07) < 0.005);
+  CHECK(std::abs(powers.second - 4.85) < 0.005);
+  CHECK(std::abs(growth_at_the_limit(4, powers, 1, 0) - 1.14) < 0.01);
+  CHECK(std::abs(growth_at_the_limit(4, powers, 0.7, 0.4) - 0.72) < 0.01);
+  CHECK(std::abs(growth_where_smooth(0.7, 0.4) - 0.8) < 1e-12);
+  CHECK(growth_at_the_limit(7, powers_at_the_limit<DormandPrince853>(), 0.7, 0.4) < 1);
+  double best = 1;
+  for (double a = 0.02; a < 1.5; a += 0.02)
+    for (double b = 0; b < a; b += 0.02)
+      best =
+          std::min(best, std::max(growth_where_smooth(a, b), growth_at_the_limit(4, powers, a, b)));
+  CHECK(std::abs(best - 0.73) < 0.01);
+}
 
 TEST_CASE("After a step that failed the next is as long as the order says, less a seventh") {
   for (const int power : {1, 2, 5, 8})
