@@ -65,7 +65,8 @@ function public_headers(source, floors, chapters) {
   );
 }
 
-/** {front, chapters, back, teaching, all}: floors are {name, folder}, from the ground up; tools also have the chapter that their pages follow. */
+/** {front, chapters, back, teaching, all}: floors are {name, folder}, from the ground up; tools also have the chapter that their pages follow.
+ * The chapters' pages come in the order in which the front page lists them. */
 export function read_pages(source, floors, tools) {
   const front = ['index', 'how_to_read', 'conventions', 'chapter_map', 'for_lecturers'].map(name =>
     read_page(source, `book/pages/${name}.md`),
@@ -73,7 +74,7 @@ export function read_pages(source, floors, tools) {
   const chapters = [];
   for (const {name, folder} of floors) {
     if (!existsSync(join(source, folder, 'chapter.md'))) continue;
-    // A big chapter has further pages; they follow its first one in the order of their names.
+    // A big chapter has further pages, which follow its first one.
     const further = readdirSync(join(source, folder))
       .filter(file => file.endsWith('.md') && file !== 'chapter.md')
       .sort();
@@ -87,6 +88,8 @@ export function read_pages(source, floors, tools) {
       for (const [index, file] of readdirSync(join(source, tool.folder)).filter(file => file.endsWith('.md')).sort().entries())
         chapters.push({...read_page(source, join(tool.folder, file), tool.name), further: true, leads: index === 0});
   }
+  const listed = [...front[0].lines.map(({text}) => text).join('\n').matchAll(/\\subpage (\w+)/g)].map(([, id]) => id);
+  chapters.sort((one, other) => listed.indexOf(one.id) - listed.indexOf(other.id));
   const headers = public_headers(source, floors, chapters);
   const back = ['exercises', 'cheat_sheet', 'scene_keys', 'reference', 'colophon'].map(name =>
     read_page(source, `book/pages/${name}.md`),

@@ -50,7 +50,7 @@ long double phase_per_step(Real wh) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("Kick and drift keep v^2 + w^2 x^2 - h w^2 x v of an oscillator", Real,
+TEST_CASE_TEMPLATE("Kick and drift keep v² + ω²x² − hω²xv of an oscillator", Real,
                    EVERY_PRECISION) {
   const Real time_step = Real(0.05), wh = frequency<Real> * time_step;
   Particle<Real> particle = stretched_by_a_metre<Real>();
@@ -73,9 +73,8 @@ TEST_CASE_TEMPLATE("Kick and drift keep v^2 + w^2 x^2 - h w^2 x v of an oscillat
 }
 
 TEST_CASE_TEMPLATE(
-    "Released from rest the energy rises by (w h / 2) / (1 - w h / 2) at most, and doubles at w h "
-    "= 1",
-    Real, EVERY_PRECISION) {
+    "Released from rest the energy rises by (ωh/2)/(1 − ωh/2) at most, and doubles at ωh = 1", Real,
+    EVERY_PRECISION) {
   for (const Real wh : {Real(0.125), Real(0.5), Real(1), Real(1.5), Real(1.875)}) {
     CAPTURE(wh);
     Particle<Real> particle = stretched_by_a_metre<Real>();
@@ -99,7 +98,7 @@ TEST_CASE_TEMPLATE(
   }
 }
 
-TEST_CASE_TEMPLATE("A step advances an oscillation by 2 asin(w h / 2), not by w h", Real,
+TEST_CASE_TEMPLATE("A step advances an oscillation by 2 arcsin(ωh/2), not by ωh", Real,
                    EVERY_PRECISION) {
   for (const Real time_step : {Real(0.05), Real(0.25), Real(0.5), Real(0.75), Real(0.95)}) {
     CAPTURE(time_step);
@@ -122,7 +121,7 @@ TEST_CASE_TEMPLATE("A step advances an oscillation by 2 asin(w h / 2), not by w 
   CHECK(phase_per_step(Real(1)) > 1.04L);  // 4.7 percent too fast
 }
 
-TEST_CASE_TEMPLATE("An oscillator released at 1 m stays within 31.63 m at w h = 1.999", Real,
+TEST_CASE_TEMPLATE("An oscillator released at 1 m stays within 31.63 m at ωh = 1.999", Real,
                    EVERY_PRECISION) {
   const Real time_step = Real(1.999) / frequency<Real>, wh = frequency<Real> * time_step;
   Particle<Real> particle = stretched_by_a_metre<Real>();
@@ -145,7 +144,7 @@ TEST_CASE_TEMPLATE("An oscillator released at 1 m stays within 31.63 m at w h = 
   CHECK(limit > Real(31.62));
 }
 
-TEST_CASE_TEMPLATE("An oscillator grows by exp(2 acosh(w h / 2)) a step beyond w h = 2", Real,
+TEST_CASE_TEMPLATE("An oscillator grows by exp(2 arcosh(ωh/2)) a step beyond ωh = 2", Real,
                    EVERY_PRECISION) {
   for (const Real wh : {Real(2.001), Real(2.1), Real(3)}) {
     CAPTURE(wh);
@@ -169,7 +168,7 @@ TEST_CASE_TEMPLATE("An oscillator grows by exp(2 acosh(w h / 2)) a step beyond w
   }
 }
 
-TEST_CASE_TEMPLATE("Explicit Euler multiplies an oscillator's energy by 1 + h^2 w^2 a step", Real,
+TEST_CASE_TEMPLATE("Explicit Euler multiplies an oscillator's energy by 1 + h²ω² a step", Real,
                    EVERY_PRECISION) {
   const Real time_step = Real(0.05), wh = frequency<Real> * time_step;
   Particle<Real> particle = stretched_by_a_metre<Real>();
