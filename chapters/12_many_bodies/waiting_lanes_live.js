@@ -82,8 +82,8 @@
     knobs: {
       width: {label: 'Bodies in a pack', choices: widths.map(String)},
       order: {label: 'Order of the balls', choices: orders},
-      ground: {label: 'Stiffness of the ground, as ω on it'},
-      branch: {label: 'Cost of the branch, in units of the rest of a step', log: true},
+      ground: {label: 'Stiffness of the ground (ω)'},
+      branch: {label: 'Cost of the branch, the rest = 1', log: true},
     },
     duration: ({columns}) => columns.time.at(-1),
     still_time: 0.5,

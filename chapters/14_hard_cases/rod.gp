@@ -1,7 +1,7 @@
 @drawing 560,400
 set title "Only the splittings keep a thin rod's energy"
 set xlabel "time (s)"
-set ylabel "energy by that at the start"
+set ylabel "energy / energy at the start"
 set xrange [0:5]
 set yrange [0:2.2]
 set rmargin 17
