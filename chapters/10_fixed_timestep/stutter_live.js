@@ -35,7 +35,7 @@
             const x = place(columns[name][count - 1]), y = ground - radius, turn = ((x - left) / radius);
             painter.disc(x, y, radius, colour);
             const [across, along] = [0.8 * radius * Math.cos(turn), 0.8 * radius * Math.sin(turn)];
-            painter.line([[x - across, y - along], [x + across, y + along]], palette.paper, 2.5, 1);
+            painter.line([[x - across, y - along], [x + across, y + along]], palette.ink, 2.5, 1);
           });
         },
       },
