@@ -45,7 +45,10 @@
             const side = cx > 0 ? -1 : 1; // where there is more room, on the left below the names of the other axes
             plot.note(`${ranks[upright]}, towards you`, [cx + 0.04 * side, cy + (side < 0 ? -0.35 : -0.2)], palette.bodies[upright], side < 0 ? 'right' : 'left');
           }
-          for (const axis of flat) plot.note(ranks[axis], along(axis, columns['axes x'][axis] < 0 ? 0.62 : -0.62), palette.bodies[axis]);
+          for (const axis of flat) {
+            const [x, y] = along(axis, columns['axes x'][axis] < 0 ? 0.62 : -0.62);
+            plot.note(ranks[axis], [x, y + 0.12 * Math.abs(columns['axes x'][axis])], palette.bodies[axis]); // where the axis lies level its name stands higher
+          }
         },
         drag(plot, at, {columns, figure}, begins) {
           const here = plot.value_at(at);

@@ -9,6 +9,7 @@
 
   // The wheel 4 cm above the tip, drawn in units of 2.5 cm.
   const parts = [{cylinder: [1.2, 0.4], position: [0, 0, 1.6]}, {cylinder: [0.07, 2.6], position: [0, 0, 1.3]}];
+  const stand = [{cone: [0.5, 1.6], position: [0, 0, -1.6]}];
 
   /** How far the axis has gone round, in rad, turn after turn. */
   function azimuths(columns, name) {
@@ -26,6 +27,9 @@
     const {columns} = state;
     const n = step_at(state);
     const camera = {target: [0, 0, 0.8], distance: 11.5, ...view};
+    // What the tip stands on; a top that gets below level would run into it, and hangs in the air.
+    const stays_above = live.once(columns, 'stays above', () => Array.from(columns['axis z']).every(z => z > 0));
+    if (stays_above) live.draw_body({...picture, palette: {...palette, bodies: [palette.bodies[1]]}}, camera, 'stand', stand, [1, 0, 0, 0]);
     live.draw_body(picture, camera, 'heavy top', parts, [columns['q real'][n], ...point(columns, 'q', n)]);
     const project = player.projection(camera, size);
     const path = Array.from({length: n + 1}, (_, m) => project(player.scaled(point(columns, 'axis', m), 2.7)));

@@ -30,7 +30,11 @@
       const {back} = player.picture_axes(view);
       const eye = player.sum(camera.target, player.scaled(back, camera.distance));
       let part = [], was;
-      const end = () => { if (part.length > 1) painter.line(part, palette.bodies[2], 2, was ? 1 : 0.25); };
+      const end = () => {
+        if (part.length < 2) return;
+        if (was) painter.line(part, palette.paper, 5, 0.8); // a light border, as green on blue is hard to see
+        painter.line(part, palette.bodies[2], 2, was ? 1 : 0.25);
+      };
       for (let m = 0; m <= n; ++m) {
         const at = point(columns, 'body', m), outwards = at.map((value, k) => value / columns['semi-axes'][k] ** 2);
         const there = player.scaled(player.turned(matrix, at), scale);
