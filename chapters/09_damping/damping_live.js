@@ -40,7 +40,7 @@
           const plot = new live.Plot(painter, palette, size, {label: 'time', unit: 's', least: 0, most: columns.time.at(-1)},
             {label: 'speed', unit: 'm/s', least: least < 0 ? -Math.min(far, 4) * 1.05 : 0, most: Math.min(far, 4) * 1.05});
           picture.plot = plot;
-          plot.line(columns.time, columns['exact speed'], palette.bodies[0]);
+          plot.line(columns['exact time'], columns['exact speed'], palette.bodies[0]);
           plot.line(columns.time, columns.speed, palette.bodies[1], {width: 1, opacity: 0.6});
           plot.points(columns.time, columns.speed, palette.bodies[1], 3);
           plot.legend([['exact', palette.bodies[0]], ['stepped', palette.bodies[1]]]);
