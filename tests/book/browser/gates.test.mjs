@@ -59,8 +59,8 @@ test('"Answer first" leads to the question, a number of which is answered by Ent
 });
 
 test('An address behind a gate opens it and shows the place, without an answer.', async () => {
-  for (const come of [hash => page.goto(address('plan.html') + hash), hash => page.evaluate(to => { location.hash = to; }, hash)]) {
-    await page.goto(address('plan.html'));
+  for (const come of [hash => page.goto(address('step_limits.html') + hash), hash => page.evaluate(to => { location.hash = to; }, hash)]) {
+    await page.goto(address('step_limits.html'));
     assert.deepEqual(await state_of('nutation'), [shut, shut]);
     await come('#live_nutation');
     await page.waitForFunction(() => document.querySelector('[data-gate="nutation"].open'));
