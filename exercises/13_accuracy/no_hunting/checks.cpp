@@ -85,11 +85,12 @@ EXERCISE_CHECK(
     Found(with + "where both errors are what is allowed, the factor", "", factor<Real>(1, 1, power))
         .mistake(1, "there is no reserve, so that any error that grows has its step rejected")
         .must_be(0.85, rounding<Real>);
-    // What a ratio's exponent is, times the power, seen from 1/2 to 1/4.
-    const double both = factor<Real>(0.5, 0.5, power), k = power;
-    const double last = k * std::log2(factor<Real>(0.25, 0.5, power) / both),
-                 before = -k * std::log2(factor<Real>(0.5, 0.25, power) / both);
-    const double within = 4 * k * rounding<Real>;
+    // A ratio's exponent times the power, from two ratios so near each other that no limit counts.
+    const double k = power, ratio = 0.75, apart = std::log(1 / ratio);
+    const double both = factor<Real>(ratio, ratio, power);
+    const double last = k / apart * std::log(factor<Real>(ratio * ratio, ratio, power) / both),
+                 before = k / apart * std::log(both / factor<Real>(ratio, ratio * ratio, power));
+    const double within = 2 * k / apart * rounding<Real>;
     Found(with + "the weight of the last error", "", last)
         .mistake(-0.7, "a larger error must make the step shorter")
         .mistake(0.7 * k, "the ratio falls as h to this power, so take that root of it")
@@ -114,15 +115,15 @@ EXERCISE_CHECK(
 
     // Where a step of length 1 may just be made.
     const auto settled = [&](double h) {
-      double ratio_before = std::pow(h, k);
+      double error_before = std::pow(h, k);
       for (int n = 0; n < 200; ++n) {
-        const double ratio = std::pow(h, k);
-        h *= factor<Real>(ratio, ratio_before, power);
-        ratio_before = ratio;
+        const double error = std::pow(h, k);
+        h *= factor<Real>(error, error_before, power);
+        error_before = error;
       }
       return h;
     };
-    // A step's rounding adds up to that over 1 - 0.8 + ...: over 0.3.
+    // Each step rounds, and is put right by 0.7 - 0.4 of it.
     for (const double begin : {0.25, 0.875})
       Found(with + sentence("where a step of 1 s may just be made, after 200 steps from ", begin,
                             " s on, the step"),
@@ -132,11 +133,11 @@ EXERCISE_CHECK(
     // A deviation that belongs to the root 0.8 alone, and then one of -0.5.
     const double level = std::pow(0.85, k / 0.3);
     for (const double root : {0.8, -0.5}) {
-      const double deviation = 0.25, ratio = level * std::exp(root * deviation);
-      const double next = factor<Real>(ratio, level * std::exp(deviation), power);
+      const double deviation = 0.25, error = level * std::exp(root * deviation);
+      const double next = factor<Real>(error, level * std::exp(deviation), power);
       Found(with + sentence("of a deviation that shrinks as the powers of ", root,
                             ", what a step leaves"),
-            "", (std::log(ratio / level) + k * std::log(next)) / (root * deviation))
+            "", (std::log(error / level) + k * std::log(next)) / (root * deviation))
           .must_be(root, k * 2 * rounding<Real> / (std::abs(root) * deviation));
     }
   }
@@ -147,7 +148,7 @@ EXERCISE_CHECK("At the limit of stability the steps of a damped particle stay le
     particle.force = -1000 * particle.velocity;
   };
   for (const double begin : {0.5, 1.2}) {  // of the longest that is stable
-    const double longest = 3.3066e-3;
+    const double longest = 3.3066e-3;  // where a step of the pair keeps the size of exp(-1000 t)
     EmbeddedSteps<DormandPrince54, Particled, decltype(damper), double> steps(
         make_particle<double>(1, {0, 0, 0}, {1e-3, 0, 0}), damper, 0.0, {1e-3, 1e-3});
     double h = begin * longest, before = 1, least = 1, most = 0;
@@ -171,6 +172,8 @@ EXERCISE_CHECK("At the limit of stability the steps of a damped particle stay le
     const std::string steps_of = sentence(
         "of the second hundred steps of a particle of 1 kg with a damper of 1000 N s/m, ", rejected,
         " are rejected, and they last from ", least * 1e3, " ms to ", most * 1e3, " ms. ");
+    require(rejected < 100,
+            steps_of + "None is accepted: after a step that was rejected the next must be shorter");
     require(most > 0.9 * longest, steps_of +
                                       "As far as the error goes they could be longer, up to the "
                                       "limit of stability at 3.3 ms");
@@ -184,8 +187,7 @@ EXERCISE_CHECK("At the limit of stability the steps of a damped particle stay le
 
 EXERCISE_CHECK(
     "No step grows to more than six times its length, and a rejected one is made shorter by its "
-    "own "
-    "error alone") {
+    "own error alone") {
   const auto look = [](double ratio, double before, int power) {
     return Found<double>(after(ratio, before, power), "", factor<Real>(ratio, before, power));
   };
@@ -212,6 +214,7 @@ EXERCISE_CHECK(
                  "a step that was rejected says nothing of the error before: take the whole root "
                  "of its own ratio")
         .mistake(std::pow(3, -0.25), "the reserve is missing, and the step may fail again")
+        .mistake(0.85, "1/power is a division of whole numbers, and 0")
         .mistake(0.85 * std::pow(3, -0.7 / 4),
                  "after a rejected step its own error weighs 1, not 0.7")
         .must_be(by_one(3, 4), rounding<Real>);
