@@ -200,24 +200,25 @@ EXERCISE_CHECK(
   look(1e-6, 1e-2, 1)
       .mistake(by_both(1e-6, 1e-2, 1), "no step is to become more than six times as long")
       .must_be(6, rounding<Real>);
+  look(1, 0.5, 4)
+      .mistake(0.85, "a ratio of 1 is just what is allowed, so that step was accepted")
+      .must_be(by_both(1, 0.5, 4), rounding<Real>);
   look(1, 1e-6, 1)
       .mistake(by_both(1, 1e-6, 1), "it was accepted, so a fifth of it is the least")
       .mistake(0.1, "a tenth is the least after a step that was *rejected*; this one was not")
       .must_be(0.2, rounding<Real>);
-  look(1, 0.5, 4)
-      .mistake(0.85, "a ratio of 1 is just what is allowed, so that step was accepted")
-      .must_be(by_both(1, 0.5, 4), rounding<Real>);
 
   for (const double before : {0.5, 0.001}) {
-    look(3, before, 4)
-        .mistake(by_both(3, before, 4),
-                 "a step that was rejected says nothing of the error before: take the whole root "
-                 "of its own ratio")
-        .mistake(std::pow(3, -0.25), "the reserve is missing, and the step may fail again")
-        .mistake(0.85, "1/power is a division of whole numbers, and 0")
-        .mistake(0.85 * std::pow(3, -0.7 / 4),
-                 "after a rejected step its own error weighs 1, not 0.7")
-        .must_be(by_one(3, 4), rounding<Real>);
+    for (const double ratio : {3.0, 1.125})
+      look(ratio, before, 4)
+          .mistake(by_both(ratio, before, 4),
+                   "with more than 1 a step was rejected, and then the error before says nothing: "
+                   "take the whole root of its own ratio")
+          .mistake(by_one(ratio, 4) / 0.85, "the reserve is missing, and the step may fail again")
+          .mistake(0.85, "1/power is a division of whole numbers, and 0")
+          .mistake(0.85 * std::pow(ratio, -0.7 / 4),
+                   "after a rejected step its own error weighs 1, not 0.7")
+          .must_be(by_one(ratio, 4), rounding<Real>);
     look(1e6, before, 4)
         .mistake(by_one(1e6, 4), "no step is to become shorter than a tenth")
         .mistake(0.2, "a fifth is the least after a step that was *accepted*; this one was not")
