@@ -8,4 +8,4 @@ set xrange [1:2e6]
 set yrange [1e-17:1e7]
 plot "clocks.tsv" using 1:2 with lines linestyle 2 title "  float t += h" at end, \
      "clocks.tsv" using 1:3 with lines linestyle 3 title "  double t += h" at end, \
-     "clocks.tsv" using 1:4 with points linestyle 1 title "  n h" at end
+     "clocks.tsv" using 1:4 with points linestyle 1 title "  {/:Italic nh}" at end
