@@ -5,8 +5,6 @@
   const css = ([red, green, blue], opacity = 1) =>
     `rgb(${Math.round(red)} ${Math.round(green)} ${Math.round(blue)} / ${Math.round(1000 * opacity) / 1000})`;
 
-  const font = '12px system-ui, sans-serif';
-
   class CanvasPainter {
     constructor(canvas) {
       this.canvas = canvas;
@@ -23,7 +21,9 @@
       this.context.lineJoin = 'round';
       this.context.lineCap = 'round';
       this.is_dark = paper[0] < 128; // where a shadow must be deeper to be seen
-      this.context.fillStyle = css(paper);
+      this.font ??= `13px ${getComputedStyle(this.canvas).fontFamily}`; // the page's own letters
+      this.paper = css(paper);
+      this.context.fillStyle = this.paper;
       this.context.fillRect(0, 0, width, height);
     }
 
@@ -91,14 +91,18 @@
 
     /** How wide text() writes the words, px. */
     width_of(words) {
-      this.context.font = font;
+      this.context.font = this.font;
       return this.context.measureText(words).width;
     }
 
     text(words, x, y, align, colour) {
-      this.context.font = font;
+      this.context.font = this.font;
       this.context.textAlign = align;
       this.context.textBaseline = 'middle';
+      // Paper around the letters keeps a name on a line legible.
+      this.context.strokeStyle = this.paper;
+      this.context.lineWidth = 3;
+      this.context.strokeText(words, x, y);
       this.context.fillStyle = css(colour);
       this.context.fillText(words, x, y);
     }

@@ -11,10 +11,13 @@
 # machine, the name is plotted with labels, beside a row of the table: see price_ordinary.gp. Letters have one size, that of the text.
 # The title states the finding. Its size marks it: the book takes it out and sets it as text above the drawing, where it
 # can break into lines. So leave its font alone. Empty paper around the drawing is cut away.
+# A variable stands in italics, as in the text: "{/:Italic h}²{/:Italic a}". Where a program wrote a formula, formula() sets it so.
 # A drawing of another size begins with @drawing WIDTH,HEIGHT.
-drawing = 'set terminal svg dynamic font "sans-serif,16" name name noenhanced background rgb "#fffffe" size'
+drawing = 'set terminal svg dynamic font "sans-serif,16" name name enhanced background rgb "#fffffe" size'
 @drawing 480,400
 set output name.".svg"
+set encoding utf8
+set minussign
 set datafile separator "\t"
 set key autotitle columnhead
 
@@ -34,3 +37,6 @@ set title font "sans-serif,18" textcolor rgb "#22303a"
 set xlabel offset 0,0.4 textcolor rgb "#22303a"
 set ylabel textcolor rgb "#22303a"
 set key below left Left reverse samplen 2.5 spacing 1.15 height 0.7 textcolor variable
+
+formula(text) = "{/:Italic ".with_minus(text)."}"
+with_minus(text) = strstrt(text, "-") == 0 ? text : text[1:strstrt(text, "-") - 1]."−".with_minus(text[strstrt(text, "-") + 1:*])

@@ -91,7 +91,7 @@ ${way_here(page, reference)}
 <h1>${page.under ? breakable(escape(plain(escape(page.title)))) : escape(page.title)}</h1>
 ${kind === 'source' || is_landing ? '' : table_of_contents(headings)}
 <div class="contents">
-${html}
+${html.replace(/<code>(-[^<>\s]{1,24})<\/code>/g, '<code class="flag">$1</code>')}
 </div>
 ${neighbours(pages, page)}
 </main>

@@ -33,19 +33,24 @@ function part_of({file, id}) {
   return {id, title, body, sections: [...body.matchAll(/<h2 id="([^"]*)">([\s\S]*?)<a class="anchorlink"/g)]};
 }
 
+/** Above each page stands what it belongs to. */
+const running_head = ({id, title}) =>
+  `@page ${id} { @top-left { content: ${JSON.stringify(plain(title.replace(/<span class="katex-html"[\s\S]*/, '')))}; font: 8.5pt sans-serif; color: #444; } }`;
+
 function whole(parts, page_numbers) {
   const line = (id, html, kind) =>
     `<li class="${kind}"><a href="#${id}"><span>${html}</span><span>${page_numbers.get(id) ?? ''}</span></a></li>`;
   return `<!DOCTYPE html><html lang="en-GB" class="light-mode"><head><meta charset="utf-8"><title>${escape(settings.book.name)}</title>
 ${['doxygen.css', 'fonts.css', 'katex/katex.min.css', 'book.css', 'contents.css', 'player.css', 'live.css', 'print.css']
   .map(name => `<link rel="stylesheet" href="${name}">`)
-  .join('\n')}</head><body class="prose whole">
+  .join('\n')}
+<style>${parts.map(running_head).join('\n')}</style></head><body class="prose whole">
 <main><section class="title-page"><h1>${escape(settings.book.name)}</h1><p>${escape(settings.book.brief)}</p>
 <p class="edition">Built on ${escape(date)}, commit ${escape(commit)}</p></section>
 <section class="printed-contents"><h1>Contents</h1><ul>
 ${parts.map(part => line(part.id, part.title, 'page') + part.sections.map(([, id, text]) => line(id, escape(plain(text.replace(/<span class="katex-html"[\s\S]*/, ''))), 'section')).join('')).join('\n')}
 </ul></section>
-${parts.map(part => `<section class="page"><h1 id="${part.id}">${part.title}</h1>${part.body}</section>`).join('\n')}
+${parts.map(part => `<section class="page" style="page: ${part.id}"><h1 id="${part.id}">${part.title}</h1>${part.body}</section>`).join('\n')}
 </main></body></html>`;
 }
 

@@ -1,3 +1,5 @@
+@drawing 410,360
+set output name.".svg"
 set title "Forces that are never cleared pull harder every step"
 set xlabel "time (s)"
 set ylabel "height (m)"

@@ -13,4 +13,4 @@ plot data using (x_of("body")):3 with filledcurves closed fillstyle transparent 
      data using (x_of("arm")):3:4:5 with vectors head linestyle 1, \
      data using (x_of("force")):3:4:5 with vectors head linestyle 2 dashtype solid linewidth 3, \
      data using (x_of("dot")):3 with points linestyle 6 pointtype 7 pointsize 1, \
-     data using (x_of("label")):3:6 with labels
+     data using (x_of("label")):3:(formula(strcol(6))) with labels

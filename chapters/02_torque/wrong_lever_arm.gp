@@ -1,3 +1,5 @@
+@drawing 420,370
+set output name.".svg"
 set title "Taken about the world's origin, the torque grows with the distance from it"
 set xlabel "distance of the crate from the world's origin (m)"
 set ylabel "torque (N m)"

@@ -1,12 +1,11 @@
 set title "By way of the origin, a body's tensor loses digits with the square of the distance"
 set xlabel "distance of the body from the model's origin (m)"
-set ylabel "relative error of I in float"
+set ylabel "relative error of {/:Italic I} in float"
 set logscale xy
 set xrange [0.7:15000]
 set yrange [1e-8:1e3]
 set format x "10^{%T}"
 set format y "10^{%T}"
-set termoption enhanced
 unset key
 set label 1 "by way of\nthe origin" at 70, 10 right textcolor linetype 2
 set label 2 "one rounding, times the\nsquare of the distance" at 130, 3e-5 textcolor linetype 7

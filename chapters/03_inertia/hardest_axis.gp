@@ -16,4 +16,4 @@ plot data using (is("axis behind")):3:4:5 with vectors head filled linestyle 2 d
      data using (is("top")):3 with filledcurves closed fillstyle transparent solid 0.15 border linestyle 6 dashtype solid linewidth 1.2, \
      data using (is("side")):3 with filledcurves closed fillstyle transparent solid 0.3 border linestyle 6 dashtype solid linewidth 1.2, \
      data using (is("axis")):3:4:5 with vectors head filled linestyle 2 dashtype solid linewidth 2.5, \
-     data using (is("label")):3:6 with labels left textcolor rgb "#22303a"
+     data using (is("label")):3:(formula(strcol(6)[1:1]).strcol(6)[2:*]) with labels left textcolor rgb "#22303a"

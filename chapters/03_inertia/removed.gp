@@ -6,7 +6,6 @@ set xrange [0.7:7.3]
 set yrange [1e-14:0.4]
 set xtics 1,1,7
 set ytics ("10^{-1}" 1e-1, "10^{-2}" 1e-2, "10^{-3}" 1e-3, "10^{-5}" 1e-5, "10^{-8}" 1e-8, "10^{-13}" 1e-13)
-set termoption enhanced
 unset key
 set label 1 "removed" at 6.25, 3e-8 left textcolor linetype 1
 set label 2 "the two before, multiplied\nand divided by a difference\nof moments" at 4.6, 2e-11 right textcolor linetype 2

@@ -4,7 +4,6 @@ set ylabel "relative error of the tensor"
 set logscale xy
 set format x "10^{%T}"
 set format y "10^{%T}"
-set termoption enhanced
 unset key
 set label 1 "random places, RMS of\n100 seeds, and a fitted power" at 900, 0.4 textcolor linetype 1
 set label 2 "lattice" at 200, 4e-3 textcolor linetype 2

@@ -21,4 +21,4 @@ plot "gimbal.tsv" using (of("outer")):3 with lines linetype 1 dashtype solid lin
      "gimbal.tsv" using (of("pitch")):3:4:5 with vectors head filled linetype 3 dashtype solid linewidth 2, \
      "gimbal.tsv" using (of("roll")):3:4:5 with vectors head filled linetype 2 dashtype solid linewidth 2, \
      "gimbal.tsv" using (of("pitch") + $4 + 0.07):($3 + $5):("pitch") with labels left textcolor linetype 3, \
-     "gimbal.tsv" every ::::400 using (of("roll") + $4 + 0.1):($3 + $5 - 0.05):($2 < 2 ? "roll" : "") with labels left textcolor linetype 2
+     "gimbal.tsv" every ::::400 using (of("roll") + $4 - 0.08):($3 + $5 + 0.12):($2 < 2 ? "roll" : "") with labels right textcolor linetype 2

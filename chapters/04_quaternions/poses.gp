@@ -1,4 +1,4 @@
-@drawing 640,250
+@drawing 620,245
 set output name.".svg"
 set title "Where do two quarter turns leave the book?"
 unset border
@@ -11,10 +11,10 @@ set yrange [-2.6:2]
 set margins 0, 0, 0, 2
 of(kind) = strcol(1) eq kind ? column(2) : (strcol(1) eq "gap" ? NaN : NaN)
 set label 1 "as it lies" at 0, -2 center textcolor linetype 7
-set label 2 "turned about x" at 3.4, -2 center textcolor linetype 7
-set label 3 "then about z" at 6.8, -2 center textcolor linetype 1
-set label 4 "turned about z" at 10.2, -2 center textcolor linetype 7
-set label 5 "then about x" at 13.6, -2 center textcolor linetype 2
+set label 2 "turned about {/:Italic x}" at 3.4, -2 center textcolor linetype 7
+set label 3 "then about {/:Italic z}" at 6.8, -2 center textcolor linetype 1
+set label 4 "turned about {/:Italic z}" at 10.2, -2 center textcolor linetype 7
+set label 5 "then about {/:Italic x}" at 13.6, -2 center textcolor linetype 2
 set arrow 1 from 8.5,-2.2 to 8.5,1.8 nohead linecolor rgb "#b9c2c9"
 plot for [n=0:4] "poses.tsv" using (of(sprintf("page %d", n))):3 with filledcurves closed fillstyle solid 0.12 border linetype 7 dashtype solid linetype 7, \
      for [n=0:4] "poses.tsv" using (of(sprintf("spine %d", n))):3 with filledcurves closed fillstyle solid 0.75 border linetype 6 dashtype solid linetype 6, \

@@ -4,7 +4,6 @@ set ylabel "error (rad)"
 set logscale xy
 set format x "10^{%T}"
 set format y "10^{%T}"
-set termoption enhanced
 set xrange [5e-4:2]
 unset key
 set label 1 "three turns" at 0.05, 1e-2 right textcolor linetype 1

@@ -17,7 +17,7 @@ plot data using (of("body")):3 with filledcurves closed fillstyle transparent so
      data using (of("world")):3:4:5 with vectors head size 0.016,20 filled linetype 1 linewidth 3, \
      data using (of("model")):3:4:5 with vectors head size 0.016,20 filled linetype 3 dashtype solid linewidth 3, \
      data using (of("principal")):3:4:5 with vectors head size 0.016,20 filled linetype 2 dashtype solid linewidth 3, \
-     data using (of("world name")):3:6 with labels textcolor linetype 1, \
-     data using (of("model name")):3:6 with labels textcolor linetype 3, \
+     data using (of("world name")):3:(strlen(strcol(6)) == 1 ? formula(strcol(6)) : strcol(6)) with labels textcolor linetype 1, \
+     data using (of("model name")):3:(strlen(strcol(6)) == 1 ? formula(strcol(6)) : strcol(6)) with labels textcolor linetype 3, \
      data using (of("principal name")):3:6 with labels textcolor linetype 2, \
      data using (of("offset name")):3:6 with labels left textcolor linetype 4

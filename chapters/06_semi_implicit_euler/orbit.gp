@@ -1,8 +1,8 @@
 @drawing 520,420
 set output name.".svg"
 set title "What becomes of the ellipse?"
-set xlabel "x (smallest distance = 1)"
-set ylabel "y"
+set xlabel "{/:Italic x} (smallest distance = 1)"
+set ylabel "{/:Italic y}"
 set size ratio -1
 set xrange [-8.5:3]
 set yrange [-4.2:4.2]

@@ -2,8 +2,8 @@
 set output name.".svg"
 # Start, kick and drift side by side; the explicit step is outlined beside the drift.
 set multiplot layout 1,3 margins 0.15,0.99,0.21,0.86 spacing 0.03,0 title "A kick and a drift shear a patch of starts and keep its area" font "sans-serif,18"
-set xlabel "x (m)"
-set ylabel "v (m/s)"
+set xlabel "{/:Italic x} (m)"
+set ylabel "{/:Italic v} (m/s)"
 set size ratio -1
 set xrange [0.2:1.6]
 set xtics 0.8

@@ -1,8 +1,8 @@
 @drawing 480,470
 set output name.".svg"
 set title "With which order does the weight swing farther every time?"
-set xlabel "ωx (m/s)"
-set ylabel "v (m/s)"
+set xlabel "{/:Italic ωx} (m/s)"
+set ylabel "{/:Italic v} (m/s)"
 set size ratio -1
 set xrange [-2.8:3.2]
 set yrange [-3.1:2.5]

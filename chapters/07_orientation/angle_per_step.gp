@@ -1,5 +1,5 @@
 set title "How far does one step turn?"
-set xlabel "asked for: ωh (rad)"
+set xlabel "asked for: {/:Italic ωh} (rad)"
 set ylabel "turned in one step (rad)"
 set xrange [0:6.2]
 set yrange [0:6.2]

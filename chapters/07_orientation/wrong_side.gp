@@ -9,9 +9,9 @@ set margins 1, 1, 3, 2
 marks = "wrong_side_marks.tsv"
 is(kind) = strcol(1) eq kind ? column(2) : NaN
 plot "wrong_side.tsv" using 5:6 with lines linecolor rgb "#b9c2c9" linewidth 1 dashtype solid notitle, \
-     "wrong_side.tsv" using 1:2 with lines linestyle 1 title "the nose, ω on the left: about ω", \
-     "wrong_side.tsv" using 3:4 with lines linestyle 2 title "the nose, ω on the right", \
+     "wrong_side.tsv" using 1:2 with lines linestyle 1 title "the nose, {/:Italic ω} on the left: about {/:Italic ω}", \
+     "wrong_side.tsv" using 3:4 with lines linestyle 2 title "the nose, {/:Italic ω} on the right", \
      marks using (is("right")):3:4:5 with vectors head filled linestyle 1 notitle, \
      marks using (is("wrong")):3:4:5 with vectors head filled linestyle 2 dashtype solid notitle, \
      marks using (is("dot")):3 with points linestyle 7 pointtype 7 pointsize 0.8 notitle, \
-     marks using (is("label")):3:6 with labels textcolor rgb "#22303a" notitle
+     marks using (is("label")):3:(strcol(6) eq "ω" ? formula("ω") : strcol(6) eq "the body's z" ? "the body's ".formula("z") : strcol(6)) with labels textcolor rgb "#22303a" notitle

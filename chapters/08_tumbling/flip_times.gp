@@ -4,9 +4,8 @@ set ylabel "from flip to flip (s)"
 set logscale x
 set xrange [1:1e-8] reverse
 set format x "10^{%T}"
-set termoption enhanced
 set yrange [0:12]
-set label 1 "2 ln(1/wobble)/κ" at 1e-4, 4.2 left textcolor linetype 4
+set label 1 "2 ln(1/wobble)/{/:Italic κ}" at 1e-4, 4.2 left textcolor linetype 4
 set label 2 "exact, elliptic" at 0.4, 7.3 left textcolor linetype 7
 set label 3 "• stepped" at 0.4, 8.5 left textcolor linetype 1
 plot "flip_times.tsv" using 1:4 with lines linestyle 4 notitle, \

@@ -1,16 +1,13 @@
 set title "The kicks are perpendicular to L, so L goes round"
-set xlabel "L, eastward (g m^2/s)" offset 0,-0.2
-set ylabel "L, northward (g m^2/s)"
-set termoption enhanced
+set xlabel "{/:Italic L}, eastward (g m²/s)"
+set ylabel "{/:Italic L}, northward (g m²/s)"
 set size ratio -1
 set xrange [-14:14]
 set yrange [-14:14]
 set xtics 5
 set ytics 5
-set lmargin at screen 0.16
-set rmargin at screen 0.78
-set bmargin at screen 0.19
-set tmargin at screen 0.9
-set key at screen 0.99,0.6 right top vertical maxcols 1 Left reverse samplen 1.6
-plot "kicks.tsv" using (0):(0):1:2 with vectors head size 0.6,18 linestyle 6 linewidth 1.3 dashtype solid title "L", \
-     "kicks.tsv" using 1:2:3:4 with vectors head size 0.8,20 linestyle 2 linewidth 2 dashtype solid title "kicks"
+unset key
+set label 1 "{/:Italic L}" at 5.6,-1.9 center textcolor linetype 6
+set label 2 "kicks" at 10.2,7.6 left textcolor linetype 2
+plot "kicks.tsv" using (0):(0):1:2 with vectors head size 0.6,18 linestyle 6 linewidth 1.3 dashtype solid, \
+     "kicks.tsv" using 1:2:3:4 with vectors head size 0.8,20 linestyle 2 linewidth 2 dashtype solid

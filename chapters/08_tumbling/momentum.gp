@@ -13,8 +13,8 @@ names = "|L|_restored implicit steady splitting"
 do for [n=1:4] {
   set origin 0.04 + 0.5*((n - 1) % 2), n < 3 ? 0.5 : 0.06
   if (n > 2) { set xlabel "time (s)" } else { unset xlabel }
-  if (n % 2) { set ylabel "turn of L (degree)" } else { unset ylabel }
-  set label 1 (n == 1 ? "|L| restored" : word(names, n)) at 2, 3.6 left textcolor linetype word("2 3 5 1", n) + 0
+  if (n % 2) { set ylabel "turn of {/:Italic L} (degree)" } else { unset ylabel }
+  set label 1 (n == 1 ? "|{/:Italic L}| restored" : word(names, n)) at 2, 3.6 left textcolor linetype word("2 3 5 1", n) + 0
   plot "momentum.tsv" using 1:(column(rule(n) + 0)) with lines linetype (word("2 3 5 1", n) + 0) linewidth (n == 4 ? 2.6 : 1.2) dashtype solid
   unset label 99
 }

@@ -1,4 +1,4 @@
-@drawing 780,300
+@drawing 630,280
 set title "What becomes of the spin about the shaft?"
 set xlabel "time (s)"
 set ylabel "rate (rad/s)"

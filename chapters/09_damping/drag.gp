@@ -1,3 +1,5 @@
+@drawing 400,350
+set output name.".svg"
 set title "Damping stops a ball that air would only slow down"
 set xlabel "time (s)"
 set ylabel "speed (m/s)"

@@ -2,10 +2,10 @@ set title "A clock that adds up time drifts, and in float it stops; counted step
 set xlabel "time (s)"
 set ylabel "clock is off by (s)"
 set logscale xy
-set format x "1e%T"
-set format y "1e%T"
+set format x "10^{%T}"
+set format y "10^{%T}"
 set xrange [1:2e6]
 set yrange [1e-17:1e7]
 plot "clocks.tsv" using 1:2 with lines linestyle 2 title "  float t += h" at end, \
      "clocks.tsv" using 1:3 with lines linestyle 3 title "  double t += h" at end, \
-     "clocks.tsv" using 1:4 with points linestyle 1 title "  n h" at end
+     "clocks.tsv" using 1:4 with points linestyle 1 title "  {/:Italic nh}" at end

@@ -1,3 +1,5 @@
+@drawing 430,390
+set output name.".svg"
 set title "Which of the two games feels worse?"
 set xlabel "wall-clock time (s)"
 set ylabel "simulated time (s)"

@@ -4,7 +4,6 @@ set xlabel "time (s)"
 set ylabel "distance (m)"
 set logscale y
 set format y "10^{%T}"
-set termoption enhanced
 set yrange [1e-16:10]
 set ytics 1e-15, 1e5
 unset key

@@ -4,7 +4,6 @@ set xlabel "time (s)"
 set ylabel "relative error of the energy"
 set logscale y
 set format y "10^{%T}"
-set termoption enhanced
 set xrange [0:600]
 set yrange [1e-17:10]
 set ytics 1e-16, 1e4

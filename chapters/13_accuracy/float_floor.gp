@@ -5,7 +5,6 @@ set ylabel "error after 10 s (rad)"
 set logscale xy
 set format x "10^{%T}"
 set format y "10^{%T}"
-set termoption enhanced
 set xrange [50:2e5]
 set yrange [1e-15:10]
 set ytics 1e-15, 1e5

@@ -5,7 +5,6 @@ set ylabel "error after 10 s (rad)"
 set logscale xy
 set format x "10^{%T}"
 set format y "10^{%T}"
-set termoption enhanced
 set xrange [100:5e4]
 set yrange [1e-11:10]
 set ytics 1e-11, 1e2

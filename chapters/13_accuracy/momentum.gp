@@ -1,10 +1,9 @@
 @drawing 560,400
 set title "Which methods keep the angular momentum?"
 set xlabel "time (s)"
-set ylabel "relative error of L in the world"
+set ylabel "relative error of {/:Italic L} in the world"
 set logscale y
 set format y "10^{%T}"
-set termoption enhanced
 set xrange [0:600]
 set yrange [1e-17:10]
 set ytics 1e-16, 1e4

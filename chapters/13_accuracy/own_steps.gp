@@ -4,7 +4,6 @@ set xlabel "time (s)"
 set ylabel "time step (s), distance (m)"
 set logscale y
 set format y "10^{%T}"
-set termoption enhanced
 set yrange [1e-4:10]
 unset key
 set label 1 "distance from the star" at graph 0.33, first 3.4 center textcolor linetype 2

@@ -4,7 +4,6 @@ set xlabel "steps"
 set ylabel "largest error of the energy so far"
 set logscale y
 set format y "10^{%T}"
-set termoption enhanced
 set xrange [0:100000]
 set yrange [1e-4:0.1]
 set xtics 50000

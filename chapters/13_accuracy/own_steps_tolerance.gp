@@ -3,7 +3,6 @@ set title "How many steps does a smaller tolerance cost?"
 set xlabel "tolerance (m/s and m/s²)"
 set ylabel "steps along the orbit"
 set logscale xy
-set termoption enhanced
 set xrange [1e-2:1e-10] reverse
 set xtics ("10^{-2}" 1e-2, "10^{-4}" 1e-4, "10^{-6}" 1e-6, "10^{-8}" 1e-8, "10^{-10}" 1e-10)
 set yrange [20:3000]

@@ -18,14 +18,14 @@ begins(i) = i < 3 ? i * p : 1 - (5 - i) * p
 lasts(i) = i == 2 ? 1 - 4 * p : p
 kicks(i) = begins(i) + lasts(i) / 2
 row(i) = 8.2 - 1.6 * i
-minus(x) = x < 0 ? sprintf("−%.2f h", -x) : sprintf("%.2f h", x)
+signed(x) = x < 0 ? sprintf("−%.2f {/:Italic h}", -x) : sprintf("%.2f {/:Italic h}", x)
 set arrow from 0,11.5 to 1,11.5 arrowstyle 1
 set arrow from 0,10 to 1,10 arrowstyle 1
-set label "kick by h" at 0,11.5 left offset 0,0.8 textcolor rgb forwards
-set label "kick by h" at 0.5,10 center offset 0,0.8 textcolor rgb forwards
+set label "kick by {/:Italic h}" at 0,11.5 left offset 0,0.8 textcolor rgb forwards
+set label "kick by {/:Italic h}" at 0.5,10 center offset 0,0.8 textcolor rgb forwards
 do for [i=0:4] {
   set arrow from begins(i),row(i) to begins(i)+lasts(i),row(i) arrowstyle i == 2 ? 2 : 1
-  set label "kick by ".minus(lasts(i)) at kicks(i),row(i) center offset 0,0.8 textcolor rgb i == 2 ? backwards : forwards
+  set label "kick by ".signed(lasts(i)) at kicks(i),row(i) center offset 0,0.8 textcolor rgb i == 2 ? backwards : forwards
 }
 set label "drift" at 0.98,11.5 right offset 0,0.8 textcolor rgb forwards
 plot "+" using (0):(11.5) every ::0::0 with points pointtype 7 pointsize 1.1 linecolor rgb forwards, \

@@ -4,7 +4,6 @@ set xlabel "time (s)"
 set ylabel "largest error of the energy so far"
 set logscale xy
 set format y "10^{%T}"
-set termoption enhanced
 set xrange [1:600]
 set yrange [1e-9:1]
 set xtics ("1" 1, "10" 10, "100" 100, "600" 600)
@@ -14,7 +13,7 @@ unset key
 set label 1 "splitting" at 640, 1e-2 left textcolor linetype 1
 set label 2 "Blanes–Moan 4" at 640, 8e-7 left textcolor linetype 3
 set label 3 "eighth order" at 640, 4e-4 left textcolor linetype 2
-set label 4 "eighth order, L apart" at 640, 8e-6 left textcolor linetype 4
+set label 4 "eighth order, {/:Italic L} apart" at 640, 8e-6 left textcolor linetype 4
 plot "adding_up.tsv" using 1:2 with lines linestyle 1, \
      "" using 1:3 with lines linestyle 3, \
      "" using 1:4 with lines linestyle 2, \

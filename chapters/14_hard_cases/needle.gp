@@ -4,7 +4,6 @@ set xlabel "time (s)"
 set ylabel "relative error of the energy"
 set logscale y
 set format y "10^{%T}"
-set termoption enhanced
 set xrange [0:5]
 set yrange [1e-8:1e4]
 set ytics 1e-8, 1e2
