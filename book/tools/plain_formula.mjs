@@ -5,7 +5,7 @@ const raised = '⁰¹²³⁴⁵⁶⁷⁸⁹⁺⁻ᵖᵀ',
   raised_as = '0123456789+-pT';
 const lowered = '₀₁₂₃₄₅₆₇₈₉ᵢⱼ',
   lowered_as = '0123456789ij';
-const functions = new Set(['sin', 'cos', 'tan', 'log', 'exp', 'atan']);
+const functions = new Set(['sin', 'cos', 'tan', 'log', 'ln', 'exp', 'atan']);
 const signs = {
   '×': '\\times ', '·': '\\cdot ', '−': '-', '∫': '\\int ', 'Σ': '\\sum ', '…': '\\dots ', '½': '\\tfrac12 ', '*': '^{*}', '%': '\\%',
   'α': '\\alpha ', 'κ': '\\kappa ', 'λ': '\\lambda ', 'μ': '\\mu ', 'ω': '\\omega ', 'Ω': '\\Omega ', 'φ': '\\varphi ', 'τ': '\\tau ',
