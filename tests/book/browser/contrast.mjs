@@ -31,7 +31,8 @@ export function contrasts_in_figures() {
     const texts = [...figure.querySelectorAll('text')].filter(text => text.textContent.trim())
       .map(text => measured(`text "${text.textContent.trim()}"`, getComputedStyle(text).fill));
     const lines = [...figure.querySelectorAll('path, line, polyline')]
-      .filter(line => getComputedStyle(line).stroke !== 'none' && !stroke_of(line).includes('--figure-grid'))
+      // The grid is faint, and what has the paper's colour is the border of something else.
+      .filter(line => getComputedStyle(line).stroke !== 'none' && !/--figure-(grid|paper)/.test(stroke_of(line)))
       .map(line => measured(stroke_of(line).includes('--figure-frame') ? 'axis' : 'line', getComputedStyle(line).stroke));
     return [...texts, ...lines];
   });
