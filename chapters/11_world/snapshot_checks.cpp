@@ -123,8 +123,10 @@ TEST_CASE_TEMPLATE(
     world.restore(checkpoint);
     FAIL("it was taken");
   } catch (const std::invalid_argument& error) {
-    CHECK(std::string(error.what()) ==
-          "the checkpoint has 9 bodies, 0 of them with a top; the world has 10 and 0");
+    CHECK(
+        std::string(error.what()) ==
+        "the checkpoint has 9 bodies, 0 of them with a top; the world has 10 and 0; a copy of the "
+        "world outlasts bodies that come and go");
   }
 }
 
@@ -168,7 +170,8 @@ TEST_CASE_TEMPLATE("A snapshot of more bodies or of fewer is refused with both c
     FAIL("it was taken");
   } catch (const std::invalid_argument& error) {
     CHECK(std::string(error.what()) ==
-          "the snapshot has 1 bodies, 0 of them with a top; the world has 2 and 0");
+          "the snapshot has 1 bodies, 0 of them with a top; the world has 2 and 0; a copy of the "
+          "world outlasts bodies that come and go");
   }
   // It does not know which bodies they were: one that came takes over how one that went has moved.
   world.remove(world.find("a"));
@@ -190,8 +193,8 @@ TEST_CASE_TEMPLATE("A damaged file is refused and says why, whichever letter has
   CHECK(complaint_of_reading<Real>(good.substr(0, good.size() / 2)) ==
         refused + "its end is missing");
   std::string newer = good;
-  newer[newer.find('1')] = '2';
-  CHECK(complaint_of_reading<Real>(newer) == refused + "it is of version 2, and this is 1");
+  newer[newer.find('2')] = '3';
+  CHECK(complaint_of_reading<Real>(newer) == refused + "it is of version 3, and this is 2");
   using Other = std::conditional_t<std::is_same_v<Real, float>, double, float>;
   CHECK(complaint_of_reading<Other>(good).find("its numbers have ") == refused.size());
   // Any of 255 letters in place of each, to the line's end behind the checksum.
@@ -226,8 +229,11 @@ TEST_CASE_TEMPLATE("A world of no bodies is saved and read, and half a first lin
   };
   const std::string refused = "not a snapshot that can be used: ";
   CHECK(complaint_of_reading<Real>(closed("tumble snapshot \n")) ==
-        refused + "it is of version 0, and this is 1");
+        refused + "it is of version 0, and this is 2");
   CHECK(complaint_of_reading<Real>(closed("tumble snapshot 1, 64 bits\n")) ==
+        refused + "its first line does not say what it holds");
+  CHECK(complaint_of_reading<Real>(
+            closed("tumble snapshot 2, 64 bits, bodies 0, tops 0, ticks 6\n")) ==
         refused + "its first line does not say what it holds");
 }
 

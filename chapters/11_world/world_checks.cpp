@@ -1,3 +1,4 @@
+#include <map>
 #include <string>
 #include <support/checks.hpp>
 #include <support/random_world.hpp>
@@ -87,6 +88,20 @@ TEST_CASE_TEMPLATE(
   copy.set_velocity(body, {1, 0, 0});
   CHECK(copy.body(body).centre.velocity.x() == 1);
   CHECK(world.body(body).centre.velocity.x() == 0);
+}
+
+TEST_CASE("A map has what a user remembers of each body, while bodies come and go") {
+  //! [user_data]
+  World<double> world;
+  std::map<BodyHandle, int> lives;
+  lives[world.add("knight", make_particle(80.0))] = 3;
+  lives[world.add("dragon", make_particle(900.0))] = 9;
+  const BodyHandle knight = world.find("knight");
+  --lives[knight];
+  world.remove(knight);
+  std::erase_if(lives, [&](const auto& entry) { return !world.contains(entry.first); });
+  //! [user_data]
+  CHECK(lives == std::map<BodyHandle, int>{{world.find("dragon"), 9}});
 }
 
 TEST_CASE_TEMPLATE("Bodies keep their tops while others are removed", Real, EVERY_PRECISION) {

@@ -76,6 +76,50 @@ TEST_CASE_TEMPLATE("In packs too a world goes back to its checkpoints, to the bi
   }
 }
 
+TEST_CASE_TEMPLATE("In packs too the step can be changed, to the bit", Real, EVERY_PRECISION) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    RandomGenerator dice(seed), same_dice(seed);
+    World<Real> plain = random_world<Real>(dice, 40);
+    ManyBodies<Real> packed = random_world<Real, InPacks<Real>>(same_dice, 40);
+    for (const std::int64_t rate : {144, 30}) {
+      plain.add(LinearDamping<Real>{.rate = 1});
+      packed.add(LinearDamping<Real>{.rate = 1});
+      plain.step();
+      packed.step();
+      plain.set_step_length(steps_per_second(rate));
+      packed.set_step_length(steps_per_second(rate));
+      const std::string complaint = complaint_of_step([&] { plain.step(); });
+      REQUIRE(complaint_of_step([&] { packed.step(); }) == complaint);
+      REQUIRE(same_motion(plain.bodies(), packed.bodies()));
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE("In packs too a copy is a way back over bodies and effects that come and go",
+                   Real, EVERY_PRECISION) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    CAPTURE(seed);
+    RandomGenerator dice(seed);
+    ManyBodies<Real> world = random_world<Real, InPacks<Real>>(dice, 40);
+    world.backend().use_threads(1 + static_cast<int>(seed % 2));
+    world.step();
+    const ManyBodies<Real> then = world;
+    ManyBodies<Real> untouched = world;
+    for (int n = 0; n < 20; ++n) {
+      meddle(world, dice, n);
+      (void)complaint_of_step([&] { world.step(); });
+    }
+    world = then;
+    REQUIRE(world.handles() == untouched.handles());
+    for (int n = 0; n < 10; ++n) {
+      world.step();
+      untouched.step();
+      REQUIRE(same_motion(world.bodies(), untouched.bodies()));
+    }
+  }
+}
+
 TEST_CASE_TEMPLATE("A step in packs that fails turns back tops that tumble in packs of their own",
                    Real, EVERY_PRECISION) {
   World<Real, InPacks<Real>> world(steps_per_second(64));

@@ -47,6 +47,24 @@ TEST_CASE("A copy of a pool is another pool of the same size") {
   CHECK(calls == 8);
 }
 
+TEST_CASE("A pool to which one of the same size is assigned keeps its threads") {
+  ThreadPool pool(2), same(2), other(3);
+  const auto calls_of_second = [&] {  // as its thread counts them
+    int calls = 0;
+    pool.run([&](int member) {
+      thread_local int count = 0;
+      if (++count; member == 1) calls = count;
+    });
+    return calls;
+  };
+  CHECK(calls_of_second() == 1);
+  pool = same;
+  CHECK(calls_of_second() == 2);
+  pool = other;
+  CHECK(pool.size() == 3);
+  CHECK(calls_of_second() == 1);
+}
+
 TEST_CASE("A pool of no threads, or of thousands, is refused by number and rule") {
   CHECK(complaint_of([] { ThreadPool(0); }) ==
         "0 threads were asked for; a world can use from 1 to 1024");

@@ -17,7 +17,7 @@
   how template void check_body(const std::string&, const Top<Real>&);                             \
   how template void ChangeLog::tell(const StepPlan<Real>&, std::size_t, std::int64_t);            \
   how template Snapshot<Real> snapshot_of(const NamedBodies<Real>&, const Planner<Real>&,         \
-                                          std::int64_t);                                          \
+                                          const WorldTime<Real>&);                                \
   how template void restore(const Snapshot<Real>&, const NamedBodies<Real>&, BodyStore<Real>&,    \
                             Planner<Real>&);                                                      \
   how template StepLimit<Real> step_limit(const StepPlan<Real>&, const NamedBodies<Real>&, Real); \

@@ -33,6 +33,8 @@ class AnyEffect {
   virtual Response<Real> response(const BodyState<Real>& first,
                                   const BodyState<Real>& second) const = 0;
   //! [any_effect]
+  /// The same effect prepared for another time step (s); null of one that prepares for none.
+  virtual std::shared_ptr<const AnyEffect> prepared(Real time_step) const = 0;
 
  protected:
   explicit AnyEffect(EffectTraits<Real> traits) : traits_(std::move(traits)) {}
@@ -42,6 +44,18 @@ class AnyEffect {
 };
 
 /// @cond the base class says what it does
+/// What prepared() returns, of an effect in the form `Erased`.
+template <class Erased, class Real, class Effect>
+std::shared_ptr<const AnyEffect<Real>> prepared_as([[maybe_unused]] Effect effect,
+                                                   [[maybe_unused]] Real time_step) {
+  if constexpr (requires { effect.prepare(time_step); }) {
+    effect.prepare(time_step);
+    return std::make_shared<const Erased>(effect);
+  } else {
+    return nullptr;
+  }
+}
+
 /// AnyEffect for one type of effect.
 template <class Real, class Effect>
 class EffectOf : public AnyEffect<Real> {
@@ -117,6 +131,10 @@ class EffectOf : public AnyEffect<Real> {
       return effect_.response(first);
     else
       return effect_.response(first, second);
+  }
+
+  std::shared_ptr<const AnyEffect<Real>> prepared(Real time_step) const override {
+    return prepared_as<EffectOf>(effect_, time_step);
   }
 
  private:

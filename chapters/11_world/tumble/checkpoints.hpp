@@ -19,8 +19,7 @@ struct BodyMotion {
 /// The motion of all bodies after so many steps: a list of all that many checkpoints share, and
 /// those that may have moved since it was made.
 template <class Real>
-struct Checkpoint {
-  std::int64_t ticks = 0;
+struct Checkpoint : WorldTime<Real> {
   std::size_t top_count = 0;
   std::shared_ptr<const std::vector<BodyMotion<Real>>> all;  ///< in the order of the world
   std::vector<BodyIndex> moved;                              ///< in no order
@@ -38,9 +37,9 @@ class Checkpoints {
 
   /// How all bodies of the world move now, after so many steps.
   //! [make_checkpoint]
-  Checkpoint<Real> make(std::int64_t ticks, const NamedBodies<Real>& bodies,
+  Checkpoint<Real> make(const WorldTime<Real>& time, const NamedBodies<Real>& bodies,
                         Planner<Real>& planner) {
-    Checkpoint<Real> now{ticks, bodies.top_count(), all_, {}, {}};
+    Checkpoint<Real> now{time, bodies.top_count(), all_, {}, {}};
     if (all_) {
       now.moved = may_have_moved(bodies, planner);
       now.motions.reserve(now.moved.size());

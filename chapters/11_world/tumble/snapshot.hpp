@@ -4,13 +4,13 @@
 
 #include <tumble/motion_record.hpp>
 #include <tumble/planner.hpp>
+#include <tumble/world_time.hpp>
 
 namespace tumble {
 
 /// The motion of all bodies after so many steps. What acts on them is not part of it.
 template <class Real>
-struct Snapshot {
-  std::int64_t ticks = 0;
+struct Snapshot : WorldTime<Real> {
   std::vector<CentreMotion<Real>> centres;  ///< of the bodies, in the order of the world
   std::vector<TopMotion<Real>> tops;
   std::vector<bool> has_moved, has_turned;  ///< what the plan knew of the bodies
@@ -19,9 +19,8 @@ struct Snapshot {
 /// How all bodies move now, and what the planner knows of whether they do.
 template <class Real>
 Snapshot<Real> snapshot_of(const NamedBodies<Real>& bodies, const Planner<Real>& planner,
-                           std::int64_t ticks) {
-  Snapshot<Real> now;
-  now.ticks = ticks;
+                           const WorldTime<Real>& time) {
+  Snapshot<Real> now{time, {}, {}, {}, {}};
   for (BodyIndex index = 0; index < bodies.size(); ++index) {
     const RigidBody<Real> body = bodies.body(index);
     now.centres.push_back(motion_of(body.centre));
@@ -37,10 +36,10 @@ template <class Real>
 void require_as_many(const std::string& what, std::size_t bodies, std::size_t tops,
                      const NamedBodies<Real>& now) {
   if (bodies == now.size() && tops == now.top_count()) return;
-  throw std::invalid_argument("the " + what + " has " + std::to_string(bodies) + " bodies, " +
-                              std::to_string(tops) + " of them with a top; the world has " +
-                              std::to_string(now.size()) + " and " +
-                              std::to_string(now.top_count()));
+  throw std::invalid_argument(
+      "the " + what + " has " + std::to_string(bodies) + " bodies, " + std::to_string(tops) +
+      " of them with a top; the world has " + std::to_string(now.size()) + " and " +
+      std::to_string(now.top_count()) + "; a copy of the world outlasts bodies that come and go");
 }
 
 /// Lets all bodies, which lie in `store`, move as they did then.

@@ -49,6 +49,12 @@ inline std::string checksum_line(std::string_view text) {
   return line.str();
 }
 
+/// A number in hexadecimal, which no stream reads back.
+template <class Real>
+Real number_of(const std::string& text) {
+  return static_cast<Real>(std::strtod(text.c_str(), nullptr));
+}
+
 }  // namespace detail
 
 /// Writes a snapshot as text: a line that says what it is, the numbers in hexadecimal, so that none
@@ -56,9 +62,11 @@ inline std::string checksum_line(std::string_view text) {
 template <class Real>
 void write_snapshot(std::ostream& out, const Snapshot<Real>& snapshot) {
   std::ostringstream text;
-  text << "tumble snapshot 1, " << 8 * sizeof(Real) << " bits, bodies " << snapshot.centres.size()
-       << ", tops " << snapshot.tops.size() << ", ticks " << snapshot.ticks << '\n'
-       << std::hexfloat;
+  text << std::hexfloat << "tumble snapshot 2, " << 8 * sizeof(Real) << " bits, bodies "
+       << snapshot.centres.size() << ", tops " << snapshot.tops.size() << ", ticks "
+       << snapshot.ticks << ", step " << snapshot.step.numerator << " / "
+       << snapshot.step.denominator << " ns since " << snapshot.first_tick << " at "
+       << snapshot.start << " s\n";
   for (const std::vector<bool>* flags : {&snapshot.has_moved, &snapshot.has_turned}) {
     for (const bool flag : *flags) text << (flag ? '1' : '0');
     text << '\n';
@@ -67,7 +75,8 @@ void write_snapshot(std::ostream& out, const Snapshot<Real>& snapshot) {
   out << text.str() << detail::checksum_line(text.str());
 }
 
-/// Reads what write_snapshot() has written.
+/// Reads what write_snapshot() has written. A file of version 1 does not know its step: it is taken
+/// for one of the world's.
 /// @throws std::invalid_argument with what is wrong, if it is something else or is damaged.
 template <class Real>
 Snapshot<Real> read_snapshot(std::istream& in) {
@@ -87,7 +96,14 @@ Snapshot<Real> read_snapshot(std::istream& in) {
   Snapshot<Real> snapshot;
   text >> word >> word >> version >> word >> bits >> word >> word >> bodies >> word >> word >>
       tops >> word >> word >> snapshot.ticks;
-  if (version != 1) throw refuse("it is of version " + std::to_string(version) + ", and this is 1");
+  if (version != 1 && version != 2)
+    throw refuse("it is of version " + std::to_string(version) + ", and this is 2");
+  if (version == 2) {
+    text >> word >> word >> snapshot.step.numerator >> word >> snapshot.step.denominator >> word >>
+        word >> snapshot.first_tick >> word >> word;
+    snapshot.start = detail::number_of<Real>(word);
+    text >> word;
+  }
   if (!text) throw refuse("its first line does not say what it holds");
   if (all.substr(end) != detail::checksum_line(all.substr(0, end)))
     throw refuse("its checksum is wrong: it is damaged");
@@ -103,7 +119,7 @@ Snapshot<Real> read_snapshot(std::istream& in) {
   snapshot.tops.resize(tops);
   detail::for_each_number(snapshot, [&](Real& number) {
     text >> word;
-    number = static_cast<Real>(std::strtod(word.c_str(), nullptr));
+    number = detail::number_of<Real>(word);
   });
   return snapshot;
 }

@@ -18,7 +18,9 @@ namespace tumble {
 
 /// Bodies and effects with a fixed time step. Every function that could change the plan tells the
 /// planner, so that the plan stays right. A copy of a world is another world in the same state, and
-/// knows the handles of the first.
+/// knows the handles of the first. So it is a way back even after bodies and effects have come and
+/// gone: `world = copy` brings back those that went, with their names and handles, and the others
+/// have never been. A handle that was given out since may then be given out once more.
 ///
 /// `Backend` keeps the bodies in arrays and steps them, and changes no bit of how they move.
 template <class Real, class Backend = OneByOne<Real>>
@@ -29,7 +31,7 @@ class World {
   /// write.
   template <TurningRule<Real> Rule = Splitting>
   explicit World(const StepLength& step = {}, const Rule& rule = {})
-      : step_(step),
+      : time_{.step = step},
         time_step_(time_step_of<Real>(step)),
         planner_(motions_of<Real, Backend>(rule)) {
     require_step_length(step, 0);
@@ -71,9 +73,7 @@ class World {
   std::size_t top_count() const { return named_bodies().top_count(); }
   /// @throws std::invalid_argument if no body has that name.
   BodyHandle find(const std::string& name) const { return registry_.find(name); }
-  std::string name_of(BodyHandle body) const {
-    return registry_.name_of(registry_.index_of(body));
-  }
+  std::string name_of(BodyHandle body) const { return registry_.name_of(registry_.index_of(body)); }
   /// All bodies, in the order of the arrays.
   std::vector<BodyHandle> handles() const {
     std::vector<BodyHandle> handles;
@@ -248,16 +248,39 @@ class World {
 
   // --- Time -------------------------------------------------------------------------------------
 
-  const StepLength& step_length() const { return step_; }
+  const StepLength& step_length() const { return time_.step; }
   Real time_step() const { return time_step_; }
-  std::int64_t ticks() const { return ticks_; }
-  /// n h, s: with two roundings at most, beside that of h, however many steps there were.
+  std::int64_t ticks() const { return time_.ticks; }
+  /// n h, s: with two roundings at most, beside that of h, however many steps there were. After
+  /// set_step_length() it goes on from what it was.
   Real time() const { return step_time().time; }
   /// When the next step happens.
-  StepTime<Real> step_time() const { return step_time_of(ticks_, time_step_); }
+  StepTime<Real> step_time() const { return {time_.time(time_step_), time_step_}; }
+
+  /// From now on each step lasts so long. Effects that prepare for a step do so anew, and the next
+  /// step warns of what may go wrong. A StepClock has a step of its own: make a new one.
+  /// @throws std::invalid_argument if the step is negative or longer than an hour, and
+  /// std::logic_error if an effect asks for it inside a step; nothing has changed then.
+  //! [set_step_length]
+  void set_step_length(const StepLength& step) {
+    require_step_length(step, 0);
+    if (stepping_ == this) throw std::logic_error("the time step can't be changed inside a step");
+    const Real time_step = time_step_of<Real>(step);
+    std::vector<std::pair<std::uint64_t, std::shared_ptr<const AnyEffect<Real>>>> prepared;
+    for (const EffectInstance<Real>& instance : effects())
+      if (auto effect = instance.effect->prepared(time_step))
+        prepared.emplace_back(instance.handle.number, std::move(effect));
+    change_log_.note("a step of " + text_of(time_step) + " s was chosen");
+    limit_changed_ = true;
+    time_ = continued(time_, step);
+    time_step_ = time_step;
+    for (auto& [number, effect] : prepared)
+      planner_.replace_effect(number, std::move(effect), named_bodies());
+  }
+  //! [set_step_length]
 
   /// How all bodies move now: with restore() a step, or a thousand, can be taken back.
-  Snapshot<Real> save() const { return snapshot_of(named_bodies(), planner_, ticks_); }
+  Snapshot<Real> save() const { return snapshot_of(named_bodies(), planner_, time_); }
   /// All bodies move as they did when the snapshot was saved, and the steps from there on have the
   /// same bits, unless the scene has been changed since, or a push for one step was to come then:
   /// such pushes are dropped. The bodies are taken in the order of the world.
@@ -265,18 +288,18 @@ class World {
   void restore(const Snapshot<Real>& then) {
     tumble::restore(then, named_bodies(), backend_, planner_);
     checkpoints_.forget_all();
-    ticks_ = then.ticks;
+    time_ = continued<Real>(then, time_.step);
   }
 
   /// The same as save(), for each frame of a game that may have to go back: after the first
   /// checkpoint, and until a body comes or goes, it costs what can move and what was changed, and
   /// not what rests. A checkpoint is for this world, or a copy of it, alone.
-  Checkpoint<Real> checkpoint() { return checkpoints_.make(ticks_, named_bodies(), planner_); }
+  Checkpoint<Real> checkpoint() { return checkpoints_.make(time_, named_bodies(), planner_); }
   /// See restore() of a Snapshot; it costs what can move now, or could then, and what was changed.
   /// @throws std::invalid_argument if there are more bodies or tops than then, or fewer.
   void restore(const Checkpoint<Real>& then) {
     checkpoints_.restore(then, named_bodies(), backend_, planner_);
-    ticks_ = then.ticks;
+    time_ = continued<Real>(then, time_.step);
   }
 
   // --- The plan ---------------------------------------------------------------------------------
@@ -299,7 +322,7 @@ class World {
   /// What has changed the plan since the world began, a sentence each; the last hundred of them.
   std::vector<std::string> change_log() const {
     ChangeLog now = change_log_;
-    if (now.is_pending()) now.tell(step_plan(), registry_.size(), ticks_);
+    if (now.is_pending()) now.tell(step_plan(), registry_.size(), ticks());
     return now.sentences();
   }
 
@@ -312,9 +335,10 @@ class World {
   /// effect throws; the world is then as it was before the step.
   void step() {
     if (change_log_.is_pending()) report_changes();
+    const InsideStep inside(*this);
     const std::optional<BodyIndex> diverged = backend_.step(step_plan(), step_time());
     if (diverged) throw_failure(*diverged);
-    ++ticks_;
+    ++time_.ticks;
     planner_.end_inputs(named_bodies());
   }
 
@@ -431,7 +455,7 @@ class World {
 
   /// Reports what has changed since the last step.
   void report_changes() {
-    change_log_.tell(step_plan(), registry_.size(), ticks_);
+    change_log_.tell(step_plan(), registry_.size(), ticks());
     if (!std::exchange(limit_changed_, false)) return;
     for (const std::string& warning : warnings())
       if (tell_)
@@ -442,24 +466,34 @@ class World {
 
   template <class Step>
   void step_on_copy(const Step& step) {
+    const InsideStep inside(*this);
     Bodies<Real> bodies = backend_.bodies();
     step(bodies, [this](BodyHandle body) { return registry_.index_of(body); });
     if (const std::optional<BodyIndex> diverged = first_diverged(bodies, step_plan()))
       throw_failure(*diverged);
     backend_.set_bodies(std::move(bodies));
     checkpoints_.forget_all();
-    ++ticks_;
+    ++time_.ticks;
     planner_.end_inputs(named_bodies());
   }
 
   [[noreturn]] void throw_failure(BodyIndex diverged) {
-    throw failure<Real>(registry_.name_of(diverged), diverged, bodies(), step_plan(), ticks_,
+    throw failure<Real>(registry_.name_of(diverged), diverged, bodies(), step_plan(), ticks(),
                         step_time());
   }
 
-  StepLength step_;
+  /// While one lives, the world is inside a step. A copy that is made then is not.
+  struct InsideStep {
+    explicit InsideStep(World& world) : stepping(world.stepping_) { stepping = &world; }
+    ~InsideStep() { stepping = nullptr; }
+    InsideStep(const InsideStep&) = delete;
+    InsideStep& operator=(const InsideStep&) = delete;
+    const World*& stepping;
+  };
+
+  WorldTime<Real> time_;
   Real time_step_;
-  std::int64_t ticks_ = 0;
+  const World* stepping_ = nullptr;  // itself, inside a step
   BodyRegistry registry_;
   Backend backend_;
   Planner<Real> planner_;

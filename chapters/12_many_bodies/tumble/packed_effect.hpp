@@ -118,6 +118,10 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
       }
   }
 
+  std::shared_ptr<const AnyEffect<Real>> prepared(Real time_step) const override {
+    return prepared_as<PackedEffectOf>(this->effect(), time_step);
+  }
+
  private:
   void visit_lanes(Particle<Packed>& centre, Top<Packed>& top, const PackMask<Real, width>& mask,
                    const StepTime<Real>& at) const {

@@ -22,7 +22,8 @@ inline std::size_t share_of(std::size_t count, int member, int members) {
 
 /// Some threads, the caller's among them, that do the same piece of work on different bodies. To
 /// start a thread costs more than a small world's step, so they are started once. A copy is another
-/// pool of the same size.
+/// pool of the same size; it starts its threads when they are first called, and what is assigned to
+/// keeps its own if there are as many.
 //! [pool]
 class ThreadPool {
  public:
@@ -36,20 +37,22 @@ class ThreadPool {
                                   " threads were asked for; a world can use from 1 to 1024");
     if (size > 1) others_ = std::make_unique<Others>(size - 1);
   }
-  ThreadPool(const ThreadPool& other) : ThreadPool(other.size_) {}
+  ThreadPool(const ThreadPool& other) : size_(other.size_) {}
   ThreadPool(ThreadPool&&) = default;
-  ThreadPool& operator=(ThreadPool other) {
+  ThreadPool& operator=(const ThreadPool& other) {
+    if (size_ != other.size_) others_.reset();
     size_ = other.size_;
-    others_ = std::move(other.others_);
     return *this;
   }
+  ThreadPool& operator=(ThreadPool&&) = default;
 
   int size() const { return size_; }
 
   /// Calls `task` with 0, 1, … size − 1, each on a thread of its own, and waits for all of them.
   /// What one of them throws, this throws once all are done.
   void run(const Task& task) {
-    if (!others_) return task(0);
+    if (size_ == 1) return task(0);
+    if (!others_) others_ = std::make_unique<Others>(size_ - 1);
     others_->begin(task);
     others_->do_share(0);
     others_->wait_until_done();
