@@ -86,6 +86,36 @@ for (const [chapter, name] of process.env.TUMBLE_LIVE.split(',').map(figure => f
   });
 }
 
+test('The slope at a rung’s line is the order that it claims, wherever its steps are short enough to tell.', async () => {
+  const module = await live.Module.from(readFileSync(join(results, '13_accuracy/price_of_error.wasm')));
+  const told = [6, 10, 11, 13, 16, 18]; // orders 2, 2, 4, 4, 6 and 8, straight on the ordinary body and the stable axis
+  for (const problem of [0, 1]) {
+    const {columns} = await module.run([problem]);
+    for (const rung of told) assert.ok(Math.abs(columns.slope[rung] + columns.order[rung]) < 0.15, `rung ${rung}: ${columns.slope[rung]}`);
+    assert.ok(Number.isNaN(columns.slope[0]), 'the rule that never comes near has none');
+  }
+});
+
+test('A time buys the most accurate run that it pays for, and the exact solution stays grey until the question is answered.', async () => {
+  const module = await live.Module.from(readFileSync(join(results, '13_accuracy/price_of_error.wasm')));
+  const figure = live.figures.price_of_error, {tables} = live;
+  // A step of the splitting for 100 ns, of Runge and Kutta's rule for 10, an answer for 1 µs, in 10 s.
+  live.tables = {step_prices: {rows: [['splitting', '100'], ['Runge-Kutta', '10'], ['exact solution', '1000']]}};
+  const run = await module.run();
+  const told = (is_answered, ...values) => {
+    live.answered = () => is_answered;
+    return figure.finding(live.state_of(figure, run, 0, values));
+  };
+  assert.match(told(true, 0, 10, 1, 1e-4, 400), /^For 400\sns .*“Runge-Kutta”: with steps of 0[.]028\ss/); // 362 of them, the next 512
+  assert.match(told(true, 0, 10, 1, 1e-4, 400), /The next, “splitting”/);
+  assert.match(told(true, 0, 10, 1, 1e-4, 10), /^For 10\sns .*“splitting”: with a single step/);
+  assert.match(told(false, 0, 21, 0, 1e-4, 400), /stays grey until/);
+  assert.match(told(true, 0, 21, 0, 1e-4, 400), /for 100\sns a simulated second/);
+  assert.doesNotMatch(told(false, 0, 11, 0, 1e-4, 400), /thousandth/);
+  assert.match(told(true, 0, 11, 0, 1e-4, 400), /order is 4: a thousandth of its error costs 5[.]\d times/);
+  live.tables = tables;
+});
+
 test('A long work comes in parts: who gives up between them gets nothing, and who goes on gets the whole.', async () => {
   const bytes = readFileSync(join(results, '13_accuracy/price_of_error.wasm'));
   const [patient, hasty] = [await live.Module.from(bytes), await live.Module.from(bytes)];
