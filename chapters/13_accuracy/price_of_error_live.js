@@ -63,6 +63,12 @@
     lines.forEach((words, n) => painter.text(words, left + 4, top + 8 + 16 * n, 'left', colour));
   }
 
+  /** Words at an upright line, to the right of it where there is room. */
+  function beside(picture, plot, words, at, colour) {
+    const [x, y] = plot.place(at), width = picture.painter.width_of(words) + 12;
+    on_patch(picture, [words], [x + width < picture.size.width ? x + 4 : x - width, y], colour);
+  }
+
   /** The lit rung: its line, its runs as dots, and its name and slope where it falls. */
   function draw_lit(picture, plot, {name, errors, prices}, slope) {
     const {palette} = picture, colour = palette.bodies[1];
@@ -87,13 +93,13 @@
     const price = exact_price(state);
     if (price > 0 && is_open()) {
       plot.line([price, price], [least_error, most_error], palette.bodies[2], {width: values.method === exact ? 3 : 2, dash: [2, 3]});
-      plot.note('exact', [price, 1e-12], palette.bodies[2], price > 100 * plot.x.least ? 'right' : 'left');
+      beside(picture, plot, 'exact', [price, 1e-12], palette.bodies[2]);
     }
     if (values.method !== exact) draw_lit(picture, plot, curves[values.method], columns.slope[values.method]);
     const budget = {width: 1.5, dash: [5, 4]};
     if (values.budget === 1) {
       plot.line([values.spent, values.spent], [least_error, most_error], palette.ink, budget);
-      plot.note('to spend', [values.spent, most_error / 8], palette.ink, values.spent > 30 * plot.x.least ? 'right' : 'left');
+      beside(picture, plot, 'to spend', [values.spent, most_error], palette.ink);
     } else {
       plot.line([plot.x.least, plot.x.most], [values.wanted, values.wanted], palette.ink, budget);
       plot.note('allowed', [plot.x.most, values.wanted], palette.ink, 'right');
@@ -119,8 +125,10 @@
       const its = row === exact ? {price: exact_price(state), error: 0} : places.find(({rung}) => rung === row);
       const is_told = row !== exact || is_open();
       const colour = !is_told ? palette.ink : row === exact ? palette.bodies[2] : row === values.method ? palette.bodies[1] : palette.ink;
-      if (row === values.method)
-        painter.polygon([[2, y - height / 2], [size.width - 2, y - height / 2], [size.width - 2, y + height / 2], [2, y + height / 2]], palette.grid);
+      if (row === values.method) {
+        const [above, below, end] = [y - height / 2, y + height / 2, size.width - 2];
+        painter.line([[2, above], [end, above], [end, below], [2, below], [2, above]], colour, 1.5, 1);
+      }
       if (row !== exact) painter.text(String(columns.order[row]), 26, y, 'right', colour);
       painter.text(name, named, y, 'left', colour);
       if (!is_told) return painter.text('answer first', size.width - 6, y, 'right', colour);
@@ -166,9 +174,9 @@
     const slope = columns.slope[values.method], name = `“${rungs[values.method]}” is lit`;
     if (!Number.isFinite(slope)) return `${name}: with up to 4096 steps it has no straight line, so no slope.`;
     const order = columns.order[values.method], beyond = -slope - order;
-    const beside = beyond > 0.5 ? `steeper than its order of ${order}` : beyond < -0.5 ? `flatter than its order of ${order}` : `as its order is ${order}`;
+    const compared = beyond > 0.5 ? `steeper than its order of ${order}` : beyond < -0.5 ? `flatter than its order of ${order}` : `and its order is ${order}`;
     const dearer = is_open() && slope < 0 ? `: a thousandth of its error costs ${live.shown(1000 ** (-1 / slope), 2)} times as much` : '';
-    return `${name}: its line has the slope ${slope_in_words(slope)}, ${beside}${dearer}.`;
+    return `${name}: its line has the slope ${slope_in_words(slope)}, ${compared}${dearer}.`;
   }
 
   live.figures.price_of_error = {
