@@ -116,6 +116,21 @@ test('A time buys the most accurate run that it pays for, and the exact solution
   live.tables = tables;
 });
 
+test('A comet’s steps fill its round, are shortest at the star, and are nearly ten times as many for a ten-thousandth of the error.', async () => {
+  const module = await live.Module.from(readFileSync(join(results, '13_accuracy/own_steps.wasm')));
+  const [rough, fine] = [await module.run([0.8, 1e-4]), await module.run([0.8, 1e-8])];
+  for (const {columns} of [rough, fine]) {
+    const {step, distance, time, tried} = columns;
+    assert.equal(step.length + 1, distance.length);
+    assert.ok(Math.abs(step.reduce((sum, h) => sum + h) / time.at(-1) - 1) < 1e-12, 'they add up to the round');
+    const shortest = step.indexOf(Math.min(...step));
+    assert.ok(distance[shortest] < 0.25, `the shortest begins ${distance[shortest]} m from the star, which it passes at 0.2 m`);
+    assert.ok(tried.every(h => h > columns.step[shortest]), 'what was rejected was longer than the shortest');
+  }
+  const times = fine.columns.step.length / rough.columns.step.length;
+  assert.ok(times > 8 && times < 10, `${times}`);
+});
+
 test('A long work comes in parts: who gives up between them gets nothing, and who goes on gets the whole.', async () => {
   const bytes = readFileSync(join(results, '13_accuracy/price_of_error.wasm'));
   const [patient, hasty] = [await live.Module.from(bytes), await live.Module.from(bytes)];
