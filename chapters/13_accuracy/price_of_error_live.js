@@ -55,18 +55,17 @@
     return {label: 'price of a simulated second', unit: 'ns', log: true, least: 10 ** Math.floor(Math.log10(low)), most: 10 ** Math.ceil(Math.log10(high))};
   }
 
-  /** Words on a patch of paper, since they lie across lines. */
-  function on_patch({painter, palette, size}, lines, [x, y], colour) {
-    const width = Math.max(...lines.map(words => painter.width_of(words))) + 8, height = 16 * lines.length;
-    const left = Math.max(4, Math.min(size.width - width - 4, x)), top = Math.max(4, y);
-    painter.polygon([[left, top], [left + width, top], [left + width, top + height], [left, top + height]], palette.paper);
-    lines.forEach((words, n) => painter.text(words, left + 4, top + 8 + 16 * n, 'left', colour));
+  /** Lines of words, the first from `x` and `y` on, moved so far that they stay in the picture. */
+  function write({painter, size}, lines, [x, y], colour) {
+    const width = Math.max(...lines.map(words => painter.width_of(words)));
+    const left = Math.max(4, Math.min(size.width - width - 4, x));
+    lines.forEach((words, n) => painter.text(words, left, Math.max(4, y) + 8 + 16 * n, 'left', colour));
   }
 
   /** Words at an upright line, to the right of it where there is room. */
   function beside(picture, plot, words, at, colour) {
     const [x, y] = plot.place(at), width = picture.painter.width_of(words) + 12;
-    on_patch(picture, [words], [x + width < picture.size.width ? x + 4 : x - width, y], colour);
+    write(picture, [words], [x + width < picture.size.width ? x + 8 : x - width + 4, y], colour);
   }
 
   /** The lit rung: its line, its runs as dots, and its name and slope where it falls. */
@@ -79,7 +78,7 @@
     if (seen.length === 0) return;
     const at = seen.reduce((best, n) => (far_from_middle(n) < far_from_middle(best) ? n : best));
     const [x, y] = plot.place([prices[at], errors[at]]);
-    on_patch(picture, Number.isFinite(slope) ? [name, `slope ${slope_in_words(slope)}`] : [name], [x + 12, y - 36], colour);
+    write(picture, Number.isFinite(slope) ? [name, `slope ${slope_in_words(slope)}`] : [name], [x + 12, y - 36], colour);
   }
 
   function draw_errors(picture, state) {
