@@ -5,7 +5,8 @@
 // What describes a figure may have, beside panels and knobs: attach(figure), which adds parts of its own to the page;
 // took(figure), after each run; refused(figure), where a run was not to be had; reset(figure), when a reader goes back to the
 // start; progress(figure, said), while a run goes on; and changed(figure, changes), which makes texts of changes that are
-// neither knobs nor texts.
+// neither knobs nor texts. A knob may have `also`, what else is set where a reader turns it. A panel may have drag(), or
+// press(picture, at, state) for what is only pressed, and key(), each of which says what changes.
 (() => {
   if (typeof document === 'undefined') return; // node draws stills only
   const live = globalThis.tumble_live, player = globalThis.tumble_player;
@@ -90,7 +91,7 @@
       this.canvas = make('canvas', {}, {role: 'img', 'aria-label': this.label});
       this.canvas.style.aspectRatio = String(this.aspect ?? 1);
       this.painter = new player.CanvasPainter(this.canvas);
-      if (this.turns || this.drag) this.#listen(figure);
+      if (this.turns || this.drag || this.press) this.#listen(figure);
     }
 
     get size() {
@@ -114,11 +115,14 @@
       const {canvas} = this;
       canvas.tabIndex = 0;
       canvas.setAttribute('role', 'application');
-      canvas.classList.add(this.turns ? 'turns' : 'draws');
+      canvas.classList.add(this.turns ? 'turns' : this.press ? 'presses' : 'draws');
+      const place_of = event => {
+        const box = canvas.getBoundingClientRect();
+        return [event.clientX - box.left, event.clientY - box.top];
+      };
       let last;
       const act = (event, begins) => {
-        const box = canvas.getBoundingClientRect();
-        const now = [event.clientX - box.left, event.clientY - box.top];
+        const now = place_of(event);
         if (this.drag) figure.set(this.drag(this.picture.plot, now, figure.state, begins) ?? {});
         else if (!begins) {
           this.turn(-0.009 * (now[0] - last[0]), 0.009 * (now[1] - last[1]));
@@ -126,13 +130,16 @@
         }
         last = now;
       };
-      canvas.addEventListener('pointerdown', event => {
-        canvas.setPointerCapture(event.pointerId);
-        act(event, true);
-      });
-      canvas.addEventListener('pointermove', event => {
-        if (canvas.hasPointerCapture(event.pointerId)) act(event, false);
-      });
+      if (this.press) canvas.addEventListener('click', event => figure.set(this.press(this.picture, place_of(event), figure.state) ?? {}));
+      else {
+        canvas.addEventListener('pointerdown', event => {
+          canvas.setPointerCapture(event.pointerId);
+          act(event, true);
+        });
+        canvas.addEventListener('pointermove', event => {
+          if (canvas.hasPointerCapture(event.pointerId)) act(event, false);
+        });
+      }
       canvas.addEventListener('keydown', event => {
         const way = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key];
         if (!way || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -184,7 +191,7 @@
       const id = `knob_${this.name}`;
       this.knobs = this.run.knobs.map(fixed => {
         const {name} = fixed;
-        return new Knob(fixed, this.described.knobs[name], `${id}_${name.replace(/\W/g, '_')}`, value => this.set({[name]: value}));
+        return new Knob(fixed, this.described.knobs[name], `${id}_${name.replace(/\W/g, '_')}`, value => this.set({...this.described.knobs[name].also, [name]: value}));
       });
       const shown = this.knobs.map(({element}) => element);
       this.reset_button = button('Reset', () => this.reset());

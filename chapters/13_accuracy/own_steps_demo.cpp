@@ -19,16 +19,6 @@ double energy_of(const Particled& particle) {
   return particle.velocity.squaredNorm() / 2 - 1 / particle.position.norm();
 }
 
-/// How long the steps are on their way around the star.
-void write_steps(const Notebook& notebook, const Orbit& orbit) {
-  Table table = notebook.table("own_steps", {"time (s)", "step (s)", "distance (m)"});
-  EmbeddedSteps<DormandPrince54, Particled, Star<double>, double> steps(
-      orbit.start, orbit.evaluate_forces, 0, {1e-6, 1e-6});
-  integrate_adaptively(steps, orbit.seconds, 1e-3, [&](double gone, double h) {
-    table.row(gone, h, steps.body().position.norm());
-  });
-}
-
 /// Energy along a hundred rounds: with steps of one length, with steps that are chosen at their
 /// start, with a pair, and in transformed time.
 void write_energies(Notebook& notebook, const Orbit& orbit) {
@@ -331,8 +321,6 @@ void write_blow(Notebook& notebook) {
 int main(int argument_count, char** arguments) {
   Notebook notebook(argument_count, arguments);
   const Orbit orbit = eccentric_orbit<double>();
-  write_steps(notebook, orbit);
-
   std::printf("%-10s %21s %21s %21s\n%-10s", "orbit", "5(4)", "8(5,3)", "Nystrom 8(6)",
               "tolerance");
   for (int n = 0; n < 3; ++n) std::printf("%6s %6s %7s", "steps", "again", "error");

@@ -1,5 +1,6 @@
-// The error that one allows, live: every rung of the ladder with ever shorter steps, against the
-// truth, and the longest step with which it is near enough.
+// What accuracy costs, live: every rung of the ladder with ever shorter steps, against the truth,
+// the longest step with which it is near enough, and how steeply its error falls.
+#include <limits>
 #include <support/live.hpp>
 #include <support/live_truth.hpp>
 #include <support/tumbling_problems.hpp>
@@ -13,6 +14,8 @@ using Column = std::vector<double>;
 
 constexpr int most_halvings = 24;     // of half a power of two each: 4096 steps
 constexpr int steps_of_a_part = 500;  // a millisecond of the dearest rung
+constexpr int start_at = 18;          // Dormand and Prince's rule of eighth order
+static_assert(turning_ladder<double>[start_at].claims.order == 8);
 
 /// What one rung errs by with so many steps.
 struct Curve {
@@ -87,22 +90,56 @@ std::size_t first_within(const Curve& curve, double wanted) {
   return curve.errors.size();
 }
 
+/// The slope of a curve with both axes logarithmic, by least squares over its eight finest runs
+/// above the floor of rounding: the finer the steps, the straighter the curve. Too few: not a
+/// number.
+double slope_of(const Curve& curve) {
+  constexpr double short_enough = 0.03, floor = 2e-11;  // rad; roundings of 4096 steps make 4e-12
+  constexpr std::size_t most_runs = 8, least_runs = 4;
+  const Column& errors = curve.errors;
+  std::size_t from = errors.size();
+  while (from > 0 && errors[from - 1] <= short_enough) --from;
+  std::size_t to = from;
+  while (to < errors.size() && errors[to] > floor) ++to;
+  if (to - from < least_runs) return std::numeric_limits<double>::quiet_NaN();
+  from = std::max(from, to - std::min(to, most_runs));
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (std::size_t n = from; n < to; ++n) {
+    const double steps = support::binary_logarithm(curve.steps[n]);
+    const double error = support::binary_logarithm(errors[n]);
+    x += steps;
+    y += error;
+    xx += steps * steps;
+    xy += steps * error;
+  }
+  const double count = static_cast<double>(to - from);
+  return (count * xy - x * y) / (count * xx - x * x);
+}
+
 }  // namespace
 
 void tumble::support::run_live(Live& live) {
   const auto which =
       static_cast<std::size_t>(live.choice("problem", 0, std::size(tumbling_problems)));
+  // Which rung is lit, the exact solution after the last, and what one has for a simulated second
+  // change only how it is drawn: the page knows the prices.
+  live.choice("method", start_at, std::size(turning_ladder<double>) + 1);
+  live.choice("budget", 0, 2);
   const double wanted = live.knob("wanted", "rad", 1e-4, 1e-10, 0.1);
+  live.knob("spent", "ns", 1000, 10, 1e6);
   const Search& search = continued(which);
   if (!is_complete(search)) return live.go_on();
   live.column("seconds", "s").push_back(search.seconds);
-  Column &needed = live.column("needed", ""), &reached = live.column("reached", "rad");
+  Column &needed = live.column("needed", ""), &reached = live.column("reached", "rad"),
+         &order = live.column("order", ""), &slope = live.column("slope", "");
   for (std::size_t rung = 0; rung < std::size(turning_ladder<double>); ++rung) {
     const Curve& curve = search.curves[rung];
     const std::size_t n = first_within(curve, wanted);
     const bool is_met = n < curve.steps.size();
     needed.push_back(is_met ? curve.steps[n] : 0);
     reached.push_back(is_met ? curve.errors[n] : 0);
+    order.push_back(turning_ladder<double>[rung].claims.order);
+    slope.push_back(slope_of(curve));
     live.column("steps " + std::to_string(rung), "") = curve.steps;
     live.column("error " + std::to_string(rung), "rad") = curve.errors;
   }

@@ -6,109 +6,210 @@
     'implicit midpoint', 'Lie midpoint', 'augmented second order', 'splitting by axes', 'splitting', 'Runge-Kutta', 'Lie Runge-Kutta',
     'splitting, Suzuki', 'splitting, Blanes-Moan 4', 'Dormand-Prince 5', 'splitting, Yoshida', 'splitting, Blanes-Moan 6',
     'Dormand-Prince 8', 'splitting, Kahan-Li 8', 'splitting, Sofroniou-Spaletta'];
+  const exact = rungs.length; // the last row
+  const rows = [...rungs, 'exact solution'];
   const [least_error, most_error] = [1e-13, 10]; // of the errors' axis
-  const shown_bars = 6;
+  /** Until the page's first question is answered the exact solution is as grey as the rest, and no answer is told. */
+  const is_open = () => live.answered('price_of_error');
 
   /** What the book's build measured: ns for a step of a rung, or for an answer of the exact solution. */
   function price_of(name, problem) {
-    const rows = live.tables?.step_prices?.rows ?? [];
-    const price = Number(rows.find(cells => cells[0] === name)?.[problem + 1]);
+    const measured = live.tables?.step_prices?.rows ?? [];
+    const price = Number(measured.find(cells => cells[0] === name)?.[problem + 1]);
     return Number.isFinite(price) ? price : NaN;
   }
 
-  /** The rungs that are near enough, the cheapest first: {rung, name, steps, step, price in ns for each simulated second}. */
-  function ranking({columns, values}) {
-    const [seconds] = columns.seconds;
-    return rungs.map((name, rung) => ({rung, name, steps: columns.needed[rung], error: columns.reached[rung],
-      step: seconds / columns.needed[rung], price: price_of(name, values.problem) * columns.needed[rung] / seconds}))
-      .filter(({steps, price}) => steps > 0 && price > 0)
-      .sort((one, other) => one.price - other.price);
+  /** The runs of each rung, the cheapest first: {name, errors, prices}, in rad and in ns for each simulated second. */
+  const curves_of = ({columns, values}) => rungs.map((name, rung) => ({name, errors: columns[`error ${rung}`],
+    prices: Array.from(columns[`steps ${rung}`], steps => steps * price_of(name, values.problem) / columns.seconds[0])}));
+
+  /** The most accurate run that can be paid for, judged by the worse of its error and the next finer run's: one can be small by luck. */
+  function best_within(spent, {errors, prices}) {
+    let best = {error: Infinity};
+    for (let n = 0; n < prices.length && prices[n] <= spent; ++n) {
+      const error = Math.max(errors[n], errors[n + 1] ?? 0);
+      if (error < best.error) best = {error, n};
+    }
+    return best.n;
+  }
+
+  /** The rungs that the budget allows, the best first: {rung, name, step, price, error}. */
+  function ranking(state) {
+    const {columns, values} = state, [seconds] = columns.seconds;
+    return curves_of(state).map(({name, errors, prices}, rung) => {
+      const steps = columns[`steps ${rung}`];
+      const n = values.budget === 1 ? best_within(values.spent, {errors, prices}) : steps.indexOf(columns.needed[rung]);
+      return {rung, name, step: seconds / steps[n], price: prices[n], error: values.budget === 1 ? errors[n] : columns.reached[rung]};
+    }).filter(({step, price}) => step > 0 && price > 0)
+      .sort((one, other) => (values.budget === 1 ? one.error - other.error : one.price - other.price));
   }
 
   const exact_price = ({columns, values}) => price_of('exact solution', values.problem) / columns.seconds[0];
-  const time = ns => (ns < 1000 ? live.with_unit(ns, 'ns', 2) : live.with_unit(ns / 1000, 'µs', 2));
+  const time = ns => (ns < 1000 ? live.with_unit(ns, 'ns', 2) : ns < 1e6 ? live.with_unit(ns / 1000, 'µs', 2) : live.with_unit(ns / 1e6, 'ms', 2));
+  const slope_in_words = slope => String(slope.toFixed(1)).replace('-', '−');
+
+  /** The axis of prices: whole powers of ten round all runs and the exact solution. */
+  function price_axis(state) {
+    const prices = [...curves_of(state).flatMap(curve => curve.prices), exact_price(state)].filter(price => price > 0);
+    const [low, high] = prices.length ? [Math.min(...prices), Math.max(...prices)] : [1, 10];
+    return {label: 'price of a simulated second', unit: 'ns', log: true, least: 10 ** Math.floor(Math.log10(low)), most: 10 ** Math.ceil(Math.log10(high))};
+  }
+
+  /** Lines of words, the first from `x` and `y` on, moved so far that they stay in the picture. */
+  function write({painter, size}, lines, [x, y], colour) {
+    const width = Math.max(...lines.map(words => painter.width_of(words)));
+    const left = Math.max(4, Math.min(size.width - width - 4, x));
+    lines.forEach((words, n) => painter.text(words, left, Math.max(4, y) + 8 + 16 * n, 'left', colour));
+  }
+
+  /** Words at an upright line, to the right of it where there is room. */
+  function beside(picture, plot, words, at, colour) {
+    const [x, y] = plot.place(at), width = picture.painter.width_of(words) + 12;
+    write(picture, [words], [x + width < picture.size.width ? x + 8 : x - width + 4, y], colour);
+  }
+
+  /** The lit rung: its line, its runs as dots, and its name and slope where it falls. */
+  function draw_lit(picture, plot, {name, errors, prices}, slope) {
+    const {palette} = picture, colour = palette.bodies[1];
+    plot.line(prices, errors, colour, {width: 3});
+    plot.points(prices, errors, colour, 3);
+    const far_from_middle = n => Math.abs(Math.log10(errors[n]) + 6);
+    const seen = [...errors.keys()].filter(n => errors[n] >= least_error && prices[n] > 0);
+    if (seen.length === 0) return;
+    const at = seen.reduce((best, n) => (far_from_middle(n) < far_from_middle(best) ? n : best));
+    const [x, y] = plot.place([prices[at], errors[at]]);
+    write(picture, Number.isFinite(slope) ? [name, `slope ${slope_in_words(slope)}`] : [name], [x + 12, y - 36], colour);
+  }
 
   function draw_errors(picture, state) {
     const {painter, palette, size} = picture;
     const {columns, values} = state;
-    const curves = rungs.map((name, rung) => ({name, errors: columns[`error ${rung}`],
-      prices: Array.from(columns[`steps ${rung}`], steps => steps * price_of(name, values.problem) / columns.seconds[0])}));
-    const prices = curves.flatMap(curve => curve.prices).filter(Number.isFinite);
-    const [low, high] = prices.length ? [Math.min(...prices), Math.max(...prices)] : [1, 10];
-    const plot = new live.Plot(painter, palette, size,
-      {label: 'price of a simulated second', unit: 'ns', log: true, least: 10 ** Math.floor(Math.log10(low)), most: 10 ** Math.ceil(Math.log10(high))},
+    const curves = curves_of(state);
+    const plot = new live.Plot(painter, palette, size, price_axis(state),
       {label: 'error at the end', unit: 'rad', log: true, least: least_error, most: most_error});
     picture.plot = plot;
-    const [first, second] = ranking(state);
-    for (const {prices: xs, errors} of curves) plot.line(xs, errors, palette.ink, {width: 1, opacity: 0.3});
-    for (const [place, colour] of [[second, palette.bodies[0]], [first, palette.bodies[1]]]) {
-      if (!place) continue;
-      const {prices: xs, errors} = curves[place.rung];
-      plot.line(xs, errors, colour, {width: 2.5});
-      plot.points([place.price], [place.error], colour, 5);
+    for (const {prices, errors} of curves) plot.line(prices, errors, palette.ink, {width: 1, opacity: 0.35});
+    const price = exact_price(state);
+    if (price > 0 && is_open()) {
+      plot.line([price, price], [least_error, most_error], palette.bodies[2], {width: values.method === exact ? 3 : 2, dash: [2, 3]});
+      beside(picture, plot, 'exact', [price, 1e-12], palette.bodies[2]);
     }
-    plot.line([plot.x.least, plot.x.most], [values.wanted, values.wanted], palette.ink, {width: 1.5, dash: [5, 4]});
-    plot.note('allowed', [plot.x.most, values.wanted], palette.ink, 'right');
-    const exact = exact_price(state);
-    if (Number.isFinite(exact)) {
-      plot.line([exact, exact], [least_error, most_error], palette.bodies[2], {width: 1.5, dash: [2, 3]});
-      plot.note('exact solution', [exact, 1e-9], palette.bodies[2], exact > 100 * plot.x.least ? 'right' : 'left');
+    if (values.method !== exact) draw_lit(picture, plot, curves[values.method], columns.slope[values.method]);
+    const budget = {width: 1.5, dash: [5, 4]};
+    if (values.budget === 1) {
+      plot.line([values.spent, values.spent], [least_error, most_error], palette.ink, budget);
+      beside(picture, plot, 'to spend', [values.spent, most_error], palette.ink);
+    } else {
+      plot.line([plot.x.least, plot.x.most], [values.wanted, values.wanted], palette.ink, budget);
+      plot.note('allowed', [plot.x.most, values.wanted], palette.ink, 'right');
     }
+    const [first] = ranking(state);
+    if (first) plot.points([first.price], [first.error], palette.bodies[0], 6);
   }
 
-  function draw_bars(picture, state) {
+  /** A row for each rung with its order and what it makes of the budget, as a dot and in numbers. One presses a name to light it. */
+  function draw_rows(picture, state) {
     const {painter, palette, size} = picture;
-    const places = ranking(state).slice(0, shown_bars);
-    const row = (size.height - 34) / shown_bars, widest = size.width - 20;
-    painter.text('price of a simulated second', 10, 10, 'left', palette.ink);
-    if (places.length === 0) painter.text('no rung is near enough', 10, 40, 'left', palette.ink);
-    const most = places.at(-1)?.price ?? 1;
-    places.forEach(({name, step, price}, n) => {
-      const top = 28 + n * row, right = 10 + widest * price / most;
-      const colour = n === 0 ? palette.bodies[1] : n === 1 ? palette.bodies[0] : palette.ink;
-      painter.text(`${name}, steps of ${live.with_unit(step, 's', 2)}`, 10, top + 4, 'left', colour);
-      painter.text(time(price), size.width - 10, top + 4, 'right', colour);
-      const [above, below] = [top + 14, top + 14 + Math.max(3, row * 0.22)];
-      painter.polygon([[10, above], [right, above], [right, below], [10, below]], colour);
+    const {columns, values} = state;
+    const places = ranking(state), by_time = values.budget === 1;
+    const [top, height] = [24, (size.height - 30) / rows.length];
+    picture.row_at = y => Math.max(0, Math.min(rows.length - 1, Math.floor((y - top) / height)));
+    const named = 34, [left, right] = [named + Math.max(...rows.map(name => painter.width_of(name))) + 10, size.width - 62];
+    const axis = by_time ? {least: least_error, most: most_error} : price_axis(state);
+    const place = value => left + (right - left) * Math.max(0, Math.min(1, Math.log(value / axis.least) / Math.log(axis.most / axis.least)));
+    painter.text('order', 6, 12, 'left', palette.ink);
+    painter.text(by_time ? 'error' : 'price', size.width - 6, 12, 'right', palette.ink);
+    rows.forEach((name, row) => {
+      const y = top + (row + 0.5) * height;
+      const its = row === exact ? {price: exact_price(state), error: 0} : places.find(({rung}) => rung === row);
+      const is_told = row !== exact || is_open();
+      const colour = !is_told ? palette.ink : row === exact ? palette.bodies[2] : row === values.method ? palette.bodies[1] : palette.ink;
+      if (row === values.method) {
+        const [above, below, end] = [y - height / 2, y + height / 2, size.width - 2];
+        painter.line([[2, above], [end, above], [end, below], [2, below], [2, above]], colour, 1.5, 1);
+      }
+      if (row !== exact) painter.text(String(columns.order[row]), 26, y, 'right', colour);
+      painter.text(name, named, y, 'left', colour);
+      if (!is_told) return painter.text('answer first', size.width - 6, y, 'right', colour);
+      const is_met = row === exact && by_time ? its.price <= values.spent : its?.price > 0;
+      const value = by_time ? its?.error : its?.price;
+      if (is_met && (value > 0 || !by_time)) {
+        painter.line([[left, y], [place(value), y]], colour, 1, 0.5);
+        painter.disc(place(value), y, row === places[0]?.rung ? 5 : 3, row === places[0]?.rung ? palette.bodies[0] : colour);
+      }
+      const words = !is_met ? '–' : row === exact && by_time ? 'rounding' : by_time ? live.shown(value, 1) : time(value);
+      painter.text(words, size.width - 6, y, 'right', colour);
     });
   }
 
-  /** Where in the first picture one points is the error that one allows. */
-  const allow = wanted => ({wanted: Number(Math.max(1e-10, Math.min(0.1, wanted)).toPrecision(2))});
+  /** Where in the first picture one points is what one has. */
+  const allow = wanted => ({budget: 0, wanted: Number(Math.max(1e-10, Math.min(0.1, wanted)).toPrecision(2))});
+  const spend = spent => ({budget: 1, spent: Number(Math.max(10, Math.min(1e6, spent)).toPrecision(2))});
+
+  /** What the budget buys, and from which rung. */
+  function best_in_words({columns, values}, places) {
+    const {with_unit} = live, [first, second] = places, [seconds] = columns.seconds;
+    const by_time = values.budget === 1;
+    const asked = by_time ? `For ${time(values.spent)} a simulated second` : `For an error of at most ${with_unit(values.wanted, 'rad')} after ${with_unit(seconds, 's')}`;
+    if (!first)
+      return !(price_of('steady', 0) > 0) ? `${asked} no price is known: the book’s build has measured none.`
+        : by_time ? `${asked} no rung takes even a single step.` : `${asked} none of these rungs is near enough with 4096 steps.`;
+    const ratio = second && (by_time ? second.error / first.error : second.price / first.price);
+    const verb = by_time ? 'errs' : 'costs';
+    const next = !second ? `No other rung ${by_time ? 'can be paid for' : 'is near enough with 4096 steps'}.`
+      : ratio < 1.05 ? `The next, “${second.name}”, ${verb} as much.` : `The next, “${second.name}”, ${verb} ${live.shown(ratio, 2)} times as much.`;
+    const steps = first.step === seconds ? 'a single step' : `steps of ${with_unit(first.step, 's', 2)}`;
+    return by_time
+      ? `${asked}, as measured when this book was made, the most accurate rung is “${first.name}”: with ${steps} it errs by ${with_unit(first.error, 'rad', 2)} after ${with_unit(seconds, 's')}. ${next}`
+      : `${asked} the cheapest rung is “${first.name}”, with ${steps}: ${time(first.price)} for each simulated second, as measured when this book was made. ${next}`;
+  }
+
+  /** What the lit rung is like. */
+  function lit_in_words(state) {
+    const {columns, values} = state;
+    if (values.method === exact)
+      return is_open() ? `The exact solution is lit: it answers once at the end, for ${time(exact_price(state))} a simulated second, whatever error is allowed.`
+        : 'The exact solution stays grey until you have answered the question below.';
+    const slope = columns.slope[values.method], name = `“${rungs[values.method]}” is lit`;
+    if (!Number.isFinite(slope)) return `${name}: with up to 4096 steps it has no straight line, so no slope.`;
+    const order = columns.order[values.method], beyond = -slope - order;
+    const compared = beyond > 0.5 ? `steeper than its order of ${order}` : beyond < -0.5 ? `flatter than its order of ${order}` : `and its order is ${order}`;
+    const dearer = is_open() && slope < 0 ? `: a thousandth of its error costs ${live.shown(1000 ** (-1 / slope), 2)} times as much` : '';
+    return `${name}: its line has the slope ${slope_in_words(slope)}, ${compared}${dearer}.`;
+  }
 
   live.figures.price_of_error = {
-    title: 'The error that you allow decides which rung is the cheapest',
+    title: 'How steeply does the price of accuracy rise?',
     tables: ['step_prices'],
-    hint: 'Drag the dashed line in the first picture up and down; by keys, with the arrows.',
+    hint: 'Drag the dashed line; press a name to light its line. By keys: the arrows.',
     knobs: {
       problem: {label: 'Problem', choices: problems},
-      wanted: {label: 'Largest error allowed', log: true},
+      method: {label: 'Rung that is lit', choices: rows},
+      budget: {label: 'What you have', choices: ['an error that you allow', 'a time that you can spend']},
+      wanted: {label: 'Largest error allowed', log: true, also: {budget: 0}},
+      spent: {label: 'Time for a simulated second', log: true, also: {budget: 1}, words: time},
     },
     panels: [
       {
-        label: 'Error against price, both axes logarithmic: a line for each rung, with the two cheapest that are near enough in colour.',
-        aspect: 1.1,
+        label: 'Error against price, both axes logarithmic: a grey line for each rung, one of them lit with its slope, and the budget as a dashed line with a dot where the best rung meets it.',
+        aspect: 0.8,
         draw: draw_errors,
-        drag: (plot, at) => allow(plot.value_at(at)[1]),
-        key: ([, up], {values}) => allow(values.wanted * 10 ** (up / 2)),
+        drag(plot, at, {values}) {
+          const [price, error] = plot.value_at(at);
+          return values.budget === 1 ? spend(price) : allow(error);
+        },
+        key: ([right, up], {values}) => (right ? spend(values.spent * 10 ** (right / 4)) : allow(values.wanted * 10 ** (up / 2))),
       },
-      {label: 'The cheapest rungs that are near enough, as bars of their price.', aspect: 1.1, draw: draw_bars},
+      {
+        label: 'The rungs by name and order, with what each costs or errs by within the budget. The arrows light another one.',
+        aspect: 0.8,
+        draw: draw_rows,
+        press: ({row_at}, [, y]) => ({method: row_at(y)}),
+        key: ([, up], {values}) => ({method: values.method - up}),
+      },
     ],
     finding(state) {
-      const {columns, values} = state;
-      const {with_unit} = live;
-      const places = ranking(state), [first, second] = places;
-      const [seconds] = columns.seconds;
-      const asked = `For an error of at most ${with_unit(values.wanted, 'rad')} after ${with_unit(seconds, 's')}`;
-      if (!first) return columns.needed.some(steps => steps > 0) ? `${asked} no price is known: the book’s build has measured none.`
-        : `${asked} none of these rungs is near enough with 4096 steps.`;
-      const ratio = second && second.price / first.price;
-      const others = !second ? 'No other rung is near enough with 4096 steps.'
-        : ratio < 1.05 ? `The next, “${second.name}”, costs as much.` : `The next, “${second.name}”, costs ${live.shown(ratio, 2)} times as much.`;
-      const exact = exact_price(state);
-      const beside = Number.isFinite(exact) ? ` The exact solution answers once at the end, for ${time(exact)} a simulated second.` : '';
-      return `${asked} the cheapest rung is “${first.name}”, with ${first.steps === 1 ? 'a single step' : `steps of ${with_unit(first.step, 's', 2)}`}: ` +
-        `${time(first.price)} for each simulated second, as measured when this book was made. ${others}${beside}`;
+      return `${best_in_words(state, ranking(state))} ${lit_in_words(state)}`;
     },
   };
 })();

@@ -86,6 +86,51 @@ for (const [chapter, name] of process.env.TUMBLE_LIVE.split(',').map(figure => f
   });
 }
 
+test('The slope at a rung’s line is the order that it claims, wherever its steps are short enough to tell.', async () => {
+  const module = await live.Module.from(readFileSync(join(results, '13_accuracy/price_of_error.wasm')));
+  const told = [6, 10, 11, 13, 16, 18]; // orders 2, 2, 4, 4, 6 and 8, straight on the ordinary body and the stable axis
+  for (const problem of [0, 1]) {
+    const {columns} = await module.run([problem]);
+    for (const rung of told) assert.ok(Math.abs(columns.slope[rung] + columns.order[rung]) < 0.15, `rung ${rung}: ${columns.slope[rung]}`);
+    assert.ok(Number.isNaN(columns.slope[0]), 'the rule that never comes near has none');
+  }
+});
+
+test('A time buys the most accurate run that it pays for, and the exact solution stays grey until the question is answered.', async () => {
+  const module = await live.Module.from(readFileSync(join(results, '13_accuracy/price_of_error.wasm')));
+  const figure = live.figures.price_of_error, {tables} = live;
+  // A step of the splitting for 100 ns, of Runge and Kutta's rule for 10, an answer for 1 µs, in 10 s.
+  live.tables = {step_prices: {rows: [['splitting', '100'], ['Runge-Kutta', '10'], ['exact solution', '1000']]}};
+  const run = await module.run();
+  const told = (is_answered, ...values) => {
+    live.answered = () => is_answered;
+    return figure.finding(live.state_of(figure, run, 0, values));
+  };
+  assert.match(told(true, 0, 10, 1, 1e-4, 400), /^For 400\sns .*“Runge-Kutta”: with steps of 0[.]028\ss/); // 362 of them, the next 512
+  assert.match(told(true, 0, 10, 1, 1e-4, 400), /The next, “splitting”/);
+  assert.match(told(true, 0, 10, 1, 1e-4, 10), /^For 10\sns .*“splitting”: with a single step/);
+  assert.match(told(false, 0, 21, 0, 1e-4, 400), /stays grey until/);
+  assert.match(told(true, 0, 21, 0, 1e-4, 400), /for 100\sns a simulated second/);
+  assert.doesNotMatch(told(false, 0, 11, 0, 1e-4, 400), /thousandth/);
+  assert.match(told(true, 0, 11, 0, 1e-4, 400), /order is 4: a thousandth of its error costs 5[.]\d times/);
+  live.tables = tables;
+});
+
+test('A comet’s steps fill its round, are shortest at the star, and are nearly ten times as many for a ten-thousandth of the error.', async () => {
+  const module = await live.Module.from(readFileSync(join(results, '13_accuracy/own_steps.wasm')));
+  const [rough, fine] = [await module.run([0.8, 1e-4]), await module.run([0.8, 1e-8])];
+  for (const {columns} of [rough, fine]) {
+    const {step, distance, time, tried} = columns;
+    assert.equal(step.length + 1, distance.length);
+    assert.ok(Math.abs(step.reduce((sum, h) => sum + h) / time.at(-1) - 1) < 1e-12, 'they add up to the round');
+    const shortest = step.indexOf(Math.min(...step));
+    assert.ok(distance[shortest] < 0.25, `the shortest begins ${distance[shortest]} m from the star, which it passes at 0.2 m`);
+    assert.ok(tried.every(h => h > columns.step[shortest]), 'what was rejected was longer than the shortest');
+  }
+  const times = fine.columns.step.length / rough.columns.step.length;
+  assert.ok(times > 8 && times < 10, `${times}`);
+});
+
 test('A long work comes in parts: who gives up between them gets nothing, and who goes on gets the whole.', async () => {
   const bytes = readFileSync(join(results, '13_accuracy/price_of_error.wasm'));
   const [patient, hasty] = [await live.Module.from(bytes), await live.Module.from(bytes)];

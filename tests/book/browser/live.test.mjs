@@ -192,6 +192,36 @@ test('The door’s graph is drawn where the push has been turned, and begins aga
   await page.context().close();
 });
 
+test('A press on a name lights its rung, a slider chooses its budget, and the exact solution stays grey until the question is answered.', async () => {
+  const {page, figure} = await open_figure('price_of_error', {gates: 'shut', viewport: narrow});
+  const names = figure.locator('canvas').nth(1);
+  const drawn = n => figure.locator('canvas').nth(n).evaluate(canvas => canvas.toDataURL());
+  const telling = words => figure.locator('.live-finding').filter({hasText: words}).waitFor();
+  const press = async part => {
+    const {width, height} = await names.boundingBox();
+    await names.click({position: {x: width / 4, y: part * height}});
+  };
+  await telling('slope');
+  assert.doesNotMatch(await told(figure), /thousandth/);
+  await press(0.98);
+  await telling('stays grey until you have answered');
+  const grey = [await drawn(0), await drawn(1)];
+  await page.locator('form[data-prediction="price_of_error"]').getByLabel('about 10 times').check();
+  await telling('The exact solution is lit');
+  for (const n of [0, 1]) assert.notEqual(await drawn(n), grey[n], `picture ${n}`);
+  await press(0.08);
+  await telling('“steady” is lit');
+  await names.press('ArrowDown');
+  await names.press('ArrowDown');
+  await telling('“explicit, |L| restored” is lit');
+  await figure.getByLabel('Time for a simulated second').press('ArrowRight');
+  await telling(/^For .* a simulated second/);
+  assert.equal(await figure.getByLabel('What you have').inputValue(), '1');
+  await figure.getByLabel('Largest error allowed').press('ArrowRight');
+  await telling(/^For an error of at most/);
+  await page.context().close();
+});
+
 test('Out of sight nothing moves, and a reader who wants little motion begins at rest.', async () => {
   const moving = figures.find(name => name === 'energy_sphere') ?? figures[0];
   const {page, figure} = await open_figure(moving);
