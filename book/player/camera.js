@@ -85,24 +85,43 @@
     return cameras.map(camera => ({...camera, distance}));
   }
 
+  /** The camera, now aimed at a body, from so near that one sees what it does: {target, distance}, the rest as it was. */
+  function following(camera, {bounds, models}, body, position) {
+    return {...camera, target: position, distance: Math.min(camera.distance, Math.max(20 * models[body].radius, 0.6 * bounds.radius))};
+  }
+
   /** Unit vectors of the picture in the world: to the right, up, and back to the camera. */
   function picture_axes({azimuth, elevation}) {
     const [ca, sa, ce, se] = [Math.cos(azimuth), Math.sin(azimuth), Math.cos(elevation), Math.sin(elevation)];
     return {right: [-sa, ca, 0], up: [-se * ca, -se * sa, ce], back: [ce * ca, ce * sa, se]};
   }
 
-  /** A function from points of the world to [pixels from the left, pixels from the top, distance before the camera]. */
+  /**
+   * A function from points of the world to [pixels from the left, pixels from the top, distance before the camera], with
+   * a property `line`: from two points to the part between them that lies before the camera, or to nothing; and with
+   * `is_before`: whether what it makes of a point lies before the camera.
+   */
   function projection(camera, {width, height}) {
     const {right, up, back} = picture_axes(camera);
     const scale = Math.min(width, height) / 2 / Math.tan(field_of_view / 2);
-    return point => {
+    const nearest = camera.distance * 1e-3;
+    const distance_to = point => camera.distance - player.dot(player.difference(point, camera.target), back);
+    const project = point => {
       const from_target = player.difference(point, camera.target);
-      // What lies behind the camera is drawn as if it were just before it.
-      const depth = Math.max(camera.distance - player.dot(from_target, back), camera.distance * 1e-3);
+      // What lies behind the camera is taken as if it were just before it.
+      const depth = Math.max(camera.distance - player.dot(from_target, back), nearest);
       return [width / 2 + (scale * player.dot(from_target, right)) / depth,
         height / 2 - (scale * player.dot(from_target, up)) / depth, depth];
     };
+    project.line = (start, end) => {
+      const [from, to] = [distance_to(start), distance_to(end)];
+      if (from <= nearest && to <= nearest) return undefined;
+      const cut = player.sum(start, player.scaled(player.difference(end, start), (nearest - from) / (to - from)));
+      return [from < nearest ? cut : start, to < nearest ? cut : end].map(project);
+    };
+    project.is_before = ([, , depth]) => depth > nearest;
+    return project;
   }
 
-  Object.assign(player, {duration_of, poses_at, bounds_of, first_cameras, picture_axes, projection});
+  Object.assign(player, {duration_of, poses_at, bounds_of, first_cameras, following, picture_axes, projection});
 })();

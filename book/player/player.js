@@ -1,9 +1,11 @@
 // Every <figure class="player"> of a page comes to life: one set of controls, and a view for each of its recordings.
-// The figure gets a property `player` with what a script may want: play(), pause(), seek(seconds), time, and views, each
-// with its recording, its canvas, and project(point of the world) -> [x, y, distance] in CSS pixels of the canvas.
+// The figure gets a property `player` with what a script may want: play(), pause(), seek(seconds), time, follow(number of a
+// body, or nothing), followed, and views, each with its recording, its canvas, and project(point of the world) -> [x, y,
+// distance] in CSS pixels of the canvas.
 (() => {
   const player = (globalThis.tumble_player ??= {});
   const most_elevation = 1.5;
+  const most_listed = 200; // bodies to choose from; of more, one is pressed in the picture
 
   function make(tag, properties = {}, attributes = {}) {
     const element = Object.assign(document.createElement(tag), properties);
@@ -35,11 +37,24 @@
       return player.projection(this.camera, this.size)(point);
     }
 
-    draw(time, palette) {
+    /** Which body there is at [x, y] in the picture, px. */
+    body_at(point, time) {
+      return this.scene.body_at(point, this.size, this.camera, time);
+    }
+
+    /** A view with fewer bodies than another beside it stays as it is when that one follows. */
+    #aim(followed, time) {
+      if (followed === undefined || followed >= this.recording.bodies.length) return undefined;
+      this.camera.target = player.poses_at(this.recording, time)[followed].position;
+      return followed;
+    }
+
+    draw(time, palette, body) {
       const {size} = this;
       if (!size.width || !size.height) return;
+      const followed = this.#aim(body, time);
       this.painter.begin(size, palette.paper);
-      this.scene.draw(this.painter, size, this.camera, time, palette);
+      this.scene.draw(this.painter, size, this.camera, time, palette, {followed});
     }
   }
 
@@ -77,6 +92,7 @@
       this.duration = Math.max(...this.views.map(({recording}) => player.duration_of(recording)));
       this.frame_time = this.views[0].recording.seconds_between_frames;
       this.move_cursor = cursor_of(figure.dataset.recording);
+      this.can_follow = this.views.some(({scene}) => scene.can_follow);
       this.#make_controls();
       for (const view of this.views) this.#listen_to(view.canvas);
       figure.classList.add('live');
@@ -96,7 +112,7 @@
 
     draw() {
       this.palette ??= player.palette_of(this.figure);
-      for (const view of this.views) view.draw(this.time, this.palette);
+      for (const view of this.views) view.draw(this.time, this.palette, this.followed);
       const shown = `${this.time.toFixed(this.duration < 10 ? 2 : 1)} s`;
       this.slider.value = String(Math.round(this.time / this.frame_time));
       this.slider.setAttribute('aria-valuetext', shown);
@@ -135,6 +151,44 @@
       this.has_first_view = true;
       const cameras = player.first_cameras(this.views.map(({scene}) => scene), this.views[0].size);
       this.views.forEach((view, n) => { view.camera = cameras[n]; });
+      this.#aim_at(this.views[0].recording.follow);
+    }
+
+    /** From now on the camera goes with a body, or with none. */
+    follow(body) {
+      const turned = this.views.map(({camera: {azimuth, elevation}}) => ({azimuth, elevation}));
+      if (body === undefined) {
+        const cameras = player.first_cameras(this.views.map(({scene}) => scene), this.views[0].size);
+        this.views.forEach((view, n) => { view.camera = {...cameras[n], ...turned[n]}; });
+      }
+      this.has_first_view = false;
+      this.#aim_at(body);
+      this.draw();
+    }
+
+    #aim_at(body) {
+      this.followed = body;
+      for (const view of this.views)
+        if (body < view.recording.bodies.length)
+          view.camera = player.following(view.camera, view.scene, body, player.poses_at(view.recording, this.time)[body].position);
+      this.#show_followed();
+    }
+
+    #show_followed() {
+      if (!this.bodies) return;
+      const {bodies} = this.views[0].recording;
+      const listed = bodies.length <= most_listed ? [...bodies.keys()] : this.followed === undefined ? [] : [this.followed];
+      if (this.bodies.length !== listed.length + 1 || listed.length === 1)
+        this.bodies.replaceChildren(make('option', {value: '', textContent: 'no body'}),
+          ...listed.map(body => make('option', {value: String(body), textContent: bodies[body].name || `body ${body + 1}`})));
+      this.bodies.value = this.followed ?? '';
+    }
+
+    /** Follows the next body, or the one before; after the last one none. */
+    #follow_next(by) {
+      const count = this.views[0].recording.bodies.length + 1; // with none
+      const place = ((this.followed ?? -1) + 1 + by + count) % count;
+      this.follow(place === 0 ? undefined : place - 1);
     }
 
     /** Turns or zooms all views alike, so that they can be compared. */
@@ -143,8 +197,8 @@
       for (const {camera, scene} of this.views) {
         camera.azimuth += azimuth;
         camera.elevation = Math.max(-most_elevation, Math.min(most_elevation, camera.elevation + elevation));
-        const {radius} = scene.bounds;
-        camera.distance = Math.max(0.3 * radius, Math.min(60 * radius, camera.distance * zoom));
+        const {radius} = scene.bounds, body = scene.models[this.followed];
+        camera.distance = Math.max(body ? Math.max(3 * body.radius, 1e-3 * radius) : 0.3 * radius, Math.min(60 * radius, camera.distance * zoom));
       }
       this.draw();
     }
@@ -162,6 +216,11 @@
       ArrowRight: () => this.#move_cameras({azimuth: 0.1}),
       ArrowUp: () => this.#move_cameras({elevation: 0.1}),
       ArrowDown: () => this.#move_cameras({elevation: -0.1}),
+    };
+    following_actions = {
+      f: () => this.#follow_next(1),
+      F: () => this.#follow_next(-1),
+      Escape: () => this.follow(undefined),
     };
 
     #make_controls() {
@@ -184,8 +243,16 @@
       view_buttons.append(view_button('−', 'Zoom out', '-'), view_button('+', 'Zoom in', '+'),
         view_button('↺', 'First view', 'Home'));
       controls.append(this.button, this.slider, this.clock, speed, view_buttons);
+      if (this.can_follow) {
+        this.bodies = make('select', {onchange: () => this.follow(this.bodies.value === '' ? undefined : Number(this.bodies.value))});
+        const label = make('label', {className: 'player-follow', textContent: 'Follow '});
+        label.append(this.bodies);
+        controls.append(label);
+        Object.assign(this.actions, this.following_actions);
+      }
       const hint = make('p', {className: 'player-hint', id: `player-hint-${++hints}`,
-        textContent: 'Drag to turn the view. Keys in the picture: arrows, +, −, Home, and space to play.'});
+        textContent: `Drag to turn the view. ${this.can_follow ? 'Press a body to follow it. ' : ''}` +
+          `Keys in the picture: arrows, +, −, Home, and space to play${this.can_follow ? '; F follows the next body, Escape none' : ''}.`});
       for (const {canvas} of this.views) canvas.setAttribute('aria-describedby', hint.id);
       this.figure.append(controls, hint);
     }
@@ -194,16 +261,24 @@
       canvas.addEventListener('keydown', event => {
         const action = this.actions[{'=': '+', '−': '-'}[event.key] ?? event.key];
         if (!action || event.ctrlKey || event.metaKey || event.altKey) return;
+        if (event.key === 'Escape' && this.followed === undefined) return; // whoever else waits for it
         event.preventDefault();
         action();
       });
-      let x, y;
+      let x, y, way; // the longer the way of a pointer, the less it is a press
       canvas.addEventListener('pointerdown', event => {
         canvas.setPointerCapture(event.pointerId);
-        [x, y] = [event.clientX, event.clientY];
+        [x, y, way] = [event.clientX, event.clientY, 0];
+      });
+      canvas.addEventListener('pointerup', event => {
+        if (!this.can_follow || event.button !== 0 || !(way < 5)) return;
+        const view = this.views.find(one => one.canvas === canvas);
+        const body = view.body_at([event.offsetX, event.offsetY], this.time);
+        if (body !== this.followed) this.follow(body);
       });
       canvas.addEventListener('pointermove', event => {
         if (!canvas.hasPointerCapture(event.pointerId)) return;
+        way += Math.hypot(event.clientX - x, event.clientY - y);
         this.#move_cameras({azimuth: -0.009 * (event.clientX - x), elevation: 0.009 * (event.clientY - y)});
         [x, y] = [event.clientX, event.clientY];
       });

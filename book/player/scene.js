@@ -18,6 +18,15 @@
     return `${Number((length / metres).toPrecision(3))}\u00a0${unit}`;
   }
 
+  /** Whether a convex polygon in the picture holds a point. */
+  function holds(points, [x, y]) {
+    const sides = points.map(([a, b], n) => {
+      const [c, d] = points[(n + 1) % points.length];
+      return (c - a) * (y - b) - (d - b) * (x - a);
+    });
+    return sides.every(side => side >= 0) || sides.every(side => side <= 0);
+  }
+
   class Scene {
     /** `detail`: the faces round a circle; fewer where there are many bodies. */
     constructor(recording, detail) {
@@ -36,19 +45,48 @@
       return round_length(this.bounds.radius / 3);
     }
 
-    /** The bodies that go somewhere, as far as there are few enough to follow: their paths are drawn. */
-    #travelling() {
-      const {frames} = this.recording;
-      if (this.models.length > 12) return [];
-      return [...this.models.keys()].filter(body => {
-        const start = frames[0].slice(7 * body, 7 * body + 3);
-        return frames.some(frame =>
-          player.length(player.difference(frame.slice(7 * body, 7 * body + 3), start)) > 2 * this.models[body].radius);
-      });
+    /** Whether a body goes somewhere. */
+    #travels(body) {
+      const {frames} = this.recording, [x, y, z] = [0, 1, 2].map(k => 7 * body + k);
+      return frames.some(frame => Math.hypot(frame[x] - frames[0][x], frame[y] - frames[0][y], frame[z] - frames[0][z]) >
+        2 * this.models[body].radius);
     }
 
-    /** `palette` holds colours as [red, green, blue]: paper, ink, grid, and bodies, which take them in turn. */
-    draw(painter, size, camera, time, palette, {grid_pieces = 10, grid_reach = 1.25, has_scale = true} = {}) {
+    /** Whether there is a body that a camera could follow. */
+    get can_follow() {
+      return this.models.some((_, body) => this.#travels(body));
+    }
+
+    /** The bodies whose paths are always drawn: those that go somewhere, as long as the bodies are few. */
+    #travelling() {
+      return this.models.length > 12 ? [] : [...this.models.keys()].filter(body => this.#travels(body));
+    }
+
+    /**
+     * The body that one sees at [x, y] in the picture, px, or nothing. A body too small to be met is met within a finger's
+     * breadth, where no other is seen.
+     */
+    body_at([x, y], size, camera, time) {
+      const project = player.projection(camera, size);
+      const camera_place = player.sum(camera.target, player.scaled(player.picture_axes(camera).back, camera.distance));
+      let seen, nearest, [depth, miss] = [Infinity, 14];
+      player.poses_at(this.recording, time).forEach(({position, orientation}, body) => {
+        const centre = project(position);
+        if (!project.is_before(centre)) return;
+        const away = Math.hypot(centre[0] - x, centre[1] - y);
+        if (away < miss) [nearest, miss] = [body, away];
+        const met = {polygon: points => {
+          if (points[0][2] < depth && holds(points, [x, y])) [seen, depth] = [body, points[0][2]];
+        }};
+        const marks = [], pose = {position, matrix: player.matrix_of(orientation)};
+        this.#mark_faces(marks, met, project, this.models[body], pose, camera_place, () => undefined);
+        for (const [, mark] of marks) mark();
+      });
+      return seen ?? nearest;
+    }
+
+    /** `palette` holds colours as [red, green, blue]: paper, ink, grid, and bodies, which take them in turn. The path of the body `followed` is drawn in any case. */
+    draw(painter, size, camera, time, palette, {grid_pieces = 10, grid_reach = 1.25, has_scale = true, followed = undefined} = {}) {
       const project = player.projection(camera, size);
       const axes = player.picture_axes(camera);
       const poses = player.poses_at(this.recording, time)
@@ -68,11 +106,11 @@
           return mixed(mixed(base, palette.shade, 0.42 * (1 - facing) ** 1.2), white, 0.1 * Math.max(0, facing) + 0.3 * gleam);
         });
         for (const point of this.models[body].points) {
-          const [x, y, depth] = project(player.sum(pose.position, player.turned(pose.matrix, point)));
-          marks.push([depth, () => painter.disc(x, y, 2.2, colour)]);
+          const place = project(player.sum(pose.position, player.turned(pose.matrix, point)));
+          if (project.is_before(place)) marks.push([place[2], () => painter.disc(place[0], place[1], 2.2, colour)]);
         }
       });
-      this.#mark_trails(marks, painter, project, time, palette);
+      this.#mark_trails(marks, painter, project, time, palette, followed);
       this.#mark_links(marks, painter, project, poses, palette);
       marks.sort((one, other) => other[0] - one[0]);
       for (const [, mark] of marks) mark();
@@ -86,28 +124,31 @@
         const normal = player.turned(matrix, face.normal);
         if (player.dot(normal, player.difference(camera_place, in_world[face.corners[0]])) <= 0) continue;
         const points = face.corners.map(corner => in_picture[corner]);
+        if (!points.every(project.is_before)) continue;
         const depth = points.reduce((total, point) => total + point[2], 0) / points.length;
         marks.push([depth, () => painter.polygon(points, colour_of({normal, is_marked: face.is_marked}))]);
       }
     }
 
-    #mark_line(marks, painter, points, colour, width, opacity) {
+    #mark_line(marks, painter, project, points, colour, width, opacity) {
       for (let n = 0; n + 1 < points.length; ++n) {
-        const [start, end] = [points[n], points[n + 1]];
-        marks.push([(start[2] + end[2]) / 2, () => painter.line([start, end], colour, width, opacity)]);
+        const piece = project.line(points[n], points[n + 1]);
+        if (piece) marks.push([(piece[0][2] + piece[1][2]) / 2, () => painter.line(piece, colour, width, opacity)]);
       }
     }
 
-    #mark_trails(marks, painter, project, time, palette) {
+    #mark_trails(marks, painter, project, time, palette, followed) {
       const {frames, seconds_between_frames} = this.recording;
       const stride = Math.max(1, Math.ceil(frames.length / 240));
       const now = player.poses_at(this.recording, time);
-      for (const body of this.trails) {
+      const passed = Math.min(frames.length, Math.ceil(time / seconds_between_frames)); // frames before this moment
+      for (const body of new Set(followed === undefined ? this.trails : [...this.trails, followed])) {
         const path = [];
-        for (let n = 0; n < frames.length && n * seconds_between_frames < time; n += stride)
+        // Whoever follows a body sees from near where it has just been.
+        for (let n = 0; n < passed; n += body === followed && n >= passed - 240 ? 1 : stride)
           path.push(frames[n].slice(7 * body, 7 * body + 3));
-        const points = [...path, now[body].position].map(project);
-        this.#mark_line(marks, painter, points, palette.bodies[body % palette.bodies.length], 1.5, 0.6);
+        const [width, opacity] = body === followed ? [2.5, 0.9] : [1.5, 0.6];
+        this.#mark_line(marks, painter, project, [...path, now[body].position], palette.bodies[body % palette.bodies.length], width, opacity);
       }
     }
 
@@ -116,9 +157,8 @@
         : player.sum(poses[body].position, player.turned(poses[body].matrix, point)));
       for (const {from, to} of this.recording.links ?? []) {
         const [start, end] = [place(from), place(to)];
-        const points = Array.from({length: 9}, (_, n) =>
-          project(player.sum(start, player.scaled(player.difference(end, start), n / 8))));
-        this.#mark_line(marks, painter, points, palette.ink, 1.5, 0.75);
+        const points = Array.from({length: 9}, (_, n) => player.sum(start, player.scaled(player.difference(end, start), n / 8)));
+        this.#mark_line(marks, painter, project, points, palette.ink, 1.5, 0.75);
       }
     }
 
@@ -135,12 +175,13 @@
             const point = [0, 0, floor];
             point[along] = centre[along] + (2 * part - 1) * half;
             point[across] = n * this.grid;
-            return project(point);
+            return point;
           };
           for (let piece = 0; piece < pieces; ++piece) {
             const middle = ((2 * piece + 1) / pieces - 1) * half;
             const opacity = pieces === 1 ? 0.8 : 1 - (aside * aside + middle * middle) / (reach * reach);
-            painter.line([at(piece / pieces), at((piece + 1) / pieces)], palette.grid, 1, opacity);
+            const line = project.line(at(piece / pieces), at((piece + 1) / pieces));
+            if (line) painter.line(line, palette.grid, 1, opacity);
           }
         }
       }
@@ -153,7 +194,8 @@
           return project([x, y, floor]);
         });
         for (const face of faces)
-          if (player.dot(matrix[2], face.normal) > 0) shadow.push(face.corners.map(corner => below[corner]));
+          if (player.dot(matrix[2], face.normal) > 0 && face.corners.every(corner => project.is_before(below[corner])))
+            shadow.push(face.corners.map(corner => below[corner]));
       });
       painter.shadow(shadow, palette.shade);
     }

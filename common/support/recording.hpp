@@ -137,6 +137,16 @@ class Recording {
     links_.append(links_.empty() ? "{\"from\":" : ",{\"from\":").append(both).append("}");
   }
 
+  /// The player's camera goes with this body from the start, as add_body() counted it.
+  /// @throws std::invalid_argument if there is none of that number.
+  void follow(int body) {
+    if (body < 0 || static_cast<std::size_t>(body) >= body_count_)
+      throw std::invalid_argument("the camera is to follow body " + std::to_string(body) +
+                                  "; there are " + std::to_string(body_count_) +
+                                  ", counted from 0");
+    followed_ = ",\"follow\":" + std::to_string(body);
+  }
+
   /// The drawn pose of every body's model, in the order of the bodies. `Poses` is a list of chapter
   /// 5's poses.
   /// @throws std::invalid_argument if their number is another than that of the bodies, or if one is
@@ -161,8 +171,8 @@ class Recording {
   }
 
   std::string json() const {
-    return head_ + ",\"bodies\":[" + bodies_ + "],\"links\":[" + links_ + "],\"frames\":[" +
-           frames_ + "]}\n";
+    return head_ + followed_ + ",\"bodies\":[" + bodies_ + "],\"links\":[" + links_ +
+           "],\"frames\":[" + frames_ + "]}\n";
   }
 
   /// @throws std::runtime_error if the file can't be written.
@@ -188,7 +198,7 @@ class Recording {
            json_numbers("end of a link", "m", {end.point.x(), end.point.y(), end.point.z()}) + "]}";
   }
 
-  std::string head_, bodies_, links_, frames_;
+  std::string head_, followed_, bodies_, links_, frames_;
   std::size_t body_count_ = 0;
 };
 

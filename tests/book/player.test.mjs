@@ -128,8 +128,89 @@ test('The first camera sees every body all the time, and every end of a link, in
   }
 });
 
+/// Draws and tells what was drawn: {faces, lines}, each a list of points in the picture.
+function drawn(scene, size, camera, time, options) {
+  const faces = [], lines = [], black = [0, 0, 0];
+  const painter = {
+    polygon: points => faces.push(points), line: (points, colour, width) => lines.push({points, colour, width}),
+    shadow: polygons => faces.push(...polygons), disc() {}, text() {},
+  };
+  scene.draw(painter, size, camera, time, {paper: black, ink: 'ink', shade: black, grid: 'grid', bodies: [[1, 1, 1], [2, 2, 2]]},
+    {has_scale: false, ...options});
+  return {faces, lines};
+}
+
+const size = {width: 300, height: 200};
+
+test('A camera that follows a body has it in the middle of the picture all the time, and near enough to see it.', () => {
+  const [scene] = player.scenes_of([recording], 16), [first] = player.first_cameras([scene], size);
+  for (const time of [0, 0.2, 0.5]) {
+    const {position} = player.poses_at(recording, time)[0];
+    const camera = player.following(first, scene, 0, position);
+    assert.deepEqual(player.projection(camera, size)(position).slice(0, 2), [150, 100]);
+    assert.deepEqual([camera.azimuth, camera.elevation], [first.azimuth, first.elevation]);
+    assert.ok(camera.distance < first.distance && camera.distance > 3 * scene.models[0].radius);
+  }
+});
+
+test('The path of a body that is followed is drawn through every frame behind it, however many bodies there are.', () => {
+  const crowd = Array.from({length: 13}, (_, n) => ({name: `${n}`, parts: [{point: true}]}));
+  const frames = Array.from({length: 600}, (_, frame) => crowd.flatMap((_, n) => [frame, n, 0, 1, 0, 0, 0]));
+  const [scene] = player.scenes_of([{title: 'Crowd', seconds_between_frames: 1, bodies: crowd, frames}], 16);
+  const [camera] = player.first_cameras([scene], size);
+  const paths = options => drawn(scene, size, camera, 500.5, options).lines.filter(({colour}) => colour !== 'grid');
+  assert.equal(paths({}).length, 0);
+  const path = paths({followed: 3});
+  assert.ok(path.every(({colour}) => colour[0] === 2));
+  // 240 frames each by itself, the 261 before them by threes.
+  assert.equal(path.length, 240 + 87);
+  const project = player.projection(camera, size);
+  for (const [x, from] of [[500.5, 500], [499, 498], [261, 258], [3, 0]]) {
+    const [start, end] = [from, x].map(place => project([place, 3, 0]));
+    const close = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1]) < 1e-6;
+    assert.ok(path.some(({points}) => close(points[0], start) && close(points[1], end)), `no line from ${from} to ${x}`);
+  }
+});
+
+test('Beside a camera in the midst of a scene nothing is drawn that lies behind it, and of lines the part before it.', () => {
+  const [scene] = player.scenes_of([recording], 16);
+  const camera = {target: [4, 0, 0], azimuth: Math.PI, elevation: 0.1, distance: 2}; // from x = 2: one body before it, one behind
+  const {faces, lines} = drawn(scene, size, camera, 0.5, {followed: 0});
+  assert.ok(faces.length > 0 && faces.every(points => points.every(([, , depth]) => depth > 1e-3 * camera.distance)));
+  const floor = lines.filter(({colour}) => colour === 'grid');
+  assert.ok(floor.length > 0 && floor.every(({points}) => points.every(([, , depth]) => depth >= (1 - 1e-9) * 1e-3 * camera.distance)));
+  const half = player.projection(camera, size).line([4, 0, 0], [-4, 0, 0]);
+  assert.deepEqual(half[0].slice(0, 2), [150, 100]);
+  assert.ok(Math.abs(half[1][2] - 1e-3 * camera.distance) < 1e-12);
+  assert.equal(player.projection(camera, size).line([-4, 0, 0], [-4, 1, 0]), undefined);
+});
+
+test('The body at a place of the picture is the nearest one that covers it, else a small one within a finger\'s breadth, or none.', () => {
+  const bodies = [{name: 'far', parts: [{box: [4, 4, 4]}]}, {name: 'near', parts: [{sphere: 1}]}, {name: 'speck', parts: [{point: true}]}];
+  const frames = [[0, 0, 0, 1, 0, 0, 0, 5, 0, 0, 1, 0, 0, 0, 0, 6, 0, 1, 0, 0, 0]];
+  const [scene] = player.scenes_of([{title: 'Three', seconds_between_frames: 1, bodies, frames}], 16);
+  const camera = {target: [0, 0, 0], azimuth: 0, elevation: 0, distance: 40}; // from +x
+  const project = player.projection(camera, size);
+  const at = (point, [x, y] = [0, 0]) => {
+    const [a, b] = project(point);
+    return scene.body_at([a + x, b + y], size, camera, 0);
+  };
+  assert.equal(at([5, 0, 0]), 1);
+  assert.equal(at([2, 1.8, 1.8]), 0);
+  assert.equal(at([0, 6, 0]), 2);
+  assert.equal(at([0, 6, 0], [9, -9]), 2);
+  assert.equal(at([0, 6, 0], [15, 0]), undefined);
+  assert.equal(at([0, -6, 0]), undefined);
+});
+
+test('Only a body that goes somewhere can be followed.', () => {
+  const turning = {...recording, frames: [recording.frames[0], recording.frames[0]]};
+  assert.equal(player.scenes_of([recording], 16)[0].can_follow, true);
+  assert.equal(player.scenes_of([turning], 16)[0].can_follow, false);
+});
+
 test('Only the faces on the side of the camera are drawn, far ones first and over the floor.', () => {
-  const [scene] = player.scenes_of([recording], 16), size = {width: 300, height: 200};
+  const [scene] = player.scenes_of([recording], 16);
   const [camera] = player.first_cameras([scene], size);
   const order = [], polygons = [];
   const painter = {

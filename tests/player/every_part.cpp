@@ -1,5 +1,5 @@
 // Writes FOLDER/every_part.html, a replay with every kind of part, a link, a path and awkward
-// names.
+// names; and following.html, the same with a camera that follows the path.
 #include <numbers>
 #include <support/player_page.hpp>
 #include <support/recording.hpp>
@@ -41,4 +41,6 @@ int main(int argument_count, char** arguments) {
     recording.add_frame(poses);
   }
   support::write_player_page(folder / "every_part.html", recording.json());
+  recording.follow(thrown);
+  support::write_player_page(folder / "following.html", recording.json());
 }

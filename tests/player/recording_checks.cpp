@@ -18,6 +18,9 @@ TEST_CASE("A recording of one turned box in two frames is this JSON") {
         R"("links":[{"from":{"body":0,"point":[0,0,1]},"to":{"point":[0.25,0,0]}}],)"
         R"("frames":[[0,0,0,1,0,0,0],[0,0,2,0,1,0,0]]})"
         "\n");
+  recording.follow(0);
+  CHECK(recording.json().starts_with(
+      R"({"title":"A box","seconds_between_frames":0.5,"follow":0,"bodies":[)"));
 }
 
 TEST_CASE("Every kind of part is written by its name") {
@@ -77,6 +80,8 @@ TEST_CASE("What can't be replayed is refused with the value, its unit and the ru
   CHECK(complaint_of([&] {
           recording.add_link({.point = {0, 0, 0}, .body = 1}, {.point = {0, 0, 0}});
         }) == "a link names body 1; there are 1, counted from 0");
+  CHECK(complaint_of([&] { recording.follow(1); }) ==
+        "the camera is to follow body 1; there are 1, counted from 0");
   CHECK_THROWS_AS(recording.add_body("late", {}), std::logic_error);
   CHECK(recording.json() == before);
 }

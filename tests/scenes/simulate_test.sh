@@ -109,6 +109,25 @@ verify "and the books of it" diff - f.json <<'BOOKS'
 "unexplained":{"energy":0,"momentum":[0,0,0],"angular_momentum":[0,0,0]}}
 BOOKS
 rm f.* fall.json
+# A comet that falls from rest far away, past a point with G M = 1 at the distance 1, which needs steps of a quarter of a second.
+cat >comet.json <<'SCENE'
+{"duration": 70, "step": {"per_second": 1}, "effects": [{"kind": "point_gravity", "strength": 1}], "bodies": [
+  {"name": "comet", "mass": 1, "position": [18, 0, 0], "velocity": [-0.32394177, 0.078567420, 0]}, {"name": "moon", "mass": 1, "position": [0, 9, 0], "velocity": [0.33333333, 0, 0]}]}
+SCENE
+run comet.json --until 30
+verify "a body that is far from a point that attracts gets no warning" says_not "warning"
+run comet.json
+verify "with the distance and the remedy" says "warning: at 36 s 'comet' is too close to the centre of 'point gravity' for steps of 1 s: it passes at 1.05 m, and its energy may change for good. That passage takes steps of 0.23 s or less"
+verify "and once" [ "$(grep -c '^warning:' <<<"$output")" = 1 ]
+run comet.json --until 50 --dt 0.23
+verify "which is one" says_not "warning"
+run comet.json --until 50 --precision float --no-ledger --scheme suzuki
+verify "in float too, by any scheme, and without books" says "'comet' is too close"
+run comet.json --plan --dt 100
+verify "the plan tells of one that is too close from the start" grep -q "^warning: at 0 s 'comet' is too close" <<<"$output"
+run comet.json --dt 10 --until 90
+verify "and the end of the run how many there were" grep -q "^warning: 2 bodies came too close to a point that attracts; at 10 s 'comet' is too close" <<<"$output"
+rm comet.json
 run t_handle --until 0.1 --no-ledger
 verify "--no-ledger leaves the books out" says_not "unexplained"
 run t_handle --until 0.1 --no-ledger=false --plan=false --bill=false --help=false
@@ -176,6 +195,11 @@ verify "each copy has its own name there" grep -q '^0,dust 20,' all.csv
 verify "JSON Lines have one for each body and moment" lines all.jsonl $((25 * 37))
 verify "a view is one page with the player in it" grep -q 'class="player-recording"' all.html
 verify "and asks for nothing from outside" bash -c '! grep -Eq "(src|href)=\"?(http|//)" all.html'
+verify "whose camera stays where it is" bash -c '! grep -q "\"follow\":" all.html'
+run orbit --until 9 --view all.html --follow craft
+verify "or goes with a body" grep -q '"follow":1,"bodies":.*"name":"station",.*"name":"craft"' all.html
+run everything --until 0.1 --view all.html --follow "dust 3"
+verify "which may be a copy" grep -q '"follow":[1-9]' all.html
 if command -v gnuplot >/dev/null 2>&1; then
   run tethered_box --until 0.5 --plot box.svg
   verify "--plot draws" grep -q '</svg>' box.svg
@@ -266,6 +290,12 @@ for option in csv jsonl plot view live books; do
   run t_handle "--$option" ""
   verify "an output without a name is refused" fails 2 "--$option needs the name of a file"
 done
+run t_handle --until 0.1 --view never.html --follow handles
+verify "a body to follow that isn't there gets the nearest" fails 2 "--follow is handles; no body has that name; did you mean handle?"
+run t_handle --until 0.1 --view never.html --follow ""
+verify "or must have a name" fails 2 "--follow needs the name of a body"
+run t_handle --until 0.1 --follow handle
+verify "and without a page there is nothing that follows" fails 2 "--follow is for the page that --view writes"
 run t_handle --dt
 verify "an option without its value is refused" ends_with 2
 run t_handle coin
@@ -283,6 +313,7 @@ precision double
 seed 0
 threads 1
 every 1
+follow handle
 csv page.csv
 jsonl page.jsonl
 plot page.svg

@@ -6,6 +6,7 @@
 #include <tumble/ledger.hpp>
 #include <tumble/scene/read_scene.hpp>
 
+#include "close_approaches.hpp"
 #include "drawn_scene.hpp"
 #include "live_limits.hpp"
 #include "parts_of_step.hpp"
@@ -25,6 +26,7 @@ class LiveRun {
         file_(std::move(file)),
         scene_(read_scene<double, OneByOne<double>, support::SceneRules>(text_, file_)),
         ledger_(scene_.world),
+        approaches_(scene_.world),
         steps_(steps_until(scene_)) {
     require_drawable(scene_);
     scene_.world.on_warning([](const std::string&) {});  // the plan has them
@@ -46,12 +48,20 @@ class LiveRun {
     const auto bodies = static_cast<std::int64_t>(scene_.world.body_count());
     const std::int64_t steps = std::max<std::int64_t>(1, bodies_of_a_part / bodies);
     for (std::int64_t n = 0; n < steps && !is_complete(); ++n) {
+      if (const std::string said = approaches_.look(scene_.world); !said.empty()) warning_ = said;
       ledger_.step(scene_.world);
       if (scene_.world.ticks() % every_ == 0) record();
     }
   }
 
   Scene<double>& scene() { return scene_; }
+  /// The plan at the end, with a warning where a body came too close to a point that attracts.
+  Plan plan() const {
+    Plan plan = scene_.world.plan();
+    const std::string summary = approaches_.summary(scene_.world);
+    if (!warning_.empty()) plan.warnings.push_back(summary.empty() ? warning_ : summary);
+    return plan;
+  }
   const Ledger<double>& ledger() const { return ledger_; }
   std::int64_t steps() const { return steps_; }
   std::int64_t every() const { return every_; }  ///< steps from one frame to the next
@@ -100,6 +110,8 @@ class LiveRun {
   std::string text_, file_;
   Scene<double> scene_;
   Ledger<double> ledger_;
+  CloseApproaches<double> approaches_;
+  std::string warning_;  ///< the first one
   std::int64_t steps_, every_ = 1;
   World<double> start_;
   Frames frames_;

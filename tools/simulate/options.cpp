@@ -41,6 +41,8 @@ scene file.
   --jsonl FILE        the same, an object of JSON in each line
   --plot FILE.svg     draw paths and energies
   --view FILE.html    write a page that replays the motion
+  --follow BODY       let the camera of that page go with the body of this name, and draw the
+                      body's path
   --live FILE.html    write a page that holds the engine and the scene, so that one can
                       change it, run it and replay it, and do nothing else
   --books FILE.json   write the books of energy and momentum with all digits
@@ -58,8 +60,8 @@ plus the number of the signal that ended it: 130 after Ctrl-C.
 )";
 
 const std::vector<std::string> options_with_value = {
-    "dt",   "until", "method", "scheme", "precision", "csv",   "jsonl",
-    "plot", "view",  "live",   "every",  "threads",   "books", "seed"};
+    "dt",   "until", "method", "scheme",  "precision", "csv",  "jsonl", "plot",
+    "view", "live",  "every",  "threads", "books",     "seed", "follow"};
 const std::vector<std::string> switches = {"plan", "check-plan", "no-ledger", "bill", "help"};
 
 double seconds(const std::string& option, const std::string& text) {
@@ -178,6 +180,12 @@ Options read(const cxxopts::ParseResult& given) {
   options.view = path("view");
   options.live = path("live");
   options.books = path("books");
+  if (given.count("follow")) {
+    options.follow = text("follow");
+    if (options.follow.empty()) throw UsageError("--follow needs the name of a body");
+    if (options.view.empty() && options.live.empty())
+      throw UsageError("--follow is for the page that --view writes");
+  }
   if (options.check_plan)
     for (const char* output : {"csv", "jsonl", "plot", "view", "live", "books"})
       if (given.count(output) > 0)

@@ -32,6 +32,7 @@ struct Options {
   std::optional<double> until;  ///< s
   std::int64_t every = 1;       ///< steps between two records
   int threads = 1;
+  std::string follow;  ///< the body that the view's camera goes with; empty: none
   std::filesystem::path csv, json_lines, plot, view, live, books;  ///< empty if not asked for
 };
 

@@ -44,6 +44,12 @@ class Progress {
     }
   }
 
+  /// A line of its own, above the bar.
+  void say(const std::string& sentence) const {
+    std::printf("%s%s\n", is_terminal_ ? "\r\033[K" : "", sentence.c_str());
+    std::fflush(stdout);
+  }
+
   /// Leaves the line of the bar.
   void end() const {
     if (is_terminal_) std::printf("\n");

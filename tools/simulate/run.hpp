@@ -7,6 +7,7 @@
 
 #include "bill.hpp"
 #include "books.hpp"
+#include "close_approaches.hpp"
 #include "interrupts.hpp"
 #include "options.hpp"
 #include "plot.hpp"
@@ -30,7 +31,8 @@ struct Outputs {
     if (!options.csv.empty()) csv.emplace(options.csv);
     if (!options.json_lines.empty()) json_lines.emplace(options.json_lines);
     if (!options.plot.empty()) plot.emplace(options.plot);
-    if (!options.view.empty()) view.emplace(options.view, scene, options.every, steps);
+    if (!options.view.empty())
+      view.emplace(options.view, scene, options.every, steps, options.follow);
     if (!options.books.empty()) books.emplace(options.books);
   }
 
@@ -95,12 +97,15 @@ struct Outputs {
 /// Takes the steps. @return how it ended; `failure` says why, if a step failed
 template <class Real, class Backend>
 ExitCode take_steps(Scene<Real, Backend>& scene, Ledger<Real>& ledger, const Options& options,
-                    std::int64_t steps, Outputs& outputs, std::string& failure) {
+                    std::int64_t steps, Outputs& outputs, CloseApproaches<Real>& approaches,
+                    std::string& failure) {
   outputs.record(scene);
   Progress progress(steps);
   ExitCode code = all_simulated;
   bool is_recorded = true;
   for (std::int64_t step = 1; step <= steps; ++step) {
+    if (const std::string said = approaches.look(scene.world); !said.empty())
+      progress.say("warning: " + said);
     try {
       if (options.ledger)
         ledger.step(scene.world);
@@ -129,7 +134,8 @@ ExitCode take_steps(Scene<Real, Backend>& scene, Ledger<Real>& ledger, const Opt
 }
 
 template <class Real, class Backend>
-void print_scene(Scene<Real, Backend>& scene, const Options& options, std::int64_t steps) {
+void print_scene(Scene<Real, Backend>& scene, const Options& options, std::int64_t steps,
+                 CloseApproaches<Real>& approaches) {
   std::printf("%s\n", scene.title.c_str());
   if (!scene.description.empty()) std::printf("%s\n", scene.description.c_str());
   std::printf("\n");
@@ -142,10 +148,13 @@ void print_scene(Scene<Real, Backend>& scene, const Options& options, std::int64
     std::printf("%.6g s are no whole number of steps: the last one ends at %.6g s\n", duration,
                 end);
   const std::size_t bodies = scene.world.body_count();
+  Plan plan = scene.world.plan();
+  if (const std::string said = approaches.look(scene.world); !said.empty())
+    plan.warnings.push_back(said);
   std::printf("%s, %lld steps of %.6g s, in %s\n\n%s\n",
               bodies == 1 ? "1 body" : (std::to_string(bodies) + " bodies").c_str(),
               static_cast<long long>(steps), h, std::string(range_of<Real>().precision).c_str(),
-              table_of(scene.world.plan()).c_str());
+              table_of(plan).c_str());
   std::fflush(stdout);
 }
 
@@ -156,27 +165,29 @@ ExitCode run(const Options& options) {
   SceneInPacks<Real> scene = scene_of<Real>(options);
   const std::int64_t steps = steps_until(scene, options.until);
   scene.world.on_warning([](const std::string&) {});  // they stand below the plan
+  CloseApproaches<Real> approaches(scene.world);
   if (options.only_plan) {
-    print_scene(scene, options, steps);
+    print_scene(scene, options, steps, approaches);
     return all_simulated;
   }
   catch_signals();
   Outputs outputs(options, scene, steps);
-  print_scene(scene, options, steps);
+  print_scene(scene, options, steps, approaches);
   const World<Real, Backend> start = scene.world;
   scene.world.backend().use_threads(options.threads);
   Ledger<Real> ledger(scene.world);
   std::string failure;
-  const ExitCode code = take_steps(scene, ledger, options, steps, outputs, failure);
+  const ExitCode code = take_steps(scene, ledger, options, steps, outputs, approaches, failure);
   if (code == step_failed) std::fprintf(stderr, "simulate: %s\n", failure.c_str());
   if (code == interrupted)
     std::printf("interrupted after %lld of %lld steps\n",
                 static_cast<long long>(scene.world.ticks()), static_cast<long long>(steps));
   if (options.ledger) std::printf("\n%s", table_of(ledger, scene.world).c_str());
+  if (const std::string said = approaches.summary(scene.world); !said.empty())
+    std::printf("warning: %s\n", said.c_str());
   if (options.bill && code == all_simulated)
     std::printf("\n%s", Bill<Real, Backend>(start, steps).table().c_str());
-  outputs.finish(scene.title,
-                 outputs.books ? books_of(ledger, scene) : std::string());
+  outputs.finish(scene.title, outputs.books ? books_of(ledger, scene) : std::string());
   return ended_by != 0 ? static_cast<ExitCode>(interrupted + ended_by) : code;
 }
 

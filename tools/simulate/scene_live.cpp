@@ -78,7 +78,7 @@ void tumble::support::run_live(Live& live) {
     for (const double number : simulate::state_of(body)) last.push_back(number);
   });
   live.say("recording", drawn());
-  live.say("plan", json_of(kept->scene().world.plan()));
+  live.say("plan", json_of(kept->plan()));
   live.say("books", simulate::books_of(kept->ledger(), kept->scene()));
   live.say("units", units_of_keys());
   live.say("methods", json(turning_method_words<SceneRules>()).dump());

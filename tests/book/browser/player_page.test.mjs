@@ -67,6 +67,72 @@ test('Every kind of part is drawn in its body\'s colour where the recording says
   assert.ok(looked_at > 20, `only ${looked_at} of 27 were not hidden`);
 });
 
+/// Where the followed body is off the middle of the picture, px.
+const off_the_middle = () => ask(page, `(() => {
+  const [view] = player.views, {width, height} = view.size;
+  const frame = view.recording.frames[Math.round(player.time / 0.1)];
+  const [x, y] = view.project(frame.slice(7 * player.followed, 7 * player.followed + 3));
+  return Math.hypot(x - width / 2, y - height / 2);
+})()`);
+
+test('The camera follows the body that is chosen, by pressing it too, and stays with it until told otherwise.', async () => {
+  await open_replay({reducedMotion: 'reduce'});
+  const canvas = page.locator('.player canvas'), choice = page.getByRole('combobox', {name: 'Follow'});
+  const first = await pictures(page), followed = () => ask(page, 'player.followed ?? null');
+  await choice.selectOption('thrown');
+  assert.equal(await followed(), 8);
+  const there = await pictures(page);
+  for (const frame of [0, 25, 60]) {
+    await ask(page, 'player.seek(0.1 * given)', frame);
+    assert.ok(await off_the_middle() < 1e-6);
+  }
+  assert.notDeepEqual(await pictures(page), there);
+  await ask(page, 'player.seek(0)');
+  await canvas.press('ArrowRight');
+  assert.ok(await off_the_middle() < 1e-6);
+  await choice.selectOption('no body');
+  assert.equal(await followed(), null);
+  await canvas.press('Home');
+  assert.deepEqual(await pictures(page), first);
+
+  await ask(page, 'player.seek(2)');
+  const [x, y] = await ask(page, 'player.views[0].project(player.views[0].recording.frames[20].slice(56, 59))');
+  const press = async (right, down) => {
+    const box = await canvas.boundingBox();
+    await page.mouse.click(box.x + right, box.y + down);
+  };
+  await press(x, y);
+  assert.equal(await followed(), 8);
+  assert.equal(await choice.inputValue(), '8');
+  assert.ok(await off_the_middle() < 1e-6);
+  await press(4, 4);
+  assert.equal(await followed(), null);
+});
+
+test('By keys F follows the next body and Shift F the one before; Escape follows none.', async () => {
+  await open_replay({reducedMotion: 'reduce'});
+  const canvas = page.locator('.player canvas'), followed = () => ask(page, 'player.followed ?? null');
+  for (const [key, body] of [['f', 0], ['f', 1], ['Shift+F', 0], ['Shift+F', null], ['Shift+F', 8], ['f', null], ['f', 0], ['Escape', null]]) {
+    await canvas.press(key);
+    assert.equal(await followed(), body, key);
+  }
+  const hint = await canvas.evaluate(element => document.getElementById(element.getAttribute('aria-describedby')).textContent);
+  assert.match(hint, /Press a body to follow it\. Keys in the picture: .*F follows the next body, Escape none\./);
+});
+
+test('A page that is to follow a body does so from the start, and again at Home.', async () => {
+  page = await open_page(browser, {reducedMotion: 'reduce'});
+  await stop_the_clock(page);
+  await page.goto(pathToFileURL(join(process.env.TUMBLE_PLAYER_PAGES, 'following.html')).href);
+  assert.equal(await page.getByRole('combobox', {name: 'Follow'}).inputValue(), '8');
+  assert.ok(await off_the_middle() < 1e-6);
+  const first = await pictures(page);
+  await page.locator('.player canvas').press('Escape');
+  assert.notDeepEqual(await pictures(page), first);
+  await page.locator('.player canvas').press('Home');
+  assert.deepEqual(await pictures(page), first);
+});
+
 test('It follows the system into the dark, on a wide window and on a narrow one, and axe-core finds nothing.', async () => {
   for (const colourScheme of ['light', 'dark'])
     for (const viewport of [{width: 1280, height: 900}, narrow]) {
