@@ -43,9 +43,7 @@ class CloseApproaches {
       if (const PointGravity<Real>* found = gravity_of(*instance.effect)) {
         Point point{instance.effect->name(), static_cast<double>(found->strength),
                     found->centre.template cast<double>()};
-        instance.members.indices.for_each([&](BodyIndex i) {
-          if (world.body(world.handle_at(i)).centre.inverse_mass != 0) point.bodies.push_back(i);
-        });
+        instance.members.indices.for_each([&](BodyIndex i) { point.bodies.push_back(i); });
         points_.push_back(std::move(point));
       }
   }
