@@ -55,9 +55,9 @@ if(CMAKE_CXX_COMPILER_LAUNCHER)
     $<$<CXX_COMPILER_ID:Clang>:SHELL:-Xclang -fno-pch-timestamp>)
 endif()
 # g++ collects its own garbage while it compiles, a tenth of the time of our files. Most of them need less than half a
-# gigabyte and are done before it begins. The largest, which compile several kinds of World, stay just below one.
+# gigabyte and are done before it begins. The largest, which compile several kinds of World, stay below one and a half.
 target_compile_options(tumble_flags INTERFACE
-  $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=40 --param=ggc-min-heapsize=450000>)
+  $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-expand=100 --param=ggc-min-heapsize=450000>)
 if(TUMBLE_SANITIZE)
   # A test of every reference for null, and of its object's size, would say again what the address sanitizer says, and
   # take half as long again to compile.
