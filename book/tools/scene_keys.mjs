@@ -16,11 +16,11 @@ const raised = text => text.replace(/\^2\b/g, '²').replace(/\^3\b/g, '³');
 const sentence = text => text && text[0].toUpperCase() + text.slice(1) + (/[.!?]$/.test(text) ? '' : '.');
 
 /** {meaning, unit, otherwise} of a description such as "Of the balls, m; without it 1." */
-function parts_of(description) {
+export function parts_of(description) {
   const unit = unit_pattern.exec(description)?.[2] ?? '';
   let rest = unit ? description.replace(unit_pattern, '') : description;
-  const otherwise = /(?:; w|(?:^|\. )W)ithout (?:it|them),? (.*?)(?:\.|$)/.exec(rest)?.[1] ?? '';
-  rest = rest.replace(/(?:; without (?:it|them),? .*?(?=\.|$))|(?:(^|\. )Without (?:it|them),? .*?(?:\.|$))/, '$1').trim();
+  const otherwise = /(?:; w|(?:^|\. )W)ithout (?:it|them),? (.*?)(?:\.(?!\d)|$)/.exec(rest)?.[1] ?? '';
+  rest = rest.replace(/(?:; without (?:it|them),? .*?(?=\.(?!\d)|$))|(?:(^|\. )Without (?:it|them),? .*?(?:\.(?!\d)|$))/, '$1').trim();
   return {meaning: sentence(raised(rest.replace(/^[;,:.\s]+|[;,\s]+$/g, '').replace(/\s+\./g, '.'))), unit: raised(unit), otherwise: raised(otherwise)};
 }
 

@@ -1,6 +1,6 @@
 // Blocks that are made of what they are given alone.
 import assert from 'node:assert/strict';
-import {mkdirSync, mkdtempSync, rmSync, writeFileSync} from 'node:fs';
+import {mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {test} from 'node:test';
@@ -9,6 +9,7 @@ import {semester} from '../../book/tools/exercise_tables.mjs';
 import {with_tasks} from '../../book/tools/exercises.mjs';
 import {figure} from '../../book/tools/figures.mjs';
 import {Results} from '../../book/tools/results.mjs';
+import {parts_of} from '../../book/tools/scene_keys.mjs';
 import {verdict_grid} from '../../book/tools/verdict_grid.mjs';
 
 const verdicts = {name: 'in_double', columns: ['method', 'A'], rows: [['steady', '✗ L 4e-01'], ['explicit, |L| restored', '✗ E 2e-01'], ['splitting', '✓ E 1e-05']]};
@@ -88,4 +89,18 @@ test("A drawing's areas take the page's colours as its lines do.", () => {
   const {svg} = figure('<svg><g transform="translate(0,20)" fill="black" font-size="18.00" text-anchor="start"><text>Title</text></g>' +
     "<polygon fill = 'rgb(238, 243, 246)' points = '1,2 3,4'/><path stroke='rgb( 85, 85, 85)' d='M1,2 L3,4'/></svg>", 'what it shows', 'drops');
   assert.match(svg, /<polygon fill="var\(--figure-fill\)".*<path stroke="var\(--figure-frame\)"/);
+});
+
+test('The table of the keys of scenes has every word of the schema, and no other.', () => {
+  const descriptions = [];
+  JSON.parse(readFileSync(new URL('../../tools/scenes/scene.schema.json', import.meta.url), 'utf8'), (key, value) => {
+    if (key === 'description' && typeof value === 'string') descriptions.push(value);
+    return value;
+  });
+  assert.ok(descriptions.length > 100);
+  const words = text => text.replace(/\^2\b/g, '²').replace(/\^3\b/g, '³').toLowerCase().replace(/without (it|them)/g, '').match(/\S*[^\s.,;:]/g)?.sort();
+  for (const description of descriptions) {
+    const {meaning, unit, otherwise} = parts_of(description);
+    assert.deepEqual(words(`${meaning} ${unit} ${otherwise}`), words(description), description);
+  }
 });
