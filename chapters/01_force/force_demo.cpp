@@ -51,7 +51,8 @@ void draw_step(support::Notebook& notebook) {
   row("ball", start, Vec3d::Zero());
   row("ball", ball.position, Vec3d::Zero());
   row("old name", 0.55 * old_way, Vec3d::Zero(), "h v, old");
-  row("kick name", start + old_way + 0.4 * (new_way - old_way), Vec3d::Zero(), "what the kick adds, h² a");
+  row("kick name", start + old_way + 0.4 * (new_way - old_way), Vec3d::Zero(),
+      "what the kick adds, h² a");
   row("new name", 0.6 * new_way, Vec3d::Zero(), "h v, new: the drift");
   notebook.value("drawn_step", number("%.1f s", h));
 }

@@ -23,7 +23,8 @@ bool rounds_twice() {
   return factor * factor - rounded == 0;
 }
 
-/// What lies beside the library: an oscillator without damping is at its start again after a period.
+/// What lies beside the library: an oscillator without damping is at its start again after a
+/// period.
 bool has_exact_solutions() {
   const tumble::exact::Oscillator<double> oscillator({.position = 1}, 1, 0);
   return std::abs(oscillator.at(2 * std::numbers::pi).position - 1) < 1e-15;
