@@ -35,7 +35,7 @@ function part_of({file, id}) {
 
 /** Above each page stands what it belongs to. */
 const running_head = ({id, title}) =>
-  `@page ${id} { @top-left { content: ${JSON.stringify(plain(title.replace(/<span class="katex-html"[\s\S]*/, '')))}; font: 8.5pt sans-serif; color: #444; } }`;
+  `@page ${id} { @top-left { content: ${JSON.stringify(plain(title))}; font: 8.5pt sans-serif; color: #444; } }`;
 
 function whole(parts, page_numbers) {
   const line = (id, html, kind) =>
@@ -48,7 +48,7 @@ ${['doxygen.css', 'fonts.css', 'katex/katex.min.css', 'book.css', 'contents.css'
 <main><section class="title-page"><h1>${escape(settings.book.name)}</h1><p>${escape(settings.book.brief)}</p>
 <p class="edition">Built on ${escape(date)}, commit ${escape(commit)}</p></section>
 <section class="printed-contents"><h1>Contents</h1><ul>
-${parts.map(part => line(part.id, part.title, 'page') + part.sections.map(([, id, text]) => line(id, escape(plain(text.replace(/<span class="katex-html"[\s\S]*/, ''))), 'section')).join('')).join('\n')}
+${parts.map(part => line(part.id, part.title, 'page') + part.sections.map(([, id, text]) => line(id, escape(plain(text)), 'section')).join('')).join('\n')}
 </ul></section>
 ${parts.map(part => `<section class="page" style="page: ${part.id}"><h1 id="${part.id}">${part.title}</h1>${part.body}</section>`).join('\n')}
 </main></body></html>`;

@@ -34,10 +34,9 @@ double height_thrown(int steps_per_second) {
 void draw_step(support::Notebook& notebook) {
   const double h = 0.5;
   support::Table table =
-      notebook.table("kick_drift", {"kind", "x (m)", "z (m)", "dx (m)", "dz (m)", "text"});
-  const auto row = [&](const char* kind, const Vec3d& from, const Vec3d& by,
-                       const char* text = "") {
-    table.row(kind, from.x(), from.z(), by.x(), by.z(), text);
+      notebook.table("kick_drift", {"kind", "x (m)", "z (m)", "dx (m)", "dz (m)"});
+  const auto row = [&](const char* kind, const Vec3d& from, const Vec3d& by) {
+    table.row(kind, from.x(), from.z(), by.x(), by.z());
   };
   Particled ball = make_particle(0.4, Vec3d(0, 0, 0), throw_velocity);
   const Vec3d start = ball.position, old_way = h * ball.velocity;
@@ -50,10 +49,9 @@ void draw_step(support::Notebook& notebook) {
   row("new", start, new_way);
   row("ball", start, Vec3d::Zero());
   row("ball", ball.position, Vec3d::Zero());
-  row("old name", 0.55 * old_way, Vec3d::Zero(), "h v, old");
-  row("kick name", start + old_way + 0.4 * (new_way - old_way), Vec3d::Zero(),
-      "what the kick adds, h² a");
-  row("new name", 0.6 * new_way, Vec3d::Zero(), "h v, new: the drift");
+  row("old name", 0.55 * old_way, Vec3d::Zero());
+  row("kick name", start + old_way + 0.4 * (new_way - old_way), Vec3d::Zero());
+  row("new name", 0.6 * new_way, Vec3d::Zero());
   notebook.value("drawn_step", number("%.1f s", h));
 }
 

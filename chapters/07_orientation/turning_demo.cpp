@@ -32,7 +32,7 @@ void draw_step(support::Notebook& notebook, const Vec3d& omega) {
     row("arc", turn_exponential(none, omega, 0.01 * asked * n), nowhere);
   row("step", none, step);
   row("back", nowhere, sum);
-  row("sum name", sum, nowhere, "1 + hω/2");
+  row("sum name", sum, nowhere);
   row("first", first, nowhere, "first order");
   row("exponential", exponential, nowhere, "exponential");
   notebook.value("half_asked", support::number("%g", step.imaginary.norm()));

@@ -44,8 +44,6 @@ int main(int argument_count, char** arguments) {
   const support::Motion velocity =
       run("angular velocity, world axes", "world_velocity", keep_world_velocity);
   notebook.value("world_velocity_momentum", number("%.0f %%", 100 * velocity.momentum_error));
-  notebook.value("world_momentum_momentum", number("%.0e", world.momentum_error));
-  notebook.value("body_momentum_momentum", number("%.0e", body.momentum_error));
   support::expect(body.energy_error < 1e-4, "kept in body axes, the energy holds");
   support::expect(
       world.energy_error > 10 * body.energy_error && velocity.energy_error > 10 * body.energy_error,

@@ -18,8 +18,7 @@ void tumble::support::run_live(Live& live) {
   Pose<double> previous, current;
 
   std::vector<double>&time = live.column("time", "s"), &shown_at = live.column("shown at", "s"),
-  &last = live.column("last state", "cm"), &between = live.column("between two", "cm"),
-  &taken = live.column("steps", "");
+  &last = live.column("last state", "cm"), &between = live.column("between two", "cm");
   // It has been rolling for two steps and more: before that there are no two states to lie between.
   const std::int64_t second = 1'000'000'000, first = 3 * frames / rate + 2;
   const std::int64_t end = first + (frames + 3) / 4;  // a quarter of a second
@@ -40,6 +39,5 @@ void tumble::support::run_live(Live& live) {
     shown_at.push_back(slower * time.back());
     last.push_back(100 * (current.position.x() - start));
     between.push_back(100 * (drawn - start));
-    taken.push_back(static_cast<double>(due));
   }
 }

@@ -1,6 +1,6 @@
 #include <support/checks.hpp>
 #include <support/random_world.hpp>
-#include <tumble/ledger.hpp>
+#include <support/size_of_line.hpp>
 
 using namespace tumble;
 using namespace tumble::support;
@@ -34,10 +34,6 @@ struct Coriolis {
     return Vec3<Real>(0, 0, 2).cross(centre.velocity);
   }
 };
-
-double size_of(const LedgerLine& line) {
-  return std::abs(line.energy) + line.momentum.norm() + line.angular_momentum.norm();
-}
 
 }  // namespace
 

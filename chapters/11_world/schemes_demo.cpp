@@ -48,7 +48,6 @@ int main(int argument_count, char** arguments) {
     last_by_suzuki = suzuki;
     last_by_verlet = verlet;
   }
-  notebook.value("closer", support::number("%.0f", last_by_verlet / last_by_suzuki));
   support::expect(last_by_suzuki < last_by_verlet, "many kicks are best spent on Suzuki's scheme");
 
   World<double> world = moon(100);

@@ -1,10 +1,11 @@
 // A world whose step changes, and worlds that go back.
+#include <optional>
 #include <support/box_body.hpp>
 #include <support/checks.hpp>
 #include <support/complaint_of_step.hpp>
 #include <support/random_world.hpp>
+#include <support/size_of_line.hpp>
 #include <tumble/drawing.hpp>
-#include <tumble/ledger.hpp>
 #include <tumble/snapshot_file.hpp>
 
 using namespace tumble;
@@ -41,6 +42,18 @@ struct Meddler {
   World<Real>* world;
   Vec3<Real> force(const Particle<Real>&, Real) const {
     world->set_step_length(steps_per_second(30));
+    return {0, 0, 0};
+  }
+};
+
+/// Keeps a copy of its world, made in the midst of a step.
+template <class Real>
+struct Copier {
+  static constexpr std::string_view name = "copier";
+  World<Real>* world;
+  std::optional<World<Real>>* copy;
+  Vec3<Real> force(const Particle<Real>&, Real) const {
+    *copy = *world;
     return {0, 0, 0};
   }
 };
@@ -226,6 +239,22 @@ TEST_CASE_TEMPLATE("A step that cannot be is refused, and so is any inside a ste
   CHECK(world.body(world.find("stone")).centre.position.x() == Real(1) / 64);
 }
 
+TEST_CASE_TEMPLATE("A copy that is made inside a step is not inside one, wherever it goes", Real,
+                   EVERY_PRECISION) {
+  World<Real> world(steps_per_second(64));
+  world.add("stone", make_particle<Real>(1, {0, 0, 0}, {1, 0, 0}));
+  std::optional<World<Real>> copy;
+  const EffectHandle copier = world.add(Copier<Real>{&world, &copy});
+  world.step();
+  world.remove(copier);
+  world.set_step_length(steps_per_second(32));
+  REQUIRE(copy);
+  copy->set_step_length(steps_per_second(16));
+  world = *copy;
+  world.set_step_length(steps_per_second(8));
+  CHECK(world.time_step() == Real(0.125));
+}
+
 TEST_CASE_TEMPLATE("The books close, and the picture goes on, over a change of the step", Real,
                    EVERY_PRECISION) {
   // With these numbers nothing is rounded.
@@ -249,10 +278,26 @@ TEST_CASE_TEMPLATE("The books close, and the picture goes on, over a change of t
   CHECK(frame(7'812'500) == 8 * Real(1) / 64);
   CHECK(frame(3'906'250) == 8 * (Real(1) / 64 + Real(0.5) / 128));
   CHECK(world.time() == Real(1) / 64 + Real(1) / 128);
-  const LedgerLine rest = ledger.rest(world);
-  CHECK(rest.energy == 0);
-  CHECK(rest.momentum.isZero(0));
-  CHECK(rest.angular_momentum.isZero(0));
+  CHECK(size_of(ledger.rest(world)) == 0);
+}
+
+TEST_CASE_TEMPLATE("Where a warning or an effect asks for another step, the books know", Real,
+                   EVERY_PRECISION) {
+  // With these numbers nothing is rounded.
+  World<Real> world(steps_per_second(4));
+  world.add("stone", make_particle<Real>(1, {1, 0, 0}));
+  world.add(SpringToPoint<Real>{.spring = {.stiffness = 256}});  // 16 rad/s: up to an eighth
+  world.on_warning([&](const std::string&) { world.set_step_length(steps_per_second(64)); });
+  Ledger<Real> ledger(world);
+  ledger.step(world);
+  CHECK(world.time() == Real(1) / 64);
+  CHECK(size_of(ledger.rest(world)) == 0);
+  // What an effect asks for is refused before anything is booked or changed.
+  world.add(Meddler<Real>{&world});
+  CHECK_THROWS_AS(ledger.step(world), std::logic_error);
+  CHECK(world.time_step() == Real(1) / 64);
+  CHECK(world.ticks() == 1);
+  CHECK(size_of(ledger.rest(world)) == 0);
 }
 
 TEST_CASE_TEMPLATE(

@@ -272,8 +272,6 @@ void write_hunting(Notebook& notebook) {
       calm_steps, calm, hunting_steps, hunting);
   notebook.value("hunting_rejected", std::to_string(hunting));
   notebook.value("hunting_steps", std::to_string(hunting_steps));
-  notebook.value("calm_rejected", std::to_string(calm));
-  notebook.value("calm_steps", std::to_string(calm_steps));
   expect(hunting > 3 * calm && hunting > 20, "a controller without a memory hunts");
 }
 

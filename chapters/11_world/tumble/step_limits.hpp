@@ -122,7 +122,6 @@ std::vector<std::string> warnings(const StepPlan<Real>& plan, const NamedBodies<
 
 /// Of which effects step_limit() knows nothing, though they may feed on themselves: a sentence
 /// each.
-//! [unknown_limits]
 template <class Real>
 std::vector<std::string> unknown_limits(const StepPlan<Real>& plan) {
   std::vector<std::string> sentences;
@@ -134,6 +133,5 @@ std::vector<std::string> unknown_limits(const StepPlan<Real>& plan) {
           (traits.finds_pairs ? ", of pairs that it finds itself" : ", and has no response()"));
   return sentences;
 }
-//! [unknown_limits]
 
 }  // namespace tumble

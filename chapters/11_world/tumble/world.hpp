@@ -261,10 +261,9 @@ class World {
   /// step warns of what may go wrong. A StepClock has a step of its own: make a new one.
   /// @throws std::invalid_argument if the step is negative or longer than an hour, and
   /// std::logic_error if an effect asks for it inside a step; nothing has changed then.
-  //! [set_step_length]
   void set_step_length(const StepLength& step) {
     require_step_length(step, 0);
-    if (stepping_ == this) throw std::logic_error("the time step can't be changed inside a step");
+    if (inside_.is_inside) throw std::logic_error("the time step can't be changed inside a step");
     const Real time_step = time_step_of<Real>(step);
     std::vector<std::pair<std::uint64_t, std::shared_ptr<const AnyEffect<Real>>>> prepared;
     for (const EffectInstance<Real>& instance : effects())
@@ -277,7 +276,6 @@ class World {
     for (auto& [number, effect] : prepared)
       planner_.replace_effect(number, std::move(effect), named_bodies());
   }
-  //! [set_step_length]
 
   /// How all bodies move now: with restore() a step, or a thousand, can be taken back.
   Snapshot<Real> save() const { return snapshot_of(named_bodies(), planner_, time_); }
@@ -334,8 +332,14 @@ class World {
   /// One step. @throws SimulationError if a number would become infinite or NaN, and whatever an
   /// effect throws; the world is then as it was before the step.
   void step() {
+    step([] {});
+  }
+  /// The same. `watch` is called when all warnings are told, and before anything moves.
+  template <class Watch>
+  void step(const Watch& watch) {
     if (change_log_.is_pending()) report_changes();
-    const InsideStep inside(*this);
+    const InsideStep inside(inside_);
+    watch();
     const std::optional<BodyIndex> diverged = backend_.step(step_plan(), step_time());
     if (diverged) throw_failure(*diverged);
     ++time_.ticks;
@@ -466,7 +470,7 @@ class World {
 
   template <class Step>
   void step_on_copy(const Step& step) {
-    const InsideStep inside(*this);
+    const InsideStep inside(inside_);
     Bodies<Real> bodies = backend_.bodies();
     step(bodies, [this](BodyHandle body) { return registry_.index_of(body); });
     if (const std::optional<BodyIndex> diverged = first_diverged(bodies, step_plan()))
@@ -482,18 +486,25 @@ class World {
                         step_time());
   }
 
-  /// While one lives, the world is inside a step. A copy that is made then is not.
+  /// Whether the world is inside a step. A copy that is made then is not.
+  struct Inside {
+    Inside() = default;
+    Inside(const Inside&) noexcept {}
+    Inside& operator=(const Inside&) noexcept { return *this; }
+    bool is_inside = false;
+  };
+  /// While one lives, the world is inside a step.
   struct InsideStep {
-    explicit InsideStep(World& world) : stepping(world.stepping_) { stepping = &world; }
-    ~InsideStep() { stepping = nullptr; }
+    explicit InsideStep(Inside& world) : flag(world.is_inside) { flag = true; }
+    ~InsideStep() { flag = false; }
     InsideStep(const InsideStep&) = delete;
     InsideStep& operator=(const InsideStep&) = delete;
-    const World*& stepping;
+    bool& flag;
   };
 
   WorldTime<Real> time_;
   Real time_step_;
-  const World* stepping_ = nullptr;  // itself, inside a step
+  Inside inside_;
   BodyRegistry registry_;
   Backend backend_;
   Planner<Real> planner_;

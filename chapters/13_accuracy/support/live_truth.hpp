@@ -21,8 +21,8 @@ inline void turn_finely(Topd& top, double seconds, double fastest) {
   for (int n = 0; n < parts; ++n) turn_by_row<SofroniouSpaletta>(top, seconds / parts);
 }
 
-/// The logarithm of a normal number above 0 to the base 2, within 1e-9: each squaring doubles it,
-/// and brings its next binary digit before the point.
+/// The logarithm of a normal number above 0 to the base 2, cut off after 29 binary digits: each
+/// squaring doubles it, and brings its next digit before the point.
 inline double binary_logarithm(double value) {
   int exponent;
   double rest = 2 * std::frexp(value, &exponent), logarithm = exponent - 1;

@@ -42,7 +42,7 @@ class OurWorld {
   }
 
   Motion motion(std::size_t n) const {
-    const RigidBody<Real> body = world_.body(world_.handles()[n]);
+    const RigidBody<Real> body = world_.body(world_.handle_at(static_cast<BodyIndex>(n)));
     return {triple_of(body.centre.position), triple_of(body.centre.velocity),
             triple_of(angular_velocity_world(body.top))};
   }
