@@ -19,7 +19,7 @@ constexpr Real turn_error = 40 * unit_roundoff<Real>;
 }  // namespace
 
 TEST_CASE(
-    "The thin rod at 60 steps a second: energy within 1e-4, L within 1e-10, phase within 1e-3") {
+    "The thin rod at 60 steps a second: energy within 10⁻⁴, L within 10⁻¹⁰, phase within 10⁻³") {
   const Motion motion = watched<double>(tumbling_problems[2], chosen_rule<double>);
   CHECK(motion.diverged == 0);
   CHECK(motion.energy_error < 1e-4);
@@ -32,7 +32,7 @@ TEST_CASE(
 }
 
 TEST_CASE_TEMPLATE(
-    "The needle of 1 to a million: finite, and the energy within 1e-4 for 3600 steps", Real, float,
+    "The needle of 1 to a million: finite, and the energy within 10⁻⁴ for 3600 steps", Real, float,
     double) {
   const Motion motion = watched<Real>(tumbling_problems[3], chosen_rule<Real>);
   CHECK(motion.diverged == 0);

@@ -51,7 +51,7 @@ TEST_CASE("The exact time between flips is what a Runge-Kutta run needs, whateve
   }
 }
 
-TEST_CASE("Each tenth of the wobble adds 2 ln 10/kappa to the time between flips") {
+TEST_CASE("Each tenth of the wobble adds (2 ln 10)/κ to the time between flips") {
   Exact before = 0;
   for (int tenths = 0; tenths <= 16; ++tenths) {
     const Exact wobble = std::pow(10.0L, -tenths);

@@ -189,7 +189,7 @@ void wait_for_flips(support::Notebook& notebook, const Handle& handle) {
                       "a tenth of the wobble adds the same wait each time");
     last = wait;
   }
-  std::printf("2 ln 10/kappa %25.4f\n", 2 * std::log(10) / kappa);
+  std::printf("(2 ln 10)/κ %27.4f\n", 2 * std::log(10) / kappa);
   notebook.value("ten_times", number("%.2f s", 2 * std::log(10) / kappa));
 }
 

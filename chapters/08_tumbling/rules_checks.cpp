@@ -88,7 +88,7 @@ TEST_CASE_TEMPLATE(
   CHECK(std::abs(2 * std::asin(sine_to_spin(top_of<double>(A))) * degrees - 28.2) <= 0.05);
 }
 
-TEST_CASE("An explicit step adds h^2 |L x w|^2 to |L|^2, every time, until it blows up") {
+TEST_CASE("An explicit step adds h² |L × ω|² to |L|², every time, until it blows up") {
   Topd top = top_of<double>(A);
   const double h = 1.0 / 60;
   for (int n = 0; n < 1000; ++n) {

@@ -201,7 +201,7 @@ TEST_CASE("A float clock that adds up 1/60 stops at 524288 s, after 24986955 add
   CHECK(added_up(1.0f / 60, 1'000'000).time == one_by_one);
 }
 
-TEST_CASE("A double clock that adds up 1/60 is 0.69 ms behind after 10^8 steps, n h is not") {
+TEST_CASE("A double clock that adds up 1/60 is 0.69 ms behind after 10⁸ steps, n h is not") {
   const AddedUpTime<double> sum = added_up(1.0 / 60, 100'000'000);
   const long double exact = 100'000'000.0L / 60;
   CHECK(sum.additions == 100'000'000);

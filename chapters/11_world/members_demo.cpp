@@ -1,4 +1,5 @@
 // Whom each pass of a step visits: in a small world as it stands, and while that world is changed.
+// And how the world finds out.
 #include <support/record.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
@@ -81,6 +82,49 @@ void show_members(support::Notebook& notebook) {
   notebook.value("cells", std::to_string(rows * world.body_count()));
 }
 
+/// A torque about z, written as a user would.
+struct Motor {
+  static constexpr std::string_view name = "motor";
+  Vec3d torque(const Topd&, double) const { return {0, 0, 1}; }
+};
+
+/// What each round finds out about a ball at rest whose motor is switched on.
+void show_rounds(support::Notebook& notebook) {
+  World<double> world;
+  world.add("ball", make_rigid_body<double>("ball", mass_properties(Sphere<double>{0.1}, 1)).body);
+  world.add(QuadraticDrag<double>{.coefficient = 0.01});
+  world.add(Magnus<double>{.strength = 0.01});
+  world.add(Motor{});
+  const BodyFlags alone = flags_alone(state_of(world.bodies(), 0), false);
+  BodyFlags flags = alone;
+  support::Table table = notebook.table("rounds", {"effect", "row", "round", "acts", "says"});
+  bool news = true;
+  int round = 0;
+  while (news) {
+    news = false;
+    ++round;
+    int row = 0;
+    for (const PassOfBodies& instance : world.effects()) {
+      const std::string why(instance.effect->skip_reason(flags));
+      const BodyFlags before = flags;
+      if (why.empty() && note(flags, instance.effect->traits().writes)) news = true;
+      std::string found = flags.is_torqued > before.is_torqued ? "it can turn" : "";
+      if (flags.is_pushed > before.is_pushed) found = "it can move";
+      table.row(instance.effect->name(), double(++row), double(round), double(why.empty()),
+                !why.empty()    ? why
+                : found.empty() ? "nothing new"
+                                : found);
+    }
+  }
+  support::expect(round == 3 && flags == flags_under<double>(alone,
+                                                             [&](const auto& visit) {
+                                                               for (const PassOfBodies& instance :
+                                                                    world.effects())
+                                                                 visit(*instance.effect);
+                                                             }),
+                  "the drawing's rounds find what the world finds");
+}
+
 /// How many bodies each pass visits in each step, while the world is changed.
 void show_changes(support::Notebook& notebook) {
   SmallWorld small = small_world();
@@ -115,5 +159,6 @@ void show_changes(support::Notebook& notebook) {
 int main(int argument_count, char** arguments) {
   support::Notebook notebook(argument_count, arguments);
   show_members(notebook);
+  show_rounds(notebook);
   show_changes(notebook);
 }

@@ -160,7 +160,7 @@ TEST_CASE_TEMPLATE("The limit of springs holds for springs and dampers in any pr
   CHECK(pair(Real(0.9)).second < Real(0.001));
 }
 
-TEST_CASE_TEMPLATE("A mass ratio of 10^9 on a stiff spring is announced", Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("A mass ratio of 10⁹ on a stiff spring is announced", Real, EVERY_PRECISION) {
   World<Real> world(steps_per_second(60));
   const BodyHandle heavy = world.add("ship", make_particle<Real>(Real(1e6)));
   const BodyHandle light = world.add("bolt", make_particle<Real>(Real(1e-3), {0, 0, 1}));

@@ -17,6 +17,25 @@ std::string time_of(double nanoseconds) {
                              : number("%.3g µs", nanoseconds / 1e3);
 }
 
+/// As the book sets it: 2e-05 as 2 × 10⁻⁵, and 1e-05 as 10⁻⁵.
+std::string set(double value) {
+  const std::string text = number("%.0e", value);
+  const std::size_t e = text.find('e');
+  const int exponent = std::atoi(text.c_str() + e + 1);
+  std::string power = exponent < 0 ? "10⁻" : "10";
+  const std::array<const char*, 10> raised = {"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  for (const char digit : std::to_string(std::abs(exponent)))
+    power += raised[static_cast<std::size_t>(digit - '0')];
+  return text.substr(0, e) == "1" ? power : text.substr(0, e) + " × " + power;
+}
+
+/// A problem's name as the book sets it.
+std::string set(std::string problem) {
+  if (const std::size_t power = problem.find("^6"); power != std::string::npos)
+    problem.replace(power, 2, "⁶");
+  return problem;
+}
+
 std::string power_of_ten(double value) {
   return number("1e%.0f", std::log10(value));
 }
@@ -35,7 +54,7 @@ std::string padded(const std::string& text, std::size_t width, bool on_the_left 
 
 /// The step of a run, or what it was asked for where it chooses its steps.
 std::string knob_of(const Measurement& run) {
-  return run.steps == 0 ? number("tolerance %.0e", run.knob) : number("%.2g s", run.knob);
+  return run.steps == 0 ? "tolerance " + set(run.knob) : number("%.2g s", run.knob);
 }
 
 void write_csv(const std::filesystem::path& file, const std::vector<Measurement>& all) {
@@ -78,7 +97,7 @@ void write_prices(const Notebook& notebook, const std::vector<Measurement>& all,
     const auto price = [&](const auto& run) {
       return run ? times(run->nanoseconds / first->nanoseconds) : std::string("–");
     };
-    Row row = {problem, first->method, time_of(first->nanoseconds / first->seconds),
+    Row row = {set(problem), first->method, time_of(first->nanoseconds / first->seconds),
                step ? step->method + ", " + knob_of(*step) : "none does", price(step)};
     for (const char* library : libraries) row.push_back(price(first_of(list, is_of(library))));
     for (std::size_t n = 0; n < row.size(); ++n) columns[n].push_back(row[n]);
@@ -128,8 +147,8 @@ std::string reason_of(double ratio, double fused) {
 void compare_step_by_step(Notebook& notebook, const std::vector<Measurement>& all,
                           const std::vector<std::string>& problems, const std::string& name,
                           bool (*may_compete)(const Measurement&), const char* what) {
-  Table ratios = notebook.table(name, {"problem", "1e-1", "1e-2", "1e-3", "1e-4", "1e-5", "1e-6",
-                                       "1e-7", "1e-8", "1e-9", "1e-10"});
+  Table ratios = notebook.table(name, {"problem", "10⁻¹", "10⁻²", "10⁻³", "10⁻⁴", "10⁻⁵", "10⁻⁶",
+                                       "10⁻⁷", "10⁻⁸", "10⁻⁹", "10⁻¹⁰"});
   struct Loss {
     double ratio;
     Measurement ours, theirs;
@@ -153,7 +172,7 @@ void compare_step_by_step(Notebook& notebook, const std::vector<Measurement>& al
           {widest, ours->median / ours->nanoseconds, theirs->median / theirs->nanoseconds});
       if (ratio < 1) losses.push_back({ratio, *ours, *theirs, digits});
     }
-    ratios.row(problem, cells[0], cells[1], cells[2], cells[3], cells[4], cells[5], cells[6],
+    ratios.row(set(problem), cells[0], cells[1], cells[2], cells[3], cells[4], cells[5], cells[6],
                cells[7], cells[8], cells[9]);
   }
   std::sort(losses.begin(), losses.end(),
@@ -168,7 +187,7 @@ void compare_step_by_step(Notebook& notebook, const std::vector<Measurement>& al
     table.row(number("%.2f", ratio),
               number("%.2f", theirs.nanoseconds / ours.median) + " to " +
                   number("%.2f", theirs.median / ours.nanoseconds),
-              ours.problem, number("1e-%.0f", digits), told(ours), told(theirs),
+              set(ours.problem), set(std::pow(10, -digits)), told(ours), told(theirs),
               reason_of(ratio, fused));
   }
   const int won = pairs - static_cast<int>(losses.size());
@@ -257,8 +276,8 @@ void compare_with_the_others(Notebook& notebook, const std::vector<Measurement>&
       std::printf("%s was not measured, for it is not installed.\n", name);
       continue;
     }
-    table.row(name, number("%.0e", best_error), std::to_string(pairs), std::to_string(won),
-              times(least), times(most));
+    table.row(name, set(best_error), std::to_string(pairs), std::to_string(won), times(least),
+              times(most));
   }
 }
 

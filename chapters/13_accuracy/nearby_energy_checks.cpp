@@ -60,7 +60,7 @@ class PacedAndEven {
 
 }  // namespace
 
-TEST_CASE("A splitting keeps a nearby energy: with the term in h^2 the error is one of h^4") {
+TEST_CASE("A splitting keeps a nearby energy: with the term in h² the error is one of h⁴") {
   for (const TumblingProblem* problem : {&tumbling_problems[0], &tumbling_problems[1]}) {
     CAPTURE(problem->letter);
     const auto wavers = [&](Wide h) {

@@ -133,8 +133,8 @@ TEST_CASE("With L apart a step of constant length has the order of its rule") {
 }
 
 TEST_CASE_TEMPLATE(
-    "A tolerance is an angle: inertia and torque times 2^20 or 2^-20 change no bit and no step",
-    Real, EVERY_PRECISION) {
+    "A tolerance is an angle: inertia and torque times 2²⁰ or 2⁻²⁰ change no bit and no step", Real,
+    EVERY_PRECISION) {
   for (const int k : {-20, 20}) {
     const Real scale = std::ldexp(Real(1), k);
     const auto problem = heavy_top<Real>("", 3);

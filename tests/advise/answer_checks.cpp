@@ -77,7 +77,7 @@ ten times better   3 times the cost: own, in double, tolerance 0.00625 rad a sec
 ten times cheaper  nothing is; at 0.2 of the cost: slow, in float, 2 steps a state: 0.05 s,
                    20 a second, 0.5 rad and 0.25 m
 would do too       2.50 times the cost: slow, in float, 1 step a state: 0.1 s, 10 a second
-                   1.00 times the cost: quick, scheme verlet, in double, 3 steps a state:
+                   the same cost: quick, scheme verlet, in double, 3 steps a state:
                    0.0333333 s, 30 a second
                    2.50 times the cost: slow, in float, 1 step a state: 0.1 s, 10 a second
 )");
@@ -87,14 +87,20 @@ would do too       2.50 times the cost: slow, in float, 1 step a state: 0.1 s, 1
 wanted             errors of at most 0.25 rad, all the way
 cheapest           exact, in double, asked once a state
 expected error     0.12 rad, 2 times less than wanted
-                   energy off by 1e-16, angular momentum by 2e-16, relatively
+                   relative errors: energy 1e-16, angular momentum 2e-16
 confirmed          against a reference, sure to 1e-18 rad
                    with this top, and with three that are like it
-costs              1.5e+09 ns for each simulated second
+costs              1500000000 ns for each simulated second
 that makes         not even one of these fits in a frame of 1/60 s
 ten times better   can't be confirmed
 ten times cheaper  2 rad: own, in float, angle 0.25 rad a step: 1 step in all, 0.5 a state
 )");
+  Answer good = answer_about_a_scene();
+  good.better = good.verdict.winner;
+  good.verdict.winner->errors = {.angle = 1e-12, .place = 6.76e-7};
+  CHECK(text_of(good).find(", 1500 times less than wanted\n") != std::string::npos);
+  CHECK(text_of(good).find("\nten times better   the cheapest is that already\n") !=
+        std::string::npos);
   Answer one = answer_about_a_top();
   one.verdict.winner->nanoseconds = 6e8;
   one.verdict.winner->errors = {};

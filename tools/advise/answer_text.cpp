@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdarg>
 #include <cstdio>
+#include <cstdlib>
 
 #include "answer.hpp"
 
@@ -63,6 +65,22 @@ std::string method_of(const Found& found, const Frames& frames) {
          " a state: " + formatted("%.6g s, %.0f a second", 1 / rate, rate);
 }
 
+/// A number in plain digits, two of which count.
+std::string two_digits(double value) {
+  if (value < 99.5) return formatted("%.2g", value);
+  const double unit = std::pow(10, std::floor(std::log10(value)) - 1);
+  return formatted("%.0f", std::round(value / unit) * unit);
+}
+
+std::string cost_of(double ratio, const char* format) {
+  const std::string times = formatted(format, ratio);
+  return std::strtod(times.c_str(), nullptr) == 1 ? "the same cost: " : times + " times the cost: ";
+}
+
+std::string counted_bodies(double number) {
+  return formatted("%.0f %s", number, number == 1 ? "body" : "bodies");
+}
+
 /// The errors that somebody asked about.
 std::string errors_of(const Errors& errors, const Tolerance& tolerance) {
   std::string text;
@@ -70,6 +88,16 @@ std::string errors_of(const Errors& errors, const Tolerance& tolerance) {
   if (std::isfinite(tolerance.place))
     text += (text.empty() ? "" : " and ") + formatted("%.2g m", errors.place);
   return text;
+}
+
+std::string ten_times_better(const Answer& answer) {
+  if (!answer.better) return "can't be confirmed";
+  const Found &better = *answer.better, &winner = *answer.verdict.winner;
+  if (better.candidate == winner.candidate && better.fineness == winner.fineness)
+    return "the cheapest is that already";
+  return cost_of(better.nanoseconds / winner.nanoseconds, "%.2g") +
+         method_of(better, answer.asked.frames) + ", " +
+         errors_of(better.errors, answer.asked.tolerance);
 }
 
 std::string wanted(const Tolerance& tolerance) {
@@ -86,8 +114,7 @@ std::string question(const Answer& answer) {
                      I[2], w[0], w[1], w[2]);
   } else {
     text = "The scene " + asked.scene.filename().string() + ": " +
-           counted(static_cast<double>(answer.bodies), "body");
-    if (answer.bodies != 1) text.replace(text.size() - 5, 5, "bodies");
+           counted_bodies(static_cast<double>(answer.bodies));
   }
   return text +
          formatted(", for %g s, %ld state%s a second\n", asked.frames.seconds(), asked.frames.rate,
@@ -107,7 +134,7 @@ std::string frame_of(const Answer& answer, const Found& found) {
   if (answer.asked.top)
     return counted(bodies, "such top") + " in each frame of 1/60 s, on one thread, one by one";
   return counted(fit, "such scene") +
-         " in each frame of 1/60 s, on one thread: " + formatted("%.0f bodies", bodies);
+         " in each frame of 1/60 s, on one thread: " + counted_bodies(bodies);
 }
 
 }  // namespace
@@ -127,23 +154,20 @@ std::string text_of(const Answer& answer) {
   const Found& winner = *answer.verdict.winner;
   text += line("cheapest", method_of(winner, asked.frames));
   const double ratio = winner.errors.of(asked.tolerance);
-  text += line("expected error",
-               errors_of(winner.errors, asked.tolerance) +
-                   (ratio > 0 ? formatted(", %.2g times less than wanted", 1 / ratio) : ""));
+  const std::string less = ratio > 0 ? two_digits(1 / ratio) : "";
+  text += line("expected error", errors_of(winner.errors, asked.tolerance) +
+                                     (less.empty()  ? ""
+                                      : less == "1" ? ", just within it"
+                                                    : ", " + less + " times less than wanted"));
   if (asked.top)
-    text += line("", formatted("energy off by %.2g, angular momentum by %.2g, relatively",
+    text += line("", formatted("relative errors: energy %.2g, angular momentum %.2g",
                                winner.errors.energy, winner.errors.momentum));
   text += line("confirmed", "against " + answer.reference + ", sure to " +
                                 errors_of(answer.uncertainty, asked.tolerance));
   if (asked.top) text += line("", "with this top, and with three that are like it");
-  text += line("costs", formatted("%.4g ns for each simulated second", winner.nanoseconds));
+  text += line("costs", formatted("%.0f ns for each simulated second", winner.nanoseconds));
   text += line("that makes", frame_of(answer, winner));
-  text += line("ten times better",
-               answer.better ? formatted("%.2g times the cost: ",
-                                         answer.better->nanoseconds / winner.nanoseconds) +
-                                   method_of(*answer.better, asked.frames) + ", " +
-                                   errors_of(answer.better->errors, asked.tolerance)
-                             : std::string("can't be confirmed"));
+  text += line("ten times better", ten_times_better(answer));
   if (answer.worse)
     text += line("ten times cheaper", errors_of(answer.worse->errors, asked.tolerance) + ": " +
                                           method_of(*answer.worse, asked.frames));
@@ -154,9 +178,9 @@ std::string text_of(const Answer& answer) {
                                           errors_of(answer.least->errors, asked.tolerance));
   for (std::size_t n = 0; n < std::min<std::size_t>(answer.verdict.others.size(), 3); ++n) {
     const Found& other = answer.verdict.others[n];
-    text += line(n == 0 ? "would do too" : "",
-                 formatted("%.2f times the cost: ", other.nanoseconds / winner.nanoseconds) +
-                     method_of(other, asked.frames));
+    text +=
+        line(n == 0 ? "would do too" : "", cost_of(other.nanoseconds / winner.nanoseconds, "%.2f") +
+                                               method_of(other, asked.frames));
   }
   return text;
 }
