@@ -104,7 +104,7 @@ void show_rounds(support::Notebook& notebook) {
     news = false;
     ++round;
     int row = 0;
-    for (const PassOfBodies& instance : world.effects()) {
+    for (const EffectInstance<double>& instance : world.effects()) {
       const std::string why(instance.effect->skip_reason(flags));
       const BodyFlags before = flags;
       if (why.empty() && note(flags, instance.effect->traits().writes)) news = true;
@@ -116,13 +116,14 @@ void show_rounds(support::Notebook& notebook) {
                                 : found);
     }
   }
-  support::expect(round == 3 && flags == flags_under<double>(alone,
-                                                             [&](const auto& visit) {
-                                                               for (const PassOfBodies& instance :
-                                                                    world.effects())
-                                                                 visit(*instance.effect);
-                                                             }),
-                  "the drawing's rounds find what the world finds");
+  support::expect(
+      round == 3 && flags == flags_under<double>(alone,
+                                                 [&](const auto& visit) {
+                                                   for (const EffectInstance<double>& instance :
+                                                        world.effects())
+                                                     visit(*instance.effect);
+                                                 }),
+      "the drawing's rounds find what the world finds");
 }
 
 /// How many bodies each pass visits in each step, while the world is changed.
