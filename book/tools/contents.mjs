@@ -1,12 +1,20 @@
 // From what Doxygen wrote between a page's header and footer to what the book shows there.
 import {plain, slug} from './text.mjs';
 
+/** A snippet from inside a function, moved to the left edge: on a phone its indentation would take the room of its words. */
+function at_left_edge(fragment) {
+  const starts = [...fragment.matchAll(/<div class="line">((?:<a [^>]*><\/a>)?)( *)(?=[^ ])(?!<\/div>)/g)];
+  const indentation = Math.min(...starts.map(([, , blanks]) => blanks.length));
+  return indentation > 0 && Number.isFinite(indentation)
+    ? fragment.replace(new RegExp(`(<div class="line">(?:<a [^>]*></a>)?) {${indentation}}`, 'g'), '$1') : fragment;
+}
+
 /** Puts the directives' blocks where their markers stand, and gives each listing its caption. */
 function with_blocks(html, blocks) {
   return html
     .replace(
       /<tumble-listing id="(\d+)"><\/tumble-listing>\s*(<div class="fragment">[\s\S]*?<\/div><!-- fragment -->)/g,
-      (_, id, fragment) => `<figure class="listing"><figcaption>${blocks[id]}</figcaption>${fragment}</figure>`,
+      (_, id, fragment) => `<figure class="listing"><figcaption>${blocks[id]}</figcaption>${at_left_edge(fragment)}</figure>`,
     )
     .replace(/<p[^>]*>\s*((?:<tumble-block id="\d+"><\/tumble-block>\s*)+)<\/p>/g, '$1')
     .replace(/<tumble-block id="(\d+)"><\/tumble-block>/g, (_, id) => (typeof blocks[id] === 'function' ? blocks[id]() : blocks[id]));

@@ -107,7 +107,7 @@ def _of_one_cell(name):
 def _quoted(said, indent):
     """Each line with a mark, for part of it may be a student's words or a compiler's, which could imitate a line of the report."""
     mark = f"{indent}| "
-    return [line for part in said.splitlines() for line in textwrap.wrap(part, 110, initial_indent=mark, subsequent_indent=mark)]
+    return [line for part in said.splitlines() for line in textwrap.wrap(part, 100, initial_indent=mark, subsequent_indent=mark)]
 
 
 FORMATS = {"text": text, "json": as_json, "junit": junit, "gradescope": gradescope}
