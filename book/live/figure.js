@@ -33,15 +33,19 @@
     };
   }
 
+  /** Words with their symbols, which stand between stars, in italics, as a page has them; or, in a list of choices, bare. */
+  const with_symbols = words => words.split('*').map((part, n) => (n % 2 ? make('i', {textContent: part}) : part));
+  const bare = words => words.replace(/\*/g, '');
+
   /** One knob: a slider or a list of choices, with its name and its value in words. */
   class Knob {
     constructor(fixed, described, id, changed) {
       Object.assign(this, fixed, described);
       this.output = make('output', {}, {for: id});
-      const name = make('label', {textContent: this.label, htmlFor: id});
+      const name = make('label', {htmlFor: id}, {}, with_symbols(this.label));
       if (this.choices) {
         this.input = make('select', {id, onchange: () => changed(Number(this.input.value))}, {},
-          this.choices.map((text, n) => make('option', {textContent: text, value: n})));
+          this.choices.map((text, n) => make('option', {textContent: bare(text), value: n})));
         this.element = make('div', {className: 'live-knob'}, {}, [name, this.input]);
       } else {
         this.input = make('input', {id, type: 'range', min: 0, max: steps, step: 1,
@@ -340,17 +344,23 @@
     }
 
     #watch_the_page() {
-      new IntersectionObserver(([{isIntersecting}]) => {
-        this.#in_sight = isIntersecting;
+      const seen = new Set();
+      const watch = new IntersectionObserver(entries => {
+        for (const {isIntersecting, target} of entries) seen[isIntersecting ? 'add' : 'delete'](target);
+        this.#in_sight = seen.size > 0;
         this.last_tick = undefined;
         this.#request();
-      }, {threshold: 0.2}).observe(this.stage);
+      }, {threshold: 0.2});
+      document.fonts?.load('italic 14px KaTeX_Math').then(() => this.draw());
       const resized = new ResizeObserver(() => this.draw());
       addEventListener('predicted', () => {
         this.draw();
         if (!this.refusal) this.#tell();
       });
-      for (const {canvas} of this.panels) resized.observe(canvas);
+      for (const {canvas} of this.panels) {
+        resized.observe(canvas);
+        watch.observe(canvas);
+      }
       const recolour = () => {
         this.palette = undefined;
         this.draw();
@@ -406,15 +416,20 @@
   function start() {
     const figures = document.querySelectorAll('figure.live[data-script]');
     if (typeof WebAssembly === 'undefined') {
-      for (const element of figures)
+      for (const element of figures) {
+        element.classList.add('lifeless');
         element.append(make('p', {className: 'live-absent', textContent: 'This figure is computed by WebAssembly, which this browser lacks.'}));
+      }
       return;
     }
     const near = new IntersectionObserver(entries => {
       for (const {isIntersecting, target} of entries)
         if (isIntersecting) {
           near.unobserve(target);
-          wake(target);
+          wake(target).catch(error => {
+            target.classList.add('lifeless');
+            throw error;
+          });
         }
     }, {rootMargin: '600px'});
     for (const element of figures) near.observe(element);

@@ -1,4 +1,5 @@
-// Axes with units, and what is drawn between them, with any painter: a canvas' or the still picture's.
+// Axes with units, and what is drawn between them, with any painter: a canvas' or the still picture's. In words that a painter
+// writes a symbol stands between stars, "asked, *ωh*", and is written in italics, as in the text.
 (() => {
   const live = (globalThis.tumble_live ??= {figures: {}, modules: {}});
 
@@ -134,6 +135,12 @@
       });
     }
 
+    /** In place of what a question asks for, until it is answered. */
+    ask() {
+      const {left, top, width, height} = this.box;
+      this.painter.text('answer first', left + width / 2, top + height / 2, 'center', this.palette.ink);
+    }
+
     /** Words beside a point, in its colour. */
     note(words, at, colour, align = 'left') {
       const [x, y] = this.place(at);
@@ -154,6 +161,7 @@
 
     /** What the colours mean, at the top right: [[words, colour, dash]]. */
     legend(entries) {
+      if (this.painter.is_silent) return;
       let right = this.box.left + this.box.width;
       for (const [words, colour, dash = []] of [...entries].reverse()) {
         this.painter.text(words, right, 10, 'right', colour);
@@ -164,8 +172,10 @@
     }
   }
 
-  /** Whether the page's reader has answered a prediction, or only wants to see; in a still picture nobody has. */
+  /** Whether the page's reader has answered a prediction, or only wants to see; a still picture is told. */
   function answered(prediction) {
+    live.asks = true;
+    if (live.is_told !== undefined) return live.is_told;
     const form = globalThis.document?.querySelector(`form[data-prediction="${prediction}"]`);
     return form?.classList.contains('answered') ?? false;
   }

@@ -10,6 +10,7 @@
 
   class SvgPainter {
     svg = '';
+    is_silent = false; // on a card, where words would be too small to read
 
     constructor(palette) {
       this.names = new Map([[palette.ink, 'var(--figure-frame)'], [palette.grid, 'var(--figure-grid)'],
@@ -43,28 +44,35 @@
     }
 
     width_of(words) {
-      return 6.4 * words.length; // about
+      return 6.4 * words.replace(/\*/g, '').length; // about
     }
 
     shadow() {} // light from above is for what moves
 
     text(words, x, y, align, colour) {
+      if (this.is_silent) return;
       const anchor = {left: 'start', center: 'middle', right: 'end'}[align];
       this.svg += `<text x="${short(x)}" y="${short(y + 4)}" text-anchor="${anchor}" font-size="12" ` +
-        `fill="${this.#colour(colour)}">${escape(words)}</text>`;
+        `fill="${this.#colour(colour)}">${escape(words).replace(/\*([^*]+)\*/g, '<tspan font-style="italic">$1</tspan>')}</text>`;
     }
   }
 
-  /** The figure's panels, up to three in a row, at the time that it names. */
-  function still_of(figure, run, palette) {
+  /**
+   * The figure's panels, up to three in a row, at the time that it names, with what its questions ask for: paper asks nobody.
+   * `of_card`: the one panel that stands for it on a card, small and silent, where no question is answered unless the figure says so.
+   */
+  function still_of(figure, run, palette, {of_card = false} = {}) {
     const state = live.state_of(figure, run, figure.still_time ?? 0);
-    const pictures = figure.panels.map(panel => {
-      const width = figure.panels.length === 1 ? 600 : 330;
-      const size = {width, height: Math.round(width / (panel.aspect ?? 1))};
-      const painter = new SvgPainter(palette);
+    const shown = of_card ? [figure.panels[figure.card?.panel ?? 0]] : figure.panels;
+    live.is_told = of_card ? figure.card?.is_told ?? false : true;
+    const pictures = shown.map(panel => {
+      const width = of_card ? 300 : figure.panels.length === 1 ? 600 : 330;
+      const size = {width, height: Math.round(of_card ? width / 1.7 : width / (panel.aspect ?? 1))};
+      const painter = Object.assign(new SvgPainter(palette), {is_silent: of_card});
       panel.draw({painter, palette, size, view: {...panel.view}}, state);
       return {...size, svg: painter.svg};
     });
+    delete live.is_told;
     const [across, down] = ['width', 'height'].map(side => Math.max(...pictures.map(picture => picture[side])) + 15);
     const columns = pictures.length === 4 ? 2 : pictures.length;
     const cells = pictures.map(({width, height, svg}, n) =>

@@ -21,7 +21,8 @@
       this.context.lineJoin = 'round';
       this.context.lineCap = 'round';
       this.is_dark = paper[0] < 128; // where a shadow must be deeper to be seen
-      this.font ??= `13px ${getComputedStyle(this.canvas).fontFamily}`; // the page's own letters
+      const family = getComputedStyle(this.canvas).fontFamily; // the page's own letters
+      this.fonts ??= [`13px ${family}`, `italic 14px KaTeX_Math, ${family}`];
       this.paper = css(paper);
       this.context.fillStyle = this.paper;
       this.context.fillRect(0, 0, width, height);
@@ -89,22 +90,37 @@
       context.restore();
     }
 
+    /** The words' parts with their widths, px; what stands between stars is a symbol, and in italics. */
+    #measured(words) {
+      return words.split('*').map((part, n) => {
+        this.context.font = this.fonts[n % 2];
+        return {part, font: this.fonts[n % 2], wide: this.context.measureText(part).width};
+      }).filter(({part}) => part);
+    }
+
     /** How wide text() writes the words, px. */
     width_of(words) {
-      this.context.font = this.font;
-      return this.context.measureText(words).width;
+      return this.#measured(words).reduce((sum, {wide}) => sum + wide, 0);
     }
 
     text(words, x, y, align, colour) {
-      this.context.font = this.font;
-      this.context.textAlign = align;
-      this.context.textBaseline = 'middle';
+      const {context} = this, parts = this.#measured(words);
+      const wide = parts.reduce((sum, part) => sum + part.wide, 0);
+      const begin = x - wide * {left: 0, center: 0.5, right: 1}[align];
+      context.textAlign = 'left';
+      context.textBaseline = 'alphabetic'; // the middles of two fonts differ
       // Paper around the letters keeps a name on a line legible.
-      this.context.strokeStyle = this.paper;
-      this.context.lineWidth = 3;
-      this.context.strokeText(words, x, y);
-      this.context.fillStyle = css(colour);
-      this.context.fillText(words, x, y);
+      context.strokeStyle = this.paper;
+      context.lineWidth = 3;
+      context.fillStyle = css(colour);
+      for (const write of ['strokeText', 'fillText']) {
+        let at = begin;
+        for (const part of parts) {
+          context.font = part.font;
+          context[write](part.part, at, y + 4.5);
+          at += part.wide;
+        }
+      }
     }
   }
 

@@ -206,7 +206,7 @@
       ['x', 'y', 'z'].forEach((name, k) => {
         const [a, b] = [right[k], -up[k]];
         painter.line([[x, y], [x + long * a, y + long * b]], palette.ink, 1.5, 0.8);
-        painter.text(name, x + (long + 8) * a, y + (long + 8) * b, 'center', palette.ink);
+        painter.text(`*${name}*`, x + (long + 8) * a, y + (long + 8) * b, 'center', palette.ink);
       });
       painter.text(`squares of ${shown_length(this.grid)}`, width - 12, height - 14, 'right', palette.ink);
     }

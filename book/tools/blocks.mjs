@@ -54,6 +54,7 @@ const unmeasured = what =>
 
 export class Blocks {
   live_scripts = new Map(); // what brings a figure to life: the text of a script by its file's name
+  cards = new Map(); // by the block that shows a live figure, what stands for it on a card
   quoted = new Set(); // the checks, and the programs as CHAPTER/PROGRAM, that some page shows
   folded = new Set(); // the chapters that show all their other checks
   predictions = new Map(); // by their names, under which a browser keeps the answers
@@ -253,7 +254,7 @@ export class Blocks {
   #live(page, argument) {
     const [reference, says] = this.#described(page, argument, 'live', 'name');
     const [chapter, name] = this.#of(page, reference);
-    const {html, script} = live_figure({
+    const {html, script, card} = live_figure({
       name,
       file: join(this.settings.results, chapter, `${name}.live.js`),
       printed: this.results.text(chapter, name, '.live.json', 'live figure'),
@@ -262,6 +263,7 @@ export class Blocks {
       source: this.settings.source,
     });
     if (script) this.live_scripts.set(`live_${name}.js`, script);
+    this.cards.set(html, card);
     return html;
   }
 

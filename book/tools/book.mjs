@@ -137,7 +137,7 @@ function write_pages(folder, pages, written, directives) {
   writeFileSync(join(folder, 'search_index.js'), search_script(settings.source, documents));
   writeFileSync(
     join(folder, 'reading_order.json'),
-    JSON.stringify(pages.all.map(({file, title, id}) => ({file, title, id}))),
+    JSON.stringify(pages.all.map(({file, title, id, further}) => ({file, title, id, further}))),
   );
   return names;
 }

@@ -28,7 +28,7 @@ export class Directives {
       }
     });
     for (const {opened, place} of folds) complaints.push(`${place}: ${opened} has no {{end}}`);
-    page.picture = first_drawing(this.blocks.slice(first).map(String));
+    page.picture = first_drawing(this.blocks.slice(first).map(String), this.makers.cards);
     const answers = this.makers.answers(page, complaints);
     return [...lines, ...(answers ? ['', this.#marker(answers), ''] : [])].join('\n');
   }

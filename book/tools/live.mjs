@@ -40,7 +40,8 @@ export function tables_of(figure, folder) {
 }
 
 /**
- * {html, script}: what stands on the page, and the text of the script that brings it to life, undefined without a module.
+ * {html, script, card}: what stands on the page, the text of the script that brings it to life, undefined without a module, and the
+ * drawing of a card.
  * `printed` is what the figure's program printed, `module` the file of its module, `says` tells what one sees.
  */
 export function live_figure({name, file, printed, module, says, source}) {
@@ -49,17 +50,19 @@ export function live_figure({name, file, printed, module, says, source}) {
   for (const knob of run.knobs)
     if (!figure.knobs[knob.name]) throw new BookError(`${file} describes no knob "${knob.name}"; its program has it`);
   live.tables = tables_of(figure, dirname(module));
+  live.asks = false;
   const still = live.still_of(figure, run, light_palette(source));
+  const card = live.still_of(figure, run, light_palette(source), {of_card: true});
   const tables = figure.tables ? `tumble_live.tables = {...tumble_live.tables, ...${JSON.stringify(live.tables)}};\n` : '';
   const script = existsSync(module)
     ? `${readFileSync(file, 'utf8')}${tables}tumble_live.modules.${name} = '${readFileSync(module).toString('base64')}';\n`
     : undefined;
   const absent = script ? '' : '<p class="live-absent">This figure moves where the book is built with clang’s packages for ' +
     'WebAssembly; here they were missing, so it shows its first picture.</p>';
-  const html = `<figure class="live unindexed" id="live_${name}" data-live="${name}"${script ? ` data-script="live_${name}.js"` : ''}>` +
+  const html = `<figure class="live${live.asks ? ' asks' : ''} unindexed" id="live_${name}" data-live="${name}"${script ? ` data-script="live_${name}.js"` : ''}>` +
     `<figcaption>${escape(figure.title)}</figcaption>` +
     `<div class="live-picture" role="img" aria-label="${escape(says)}">${still}</div>${absent}</figure>`;
-  return {html, script};
+  return {html, script, card};
 }
 
 /** A link in a sentence that sets knobs, such as "h=0.1&rule=2". */

@@ -16,13 +16,16 @@ function drawing_in(html) {
   return undefined;
 }
 
-/** The first drawing of a page that answers no question of it: behind a gate there may be answers. */
-export function first_drawing(blocks) {
+/**
+ * The first drawing of a page that answers no question of it: behind a gate there may be answers. `cards` has a simpler drawing
+ * of some blocks.
+ */
+export function first_drawing(blocks, cards = new Map()) {
   let gates = 0;
   for (const html of blocks) {
     if (html.startsWith('<div class="gate')) ++gates;
     else if (html === '</div></div>') --gates;
-    else if (gates === 0 && drawing_in(html)) return drawing_in(html);
+    else if (gates === 0 && drawing_in(html)) return cards.get(html) ?? drawing_in(html);
   }
   return undefined;
 }

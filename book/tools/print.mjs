@@ -1,10 +1,10 @@
-// The whole book in one PDF: node print.mjs SETTINGS.json. Chromium prints it twice, the second time with the page
-// numbers that the first one showed.
+// The whole book in one PDF: node print.mjs SETTINGS.json. Chromium prints it three times: to see which chapters leave a few lines for
+// their last sheet, to see on which page each section then lies, and with those numbers.
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
 import {spawnSync} from 'node:child_process';
-import {pages_of_destinations} from './pdf.mjs';
+import {places_of_destinations} from './pdf.mjs';
 import {escape, plain} from './text.mjs';
 
 const settings = JSON.parse(readFileSync(process.argv[2], 'utf8'));
@@ -13,10 +13,13 @@ const order = JSON.parse(readFileSync(join(settings.folder, 'reading_order.json'
   page => page.id !== 'reference',
 );
 
+/** On paper the landing page follows the title page, which has said what it begins with. */
+const at_a_glance = 'At a glance';
+
 /** A page's title and contents; what had an address of its own gets one that is unique in the whole. */
-function part_of({file, id}) {
+function part_of({file, id, further}) {
   const html = readFileSync(join(settings.folder, file), 'utf8');
-  const title = /<h1>([\s\S]*?)<\/h1>/.exec(html)[1];
+  const title = id === 'mainpage' ? at_a_glance : /<h1>([\s\S]*?)<\/h1>/.exec(html)[1];
   const contents = html.slice(
     html.indexOf('<div class="contents">'),
     html.search(/<nav class="neighbours"|<\/main>/),
@@ -30,27 +33,49 @@ function part_of({file, id}) {
       const page = order.find(each => each.file === target);
       return page ? `<a href="#${page.id}${name ? `--${name}` : ''}">${text}</a>` : text;
     });
-  return {id, title, body, sections: [...body.matchAll(/<h2 id="([^"]*)">([\s\S]*?)<a class="anchorlink"/g)]};
+  return {id, title, body, further, sections: [...body.matchAll(/<h2 id="([^"]*)">([\s\S]*?)<a class="anchorlink"/g)]};
 }
 
-/** Above each page stands what it belongs to. */
+/** Above each sheet stands what it belongs to; a chapter's further pages follow its first one on the same sheets. */
 const running_head = ({id, title}) =>
   `@page ${id} { @top-left { content: ${JSON.stringify(plain(title))}; font: 8.5pt sans-serif; color: #444; } }`;
 
-function whole(parts, page_numbers) {
+/** The chapters, each with its further pages. */
+const groups_of = parts => {
+  const groups = [];
+  for (const part of parts) {
+    if (!part.further) groups.push([]);
+    groups.at(-1).push(part);
+  }
+  return groups;
+};
+
+/** Whether less than a tenth of a chapter's last sheet is used, which it then need not have. */
+function ends_in_a_few_lines([{id}], places) {
+  const [begin, end] = [places.get(id), places.get(`${id}--end`)];
+  const [foot, head] = [(24 / 25.4) * 72, ((297 - 22) / 25.4) * 72]; // of print.css
+  return end.page > begin.page && end.height > head - 0.12 * (head - foot);
+}
+
+function whole(groups, page_numbers, tight) {
+  const parts = groups.flat();
   const line = (id, html, kind) =>
-    `<li class="${kind}"><a href="#${id}"><span>${html}</span><span>${page_numbers.get(id) ?? ''}</span></a></li>`;
+    `<li class="${kind}"><a href="#${id}"><span>${html}</span><span>${page_numbers.get(id)?.page ?? ''}</span></a></li>`;
   return `<!DOCTYPE html><html lang="en-GB" class="light-mode"><head><meta charset="utf-8"><title>${escape(settings.book.name)}</title>
 ${['doxygen.css', 'fonts.css', 'katex/katex.min.css', 'book.css', 'contents.css', 'player.css', 'live.css', 'print.css']
   .map(name => `<link rel="stylesheet" href="${name}">`)
   .join('\n')}
-<style>${parts.map(running_head).join('\n')}</style></head><body class="prose whole">
+<style>${parts.filter(part => !part.further).map(running_head).join('\n')}</style></head><body class="prose whole">
 <main><section class="title-page"><h1>${escape(settings.book.name)}</h1><p>${escape(settings.book.brief)}</p>
 <p class="edition">Built on ${escape(date)}, commit ${escape(commit)}</p></section>
 <section class="printed-contents"><h1>Contents</h1><ul>
 ${parts.map(part => line(part.id, part.title, 'page') + part.sections.map(([, id, text]) => line(id, escape(plain(text)), 'section')).join('')).join('\n')}
-</ul></section>
-${parts.map(part => `<section class="page" style="page: ${part.id}"><h1 id="${part.id}">${part.title}</h1>${part.body}</section>`).join('\n')}
+</ul>${groups.map(([{id}]) => `<a class="to-end" href="#${id}--end">&#8203;</a>`).join('')}</section>
+${groups.map(group => {
+  const [{id}] = group;
+  const section = part => `<section class="page${part.further ? ' further' : ''}${tight.has(id) ? ' tight' : ''}" style="page: ${id}"><h1 id="${part.id}">${part.title}</h1>${part.body}`;
+  return `${group.map(section).join('</section>\n')}<span class="end" id="${id}--end">&#8203;</span></section>`;
+}).join('\n')}
 </main></body></html>`;
 }
 
@@ -83,10 +108,13 @@ function print(html, pdf) {
   }
 }
 
-const parts = order.map(part_of),
+const groups = groups_of(order.map(part_of)),
   fresh = join(settings.work, 'tumble.pdf');
 rmSync(fresh, {force: true});
-print(whole(parts, new Map()), fresh);
-print(whole(parts, pages_of_destinations(readFileSync(fresh))), fresh);
+const places = () => places_of_destinations(readFileSync(fresh));
+print(whole(groups, new Map(), new Set()), fresh);
+const tight = new Set(groups.filter(group => ends_in_a_few_lines(group, places())).map(([{id}]) => id));
+if (tight.size) print(whole(groups, new Map(), tight), fresh);
+print(whole(groups, places(), tight), fresh);
 writeFileSync(join(settings.folder, 'tumble.pdf'), readFileSync(fresh));
 rmSync(fresh);

@@ -3,7 +3,7 @@ tumble_live.figures.throw = {
   title: 'What decides how far the ball is off?',
   hint: 'Drag the arrow in the picture to throw the ball differently.',
   knobs: {
-    h: {label: 'Time step h', log: true},
+    h: {label: 'Time step *h*', log: true},
     gravity: {label: 'Gravity', choices: ['as a force, m g', 'as an acceleration, g']},
     mass: {label: 'Mass', log: true},
     forward: {label: 'Initial velocity, forward'},
@@ -42,7 +42,7 @@ tumble_live.figures.throw = {
         picture.plot = plot;
         plot.line(columns.time, columns['half g h t'], palette.bodies[0]);
         plot.points(columns.time, below, palette.bodies[1], 3);
-        plot.legend([['½ g h t', palette.bodies[0]]]);
+        plot.legend([['½ *g h t*', palette.bodies[0]]]);
       },
     },
   ],

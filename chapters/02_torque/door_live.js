@@ -56,7 +56,7 @@
           if (is_open()) {
             plot.line([values.at - 3 * along_x, values.at + 3 * along_x], [-3 * along_y, 3 * along_y], palette.ink, {width: 1, dash: [5, 4]});
             plot.line([0, distance * along_y], [0, -distance * along_x], palette.bodies[2], {width: 3});
-            if (Math.abs(distance) > 0.1) plot.note('d', [(distance * along_y) / 2, (-distance * along_x) / 2], palette.bodies[2]);
+            if (Math.abs(distance) > 0.1) plot.note('*d*', [(distance * along_y) / 2, (-distance * along_x) / 2], palette.bodies[2]);
             draw_turning(painter, plot, torque, palette.bodies[3]);
           }
           if (values.at > 0.02) live.arrow(painter, plot.place([0, 0]), plot.place([values.at, 0]), palette.bodies[0], 3);
@@ -65,7 +65,7 @@
           plot.points([tail[0]], [tail[1]], palette.bodies[1], 5);
           plot.points([0], [0], palette.ink, 5);
           plot.legend([['arm', palette.bodies[0]], ['push', palette.bodies[1]],
-            ...(is_open() ? [['distance d', palette.bodies[2]], ['turns', palette.bodies[3]]] : [])]);
+            ...(is_open() ? [['distance *d*', palette.bodies[2]], ['turns', palette.bodies[3]]] : [])]);
         },
         drag(plot, at, {figure, values}, begins) {
           const [x, y] = plot.value_at(at), reach = per_newton * values.force;
@@ -86,7 +86,7 @@
             {label: 'torque', unit: 'N m', least: -13, most: 13});
           picture.plot = plot;
           const seen = swept(figure, columns, values.angle);
-          if (!is_open()) return;
+          if (!is_open()) return plot.ask();
           const [torque] = columns.torque;
           for (let n = 0; n < columns.angles.length; n += 5) {
             const [x, y] = plot.place([columns.angles[n], columns['force times distance'][n]]);
@@ -95,7 +95,7 @@
           }
           plot.line(columns.angles, columns.torques.map((value, n) => (seen[n] ? value : NaN)), palette.bodies[3]);
           plot.points([values.angle], [torque], palette.bodies[3], 6);
-          plot.legend([['turned so far', palette.bodies[3]], ['force × d', palette.bodies[2]]]);
+          plot.legend([['turned so far', palette.bodies[3]], ['force × *d*', palette.bodies[2]]]);
         },
         drag: (plot, at) => ({angle: Math.round(plot.value_at(at)[0])}),
         key: ([right], {values}) => ({angle: values.angle + 3 * right}),

@@ -26,8 +26,8 @@
         aspect: 1,
         draw(picture, {columns, figure}) {
           const {painter, palette, size} = picture;
-          const plot = new live.Plot(painter, palette, size, {label: 'x', unit: 'm', least: -1.1, most: 1.1},
-            {label: 'y', unit: 'm', least: -1.1, most: 1.1}, {equal: true});
+          const plot = new live.Plot(painter, palette, size, {label: '*x*', unit: 'm', least: -1.1, most: 1.1},
+            {label: '*y*', unit: 'm', least: -1.1, most: 1.1}, {equal: true});
           picture.plot = plot;
           const [cx, cy] = columns.centre;
           const along = (axis, distance) => [cx + distance * columns['axes x'][axis], cy + distance * columns['axes y'][axis]];

@@ -29,7 +29,7 @@
           const {painter, palette, size} = picture;
           const ends = [path(columns, values, -0.15), path(columns, values, 0.18)].flat();
           const x = live.range_of([ends.map(p => p[0]), columns.x, [-0.4, 0.5]]), y = live.range_of([ends.map(p => p[1]), columns.y, [-0.3, 0.3]]);
-          const plot = new live.Plot(painter, palette, size, {label: 'x', unit: 'm', ...x}, {label: 'y', unit: 'm', ...y}, {equal: true});
+          const plot = new live.Plot(painter, palette, size, {label: '*x*', unit: 'm', ...x}, {label: '*y*', unit: 'm', ...y}, {equal: true});
           picture.plot = plot;
           const n = Math.min(columns.time.length - 1, Math.floor(time * 100 + 1e-9));
           const shown = m => {

@@ -17,7 +17,7 @@
       end[n] = 1.4;
       live.arrow(painter, project([0, 0, 0]), project(end), palette.ink, 1);
       const [left, top] = project(player.scaled(end, 1.1));
-      painter.text(letter, left, top, 'center', palette.ink);
+      painter.text(`*${letter}*`, left, top, 'center', palette.ink);
     });
     painter.text(words, 10, 12, 'left', palette.ink);
   };
@@ -26,24 +26,24 @@
     title: 'Two turns in two orders, and a turn of 720°',
     hint: 'Drag a body to see it from elsewhere, or the point along the curves; by keys, with the arrows.',
     knobs: {
-      first: {label: 'Turn about the world’s x'},
-      second: {label: 'Turn about the world’s z'},
+      first: {label: 'Turn about the world’s *x*'},
+      second: {label: 'Turn about the world’s *z*'},
       sign: {label: 'Quaternion of the first', choices: ['q', '−q']},
     },
     panels: [
-      {label: 'A brick turned about x first, then about z.', turns: true, view: {azimuth: 0.7, elevation: 0.5}, draw: draw_body('x then z', 'first about x, then about z')},
-      {label: 'The same brick turned about z first, then about x.', turns: true, view: {azimuth: 0.7, elevation: 0.5}, draw: draw_body('z then x', 'first about z, then about x')},
+      {label: 'A brick turned about x first, then about z.', turns: true, view: {azimuth: 0.7, elevation: 0.5}, draw: draw_body('x then z', 'first about *x*, then about *z*')},
+      {label: 'The same brick turned about z first, then about x.', turns: true, view: {azimuth: 0.7, elevation: 0.5}, draw: draw_body('z then x', 'first about *z*, then about *x*')},
       {
         label: 'Real part and part along x of the first turn’s quaternion against its angle, to 720 degrees.',
         draw(picture, {columns, values}) {
           const {painter, palette, size} = picture;
-          const plot = new live.Plot(painter, palette, size, {label: 'turn about x', unit: '°', least: 0, most: 720},
+          const plot = new live.Plot(painter, palette, size, {label: 'turn about *x*', unit: '°', least: 0, most: 720},
             {label: 'component', unit: '', least: -1.1, most: 1.1});
           picture.plot = plot;
           plot.line(columns.angle, columns.real, palette.bodies[0]);
           plot.line(columns.angle, columns.along, palette.bodies[1]);
           plot.points([values.first, values.first], [columns.one[0], columns.one[1]], palette.ink, 5);
-          plot.legend([['real', palette.bodies[0]], ['along x', palette.bodies[1]]]);
+          plot.legend([['real', palette.bodies[0]], ['along *x*', palette.bodies[1]]]);
         },
         drag: (plot, at) => ({first: plot.value_at(at)[0]}),
         key: ([right], {values}) => ({first: values.first + 5 * right}),

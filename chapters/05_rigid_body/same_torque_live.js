@@ -8,9 +8,9 @@
     title: 'About which axis does the same torque turn the satellite?',
     hint: 'Drag the satellite to see it from elsewhere, or the point along the curves; by keys, with the arrows.',
     knobs: {
-      'about x': {label: 'The body is rolled about x'},
-      'about z': {label: 'and then turned about z'},
-      direction: {label: 'Torque, from x towards z'},
+      'about x': {label: 'The body is rolled about *x*'},
+      'about z': {label: 'and then turned about *z*'},
+      direction: {label: 'Torque, from *x* towards *z*'},
       frame: {label: 'The torque’s numbers are used as', choices: ['the world’s, as they are', 'the body’s, a mistake']},
     },
     panels: [
@@ -29,16 +29,16 @@
             painter.text(words, end[0] + 6, end[1] - 8, 'left', colour);
           };
           mark([...columns.torque], 1.9, 'torque', palette.ink);
-          if (values.frame === 1) mark([...columns.right], 3.2, 'ω, right', palette.bodies[0], true);
-          mark([...columns.omega], 3.2, 'ω', palette.bodies[1]);
+          if (values.frame === 1) mark([...columns.right], 3.2, '*ω*, right', palette.bodies[0], true);
+          mark([...columns.omega], 3.2, '*ω*', palette.bodies[1]);
         },
       },
       {
         label: 'Angular velocity along the torque against how far the body is rolled, by the right way and by the mistake.',
         draw(picture, {columns, values}) {
           const {painter, palette, size} = picture;
-          const plot = new live.Plot(painter, palette, size, {label: 'rolled about x', unit: '°', least: -180, most: 180},
-            {label: 'ω along the torque', unit: 'rad/s', ...live.range_of([columns['right along'], columns['wrong along'], [0]])});
+          const plot = new live.Plot(painter, palette, size, {label: 'rolled about *x*', unit: '°', least: -180, most: 180},
+            {label: '*ω* along the torque', unit: 'rad/s', ...live.range_of([columns['right along'], columns['wrong along'], [0]])});
           picture.plot = plot;
           plot.line(columns.rolled, columns['right along'], palette.bodies[0]);
           plot.line(columns.rolled, columns['wrong along'], palette.bodies[1], {dash: [6, 4]});

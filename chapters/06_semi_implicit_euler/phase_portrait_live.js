@@ -10,13 +10,14 @@
     hint: 'Drag in the plane to start the weight elsewhere.',
     knobs: {
       rule: {label: 'Rule', choices: rules},
-      h: {label: 'Time step h', log: true},
-      w: {label: 'Angular frequency ω'},
+      h: {label: 'Time step *h*', log: true},
+      w: {label: 'Angular frequency *ω*'},
       x: {label: 'Initial position'},
       v: {label: 'Initial velocity'},
     },
     duration: ({columns}) => Math.min(12, columns.time.at(-1)),
     still_time: 12,
+    card: {is_told: true}, // whose sentence tells it as well
     panels: [
       {
         label: 'Velocity v against ωx: the exact circle, the curve that the rule keeps if it keeps one, and the stepped weight.',
@@ -27,8 +28,8 @@
           // What runs away is followed for a while.
           const drawn = is_open() ? ['scaled place', 'velocity', 'curve scaled place', 'curve velocity'] : [];
           const reach = 1.2 * Math.min(4 * round, Math.max(round, ...drawn.map(name => largest(columns[name]))));
-          const plot = new live.Plot(painter, palette, size, {label: 'ωx', unit: 'm/s', least: -reach, most: reach},
-            {label: 'v', unit: 'm/s', least: -reach, most: reach}, {equal: true});
+          const plot = new live.Plot(painter, palette, size, {label: '*ωx*', unit: 'm/s', least: -reach, most: reach},
+            {label: '*v*', unit: 'm/s', least: -reach, most: reach}, {equal: true});
           picture.plot = plot;
           plot.line(columns['exact scaled place'], columns['exact velocity'], palette.bodies[0]);
           if (is_open()) plot.line(columns['curve scaled place'], columns['curve velocity'], palette.bodies[2], {dash: [6, 4]});
@@ -58,6 +59,7 @@
             {label: 'energy', unit: 'relative', least: 10 ** Math.floor(Math.log10(least)), most: 10 ** Math.ceil(Math.log10(most)), log: true});
           picture.plot = plot;
           plot.line([0, last], [1, 1], palette.bodies[0]);
+          if (!is_open()) return plot.ask();
           plot.line(steps.subarray(0, energies.length), energies, palette.bodies[1]);
           plot.legend([['exact', palette.bodies[0]], [rules[values.rule], palette.bodies[1]]]);
         },

@@ -11,16 +11,17 @@
     title: 'How far does a step turn, and about which axis?',
     hint: 'Drag along the curve, or turn the globe.',
     knobs: {
-      asked: {label: 'Turn asked for, ωh'},
+      asked: {label: 'Turn asked for, *ωh*'},
       rule: {label: 'Rule', choices: rules},
       side: {label: 'The turn is multiplied', choices: sides},
     },
+    card: {panel: 1},
     panels: [
       {
         label: 'Angle turned in one step against the angle asked for: the exponential as the diagonal, the first-order rule as a curve that bends over.',
         draw(picture, {columns, values}) {
           const {painter, palette, size} = picture;
-          const plot = new live.Plot(painter, palette, size, {label: 'asked, ωh', unit: 'rad', least: 0, most: 6.3},
+          const plot = new live.Plot(painter, palette, size, {label: 'asked, *ωh*', unit: 'rad', least: 0, most: 6.3},
             {label: 'turned', unit: 'rad', least: 0, most: 6.3}, {equal: true});
           picture.plot = plot;
           plot.line([0, 6.3], [0, 6.3], palette.bodies[0]);
@@ -54,7 +55,7 @@
           for (let n = 0; n < 90; ++n)
             painter.line([place(circle[n]), place(circle[n + 1])], palette.bodies[0], 1.5, player.dot(circle[n], back) < 0 ? 0.35 : 1);
           live.arrow(painter, place([0, 0, 0]), place([0, 0, 1.35]), palette.ink);
-          painter.text('ω', place([0, 0, 1.35])[0] + 10, place([0, 0, 1.35])[1], 'left', palette.ink);
+          painter.text('*ω*', place([0, 0, 1.35])[0] + 10, place([0, 0, 1.35])[1], 'left', palette.ink);
           const noses = Array.from(columns['nose x'], (x, n) => [x, columns['nose y'][n], columns['nose z'][n]]);
           noses.forEach((nose, n) => {
             const behind = player.dot(nose, back) < 0;

@@ -33,8 +33,8 @@
       live.arrow(painter, project([0, 0, 0]), end, colour);
       painter.text(words, end[0] + 8, end[1] + beside, 'left', colour);
     };
-    mark(point(columns, 'L', n), 'L', palette.ink, 9);
-    mark(point(columns, 'omega', n), 'ω', palette.bodies[1], -9);
+    mark(point(columns, 'L', n), '*L*', palette.ink, 9);
+    mark(point(columns, 'omega', n), '*ω*', palette.bodies[1], -9);
     painter.text('in world axes', 10, 12, 'left', palette.ink);
   }
 
@@ -82,7 +82,7 @@
     }
     painter.text('in body axes', 10, 12, 'left', palette.ink);
     painter.text('energy curve', 10, size.height - 28, 'left', palette.bodies[0]);
-    painter.text('tip of L', 10, size.height - 12, 'left', palette.bodies[1]);
+    painter.text('tip of *L*', 10, size.height - 12, 'left', palette.bodies[1]);
   }
 
   function draw_constants(picture, state) {
@@ -96,7 +96,7 @@
     plot.line(columns.time, columns.energy, palette.bodies[1]);
     const n = step_at(state);
     plot.points([columns.time[n]], [columns.energy[n]], palette.bodies[1], 4);
-    plot.legend([['|L|', palette.bodies[2], [6, 4]], ['energy', palette.bodies[1]]]);
+    plot.legend([['|*L*|', palette.bodies[2], [6, 4]], ['energy', palette.bodies[1]]]);
   }
 
   live.figures.energy_sphere = {
@@ -104,7 +104,7 @@
     hint: 'Drag the body or the sphere to turn it; by keys, with the arrows.',
     knobs: {
       rule: {label: 'Rule', choices: rules},
-      h: {label: 'Time step h', log: true},
+      h: {label: 'Time step *h*', log: true},
       wobble: {label: 'Wobble, as a fraction of the spin', log: true},
       about: {label: 'Spin of 10 rad/s about', choices: axis_names},
       middle: {label: 'Middle moment'},
@@ -126,7 +126,7 @@
       if (values.rule === 0)
         return 'The tip of L stands still in the body, so the body turns steadily and never flips. In the world L goes round with it, ' +
           'which no torque asked for.';
-      const books = `After 12 s ${kept(momentum, '|L|')}, ` +
+      const books = `After 12 s ${kept(momentum, '|*L*|')}, ` +
         (most_off < 1e-9 ? 'and so is the energy. ' : `and the energy, off by ${with_unit(100 * most_off, '%', 2)} at most, ` +
           `${Math.abs(energy - 1) < 0.3 * most_off ? 'has come back' : `ends at ${shown(energy, 4)} of what it was`}. `);
       const flips = columns.flips;

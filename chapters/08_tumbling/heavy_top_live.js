@@ -44,7 +44,7 @@
       spin: {label: 'Spin'},
       tilt: {label: 'Tilt at which it is let go'},
       rule: {label: 'Rule', choices: rules},
-      h: {label: 'Time step h', log: true},
+      h: {label: 'Time step *h*', log: true},
     },
     duration: () => 2,
     still_time: 1,

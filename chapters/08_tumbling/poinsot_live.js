@@ -58,7 +58,7 @@
     if (is_below) draw_plane();
     const contact = place(point(columns, 'world', n)), centre = place([0, 0, 0]);
     live.arrow(painter, centre, contact, palette.ink, 2);
-    painter.text('ω', contact[0] + 9, contact[1] + 9, 'left', palette.ink);
+    painter.text('*ω*', contact[0] + 9, contact[1] + 9, 'left', palette.ink);
     painter.disc(...contact.slice(0, 2), 4, palette.bodies[1]);
     painter.text('polhode', 10, 12, 'left', palette.bodies[2]);
     painter.text('herpolhode', 10, 28, 'left', palette.bodies[1]);
@@ -68,7 +68,7 @@
     const {painter, palette, size} = picture;
     const {columns} = state;
     const n = step_at(state), reach = 1.1 * columns.circles[1];
-    const plot = new live.Plot(painter, palette, size, {label: 'ω in the plane', unit: 'rad/s', least: -reach, most: reach},
+    const plot = new live.Plot(painter, palette, size, {label: '*ω* in the plane', unit: 'rad/s', least: -reach, most: reach},
       {label: 'perpendicular to that', unit: 'rad/s', least: -reach, most: reach}, {equal: true});
     picture.plot = plot;
     for (const radius of columns.circles) {
@@ -84,7 +84,7 @@
     title: 'A free body moves as its ellipsoid rolls on a plane',
     hint: 'Drag the ellipsoid to see it from elsewhere; by keys, with the arrows.',
     knobs: {
-      height: {label: 'Distance of the plane, 2E/|L|'},
+      height: {label: 'Distance of the plane, 2*E*/|*L*|'},
       middle: {label: 'Middle moment'},
     },
     duration: () => 12,

@@ -1,24 +1,25 @@
 // How damping is drawn, and what there is to find.
 (() => {
   const live = tumble_live;
-  const forms = ['exp(−k h)', '1 − k h', '1/(1 + k h)', 'the same part in every step'];
+  const forms = ['exp(−*k h*)', '1 − *k h*', '1/(1 + *k h*)', 'the same part in every step'];
 
   live.figures.damping = {
     title: 'Which form turns the puck round, and which one speeds it up?',
     hint: 'Drag in the first picture to choose k h by the step.',
     knobs: {
       form: {label: 'What a step leaves', choices: forms},
-      rate: {label: 'Damping rate k', log: true},
-      h: {label: 'Time step h', log: true},
+      rate: {label: 'Damping rate *k*', log: true},
+      h: {label: 'Time step *h*', log: true},
     },
+    card: {panel: 1},
     panels: [
       {
         label: 'What a step leaves of a speed against k h: the exponential, the linear form and the fractional one, with the chosen point.',
         aspect: 1.25,
         draw(picture, {columns, values}) {
           const {painter, palette, size} = picture;
-          const plot = new live.Plot(painter, palette, size, {label: 'k h', unit: '', least: 0, most: 3},
-            {label: 'left after a step', unit: '', least: -1.5, most: 1.05});
+          const plot = new live.Plot(painter, palette, size, {label: '*k h*', unit: '', least: 0, most: 3},
+            {label: 'part left', unit: '', least: -1.5, most: 1.05});
           picture.plot = plot;
           plot.line([0, 3], [0, 0], palette.ink, {width: 1});
           plot.line([0, 3], [-1, -1], palette.ink, {width: 1, dash: [4, 4]});

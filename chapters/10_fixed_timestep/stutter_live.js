@@ -46,7 +46,7 @@
           const {painter, palette, size} = picture, {columns} = state;
           const plot = new live.Plot(painter, palette, size, {label: 'time', unit: 's', least: 0, most: 0.25}, {label: 'position', unit: 'cm', least: 0, most});
           picture.plot = plot;
-          if (!is_open()) return;
+          if (!is_open()) return plot.ask();
           const count = drawn(state);
           ['last state', 'between two'].forEach((name, n) => {
             const colour = palette.bodies[n ? 0 : 1];

@@ -6,10 +6,10 @@
     title: 'Where springs feed on a spin',
     hint: 'Drag in the map to choose a step.',
     knobs: {
-      angle: {label: 'Nutation in a step θ'},
-      kappa: {label: 'Stiffness h² k'},
+      angle: {label: 'Nutation in a step *θ*'},
+      kappa: {label: 'Stiffness *h*² *k*'},
       other: {label: 'In the other direction, times'},
-      damping: {label: 'Damping h c'},
+      damping: {label: 'Damping *h c*'},
     },
     panels: [
       {
@@ -17,7 +17,7 @@
         draw(picture, {columns, values}) {
           const {painter, palette, size} = picture;
           const plot = new live.Plot(painter, palette, size, {label: 'nutation in a step', unit: 'rad', least: 0, most: 13},
-            {label: 'h² k', unit: '', least: 0, most: 4.2});
+            {label: '*h*² *k*', unit: '', least: 0, most: 4.2});
           picture.plot = plot;
           plot.line(columns['band angle'], columns['band kappa'], palette.bodies[1], {width: plot.box.height / 42, opacity: 0.55});
           plot.line(columns['bound angle'], columns['bound kappa'], palette.bodies[0], {width: 2.5});

@@ -82,7 +82,7 @@
     knobs: {
       width: {label: 'Bodies in a pack', choices: widths.map(String)},
       order: {label: 'Order of the balls', choices: orders},
-      ground: {label: 'Stiffness of the ground (ω)'},
+      ground: {label: 'Stiffness of the ground (*ω*)'},
       branch: {label: 'Cost of the branch, the rest = 1', log: true},
     },
     duration: ({columns}) => columns.time.at(-1),

@@ -32,7 +32,7 @@
       const {time: times, kinetic, stored} = columns;
       const sum = live.once(columns, 'sum', () => kinetic.map((value, n) => value + stored[n]));
       const range = live.once(columns, 'range', () => live.range_of([kinetic, stored, sum], {smallest: 1e-12}));
-      const plot = new live.Plot(painter, palette, size, {label: 't', unit: 's', least: 0, most: times.at(-1)}, {label: 'E', unit: 'J', ...range});
+      const plot = new live.Plot(painter, palette, size, {label: '*t*', unit: 's', least: 0, most: times.at(-1)}, {label: '*E*', unit: 'J', ...range});
       plot.line([time, time], [range.least, range.most], palette.grid, {width: 2});
       [[kinetic, 0, []], [stored, 1, [6, 3]], [sum, 2, [2, 2]]].forEach(([values, n, dash]) =>
         plot.line(times, values, palette.bodies[n], {width: 1.8, dash}));

@@ -235,3 +235,57 @@ test('Out of sight nothing moves, and a reader who wants little motion begins at
   assert.equal(await ask(figure, 'live.time'), time);
   await page.context().close();
 });
+
+test('On a phone the first picture stays in view while one turns the knobs below it, hides none that has the focus, and goes with its figure.', async () => {
+  for (const name of figures.filter(each => each !== 'scene')) {
+    const {page, figure} = await open_figure(name, {viewport: {width: 390, height: 700}});
+    const header = await page.locator('#sidebar').evaluate(element => element.getBoundingClientRect().bottom);
+    const picture = () => figure.locator('canvas').first().evaluate(canvas => { const {top, bottom} = canvas.getBoundingClientRect(); return {top, bottom}; });
+    const knobs = figure.locator('.live-knob :is(input, select)');
+    for (const n of [await knobs.count() - 1, 0]) {
+      await knobs.nth(n).focus();
+      const {top, bottom} = await picture(), knob = await knobs.nth(n).boundingBox();
+      assert.ok(top >= header && bottom < 0.55 * 700, `${name}: the picture reaches from ${top} to ${bottom}`);
+      assert.ok(knob.y >= bottom && knob.y + knob.height < 701, `${name}: knob ${n} at ${knob.y} beside a picture down to ${bottom}`);
+    }
+    const beyond = await figure.evaluate(element => {
+      scrollTo(0, scrollY + element.getBoundingClientRect().bottom - 100);
+      return element.querySelector('canvas').getBoundingClientRect().bottom - element.getBoundingClientRect().bottom;
+    });
+    assert.ok(beyond < 1, `${name}: the picture ends with its figure, ${beyond} px beyond it`);
+    await page.context().close();
+  }
+});
+
+test('A symbol stands in italics beside its knob and in the picture, and bare in a list of choices.', async () => {
+  const {page, figure} = await open_figure('damping');
+  assert.deepEqual(await figure.locator('.live-knob label i').allTextContents(), ['k', 'h']);
+  assert.equal(await figure.locator('.live-knob option').first().textContent(), 'exp(−k h)');
+  const still = await figure.locator('svg.live-still tspan[font-style="italic"]').allTextContents();
+  assert.deepEqual([...new Set(still)], ['k h']);
+  assert.doesNotMatch(await figure.locator('svg.live-still').textContent(), /\*/);
+  await page.context().close();
+});
+
+test('Where a panel waits for an answer, it says so, and the still picture on paper shows what it waits for.', async () => {
+  for (const name of ['door', 'phase_portrait', 'stutter']) {
+    const {page, figure} = await open_figure(name, {gates: 'shut'});
+    const written = () => figure.evaluate(element => {
+      const words = [], {live} = element;
+      for (const {painter} of live.panels) painter.text = text => words.push(text);
+      live.draw();
+      return words;
+    });
+    assert.ok((await written()).includes('answer first'), name);
+    assert.doesNotMatch(await figure.locator('svg.live-still').textContent(), /answer first/);
+    await page.context().close();
+    const answered = await open_figure(name);
+    assert.ok(!(await answered.figure.evaluate(element => {
+      const words = [];
+      for (const {painter} of element.live.panels) painter.text = text => words.push(text);
+      element.live.draw();
+      return words;
+    })).includes('answer first'), name);
+    await answered.page.context().close();
+  }
+});
