@@ -6,6 +6,7 @@ with the same bits.
     everywhere.py BUILD --no-rows  the same without writing
     everywhere.py BUILD --quick    a few compilers, no scenes, and no row
     everywhere.py BUILD WORD...    those whose name holds a word, such as ARM64; their rows alone are written anew
+    everywhere.py BUILD --scenes   the scenes alone; what else a row says stays as it was
 
 BUILD is a folder for what is compiled. A machine of another kind is played by qemu-user, WebAssembly by node."""
 import os
@@ -38,8 +39,8 @@ class Target:
     flags: list
     runner: list = field(default_factory=list)
     needs: list = field(default_factory=list)  # other programs, and headers in the system's folders
-    more: list = field(default_factory=list)   # sources
-    with_scenes: bool = False
+    more: list = field(default_factory=list)   # sources and libraries
+    with_scenes: bool = True
     is_quick: bool = False
     is_known: bool = False  # that it rounds otherwise, and the page says so
 
@@ -60,10 +61,12 @@ def x86_targets():
     for compiler in ("g++", "clang++"):
         gcc = ["-fno-tree-slp-vectorize"] if compiler == "g++" else []
         for level in ("-O0", "-O1", "-O2", "-O3"):
-            yield Target(machine, compiler, [level, *gcc], with_scenes=level == "-O3",
+            yield Target(machine, compiler, [level, *gcc],
                          is_quick=(compiler, level) in {("g++", "-O0"), ("clang++", "-O3")})
         for width in widths:
-            yield Target(machine, compiler, ["-O3", *width, *gcc], is_quick=compiler == "clang++" and width is widths[-1])
+            # Clang 14 breaks off over the program of the scenes with AVX-512: "cannot select PCMPEQ".
+            yield Target(machine, compiler, ["-O3", *width, *gcc], with_scenes=compiler == "g++" or width is widths[0],
+                         is_quick=compiler == "clang++" and width is widths[-1])
     yield Target(machine, "clang++", ["-O2", "-stdlib=libc++"], is_quick=False)
     yield Target("x86, 32 bits", "i686-linux-gnu-g++", ["-O2", "-msse2", "-mfpmath=sse", "-fno-tree-slp-vectorize", "-static"])
 
@@ -73,11 +76,12 @@ def targets():
         yield from x86_targets()
     for machine, name in (("ARM64", "aarch64"), ("RISC-V", "riscv64"), ("s390x, big-endian", "s390x")):
         yield Target(machine, f"{name}-linux-gnu-g++", ["-O2", "-fno-tree-slp-vectorize", "-static"],
-                     runner=[f"qemu-{name}"], with_scenes=name == "aarch64")
+                     runner=[f"qemu-{name}"], more=["-latomic"] if name == "riscv64" else [])  # which swaps no byte by itself
+    # WebAssembly's library has no files and no threads, which the program of the scenes needs.
     for vectors in ([], ["-msimd128", "-fno-vectorize", "-fno-slp-vectorize"], ["-msimd128"]):
         yield Target("WebAssembly", "clang++", ["--target=wasm32-wasi", "-O2", "-fexceptions", *vectors],
                      runner=["node", "--no-warnings", str(here / "run_wasm.mjs")], needs=["/usr/include/wasm32-wasi"],
-                     more=[here / "no_exceptions.cpp"], is_quick=not vectors,
+                     more=[here / "no_exceptions.cpp"], with_scenes=False, is_quick=not vectors,
                      is_known=vectors == ["-msimd128"])
 
 
@@ -134,7 +138,12 @@ def tried(target, build, known, kinds):
     folder = build / "".join(c if c.isalnum() else "_" for c in target.name)
     for kind in programs:
         wanted = {key: digest for key, digest in known.items() if kind_of(key[0]) == kind}
-        if kind not in kinds or (kind == "scenes" and not target.with_scenes):
+        if kind not in kinds:
+            cell, rules = kept(target).get(kind, ("not run", []))
+            cells.append(cell)
+            others += rules
+            continue
+        if kind == "scenes" and not target.with_scenes:
             cells.append("not run")
             continue
         found = digests(target, folder, kind)
@@ -155,11 +164,26 @@ def label(target):
     return [target.machine, version_of(target), " ".join(flags)]
 
 
+table = here / "tried.tsv"
+columns = ["machine", "compiler", "flags", "turning rules", "exact solutions", "scenes", "rules and scenes that differ"]
+
+
+def kept_rows():
+    return [line.split("\t") for line in table.read_text().splitlines()[1:]] if table.exists() else []
+
+
+def kept(target):
+    """What the table's row of this target says, by kind: the digests that are the same, and the rules that are not."""
+    row = next((row for row in kept_rows() if row[:3] == label(target)), None)
+    if row is None:
+        return {}
+    rules = [what for what in row[6].split("; ") if what != "none" and not what.startswith("scene")]
+    return {kind: (cell, rules if kind == "rungs" else []) for kind, cell in zip(programs, row[3:6])}
+
+
 def keep(row):
     """Writes the row into the table, in the place of an older one of the same compiler and flags."""
-    table = here / "tried.tsv"
-    columns = ["machine", "compiler", "flags", "turning rules", "exact solutions", "scenes", "rules and scenes that differ"]
-    rows = [line.split("\t") for line in table.read_text().splitlines()[1:]] if table.exists() else []
+    rows = kept_rows()
     if row[:3] in [old[:3] for old in rows]:
         rows = [row if old[:3] == row[:3] else old for old in rows]
     else:
@@ -174,7 +198,7 @@ def main():
     writes = not quick and "--no-rows" not in sys.argv[2:]
     asked = [word for word in sys.argv[2:] if not word.startswith("--")]
     known = known_digests()
-    kinds = [kind for kind in programs if not (quick and kind == "scenes")]
+    kinds = ["scenes"] if "--scenes" in sys.argv[2:] else [kind for kind in programs if not (quick and kind == "scenes")]
     chosen = [target for target in targets() if (target.is_quick or not quick)
               and (not asked or any(word in target.name for word in asked))]
     here_now = [target for target in chosen if target.is_here()]
