@@ -55,22 +55,17 @@
     }
   }
 
-  /** The figure's panels, up to three in a row, at the time that it names. */
+  /** The figure's panels at the time that it names, side by side where there is room as the live ones are. */
   function still_of(figure, run, palette) {
     const state = live.state_of(figure, run, figure.still_time ?? 0);
     const pictures = figure.panels.map(panel => {
-      const width = figure.panels.length === 1 ? 600 : 330;
-      const size = {width, height: Math.round(width / (panel.aspect ?? 1))};
+      const aspect = panel.aspect ?? 1;
+      const width = figure.panels.length === 1 ? 600 : 330, height = Math.round(width / aspect);
       const painter = new SvgPainter(palette);
-      panel.draw({painter, palette, size, view: {...panel.view}}, state);
-      return {...size, svg: painter.svg};
+      panel.draw({painter, palette, size: {width, height}, view: {...panel.view}}, state);
+      return `<svg viewBox="0 0 ${width} ${height}" style="--aspect: ${aspect}">${painter.svg}</svg>`;
     });
-    const [across, down] = ['width', 'height'].map(side => Math.max(...pictures.map(picture => picture[side])) + 15);
-    const columns = pictures.length === 4 ? 2 : pictures.length;
-    const cells = pictures.map(({width, height, svg}, n) =>
-      `<svg x="${(n % columns) * across}" y="${Math.floor(n / columns) * down}" width="${width}" height="${height}">${svg}</svg>`);
-    return `<svg class="live-still" viewBox="0 0 ${columns * across - 15} ${Math.ceil(pictures.length / columns) * down - 15}" ` +
-      `style="--width: ${columns * across}">${cells.join('')}</svg>`;
+    return `<div class="live-still">${pictures.join('')}</div>`;
   }
 
   /** What a figure draws from: the columns, the words, the knobs' values by name, and the time shown, s. */
