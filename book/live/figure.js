@@ -93,7 +93,7 @@
       this.first_view = {...view};
       this.view = {...this.first_view};
       this.canvas = make('canvas', {}, {role: 'img', 'aria-label': this.label});
-      this.canvas.style.aspectRatio = String(this.aspect ?? 1);
+      this.canvas.style.setProperty('--aspect', String(this.aspect ?? 1));
       this.painter = new player.CanvasPainter(this.canvas);
       if (this.turns || this.drag || this.press) this.#listen(figure);
     }

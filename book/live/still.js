@@ -58,27 +58,23 @@
   }
 
   /**
-   * The figure's panels, up to three in a row, at the time that it names, with what its questions ask for: paper asks nobody.
-   * `of_card`: the one panel that stands for it on a card, small and silent, where no question is answered unless the figure says so.
+   * The figure's panels at the time that it names, side by side where there is room as the live ones are, with what its questions ask
+   * for: paper asks nobody. `of_card`: the one panel that stands for it on a card, small and silent, where no question is answered
+   * unless the figure says so.
    */
   function still_of(figure, run, palette, {of_card = false} = {}) {
     const state = live.state_of(figure, run, figure.still_time ?? 0);
     const shown = of_card ? [figure.panels[figure.card?.panel ?? 0]] : figure.panels;
     live.is_told = of_card ? figure.card?.is_told ?? false : true;
     const pictures = shown.map(panel => {
-      const width = of_card ? 300 : figure.panels.length === 1 ? 600 : 330;
-      const size = {width, height: Math.round(of_card ? width / 1.7 : width / (panel.aspect ?? 1))};
+      const aspect = of_card ? 1.7 : panel.aspect ?? 1;
+      const width = of_card ? 300 : figure.panels.length === 1 ? 600 : 330, height = Math.round(width / aspect);
       const painter = Object.assign(new SvgPainter(palette), {is_silent: of_card});
-      panel.draw({painter, palette, size, view: {...panel.view}}, state);
-      return {...size, svg: painter.svg};
+      panel.draw({painter, palette, size: {width, height}, view: {...panel.view}}, state);
+      return `<svg viewBox="0 0 ${width} ${height}" style="--aspect: ${aspect}">${painter.svg}</svg>`;
     });
     delete live.is_told;
-    const [across, down] = ['width', 'height'].map(side => Math.max(...pictures.map(picture => picture[side])) + 15);
-    const columns = pictures.length === 4 ? 2 : pictures.length;
-    const cells = pictures.map(({width, height, svg}, n) =>
-      `<svg x="${(n % columns) * across}" y="${Math.floor(n / columns) * down}" width="${width}" height="${height}">${svg}</svg>`);
-    return `<svg class="live-still" viewBox="0 0 ${columns * across - 15} ${Math.ceil(pictures.length / columns) * down - 15}" ` +
-      `style="--width: ${columns * across}">${cells.join('')}</svg>`;
+    return of_card ? pictures[0] : `<div class="live-still">${pictures.join('')}</div>`;
   }
 
   /** What a figure draws from: the columns, the words, the knobs' values by name, and the time shown, s. */

@@ -45,19 +45,16 @@
     (code.closest('figure') ?? code.parentElement).append(button);
   }
 
-  // What scrolls in its own box must scroll by keyboard too, and only that costs a stop of the Tab key. A picture has its name already.
-  const boxes = document.querySelectorAll('.scroll, .fragment, pre, .live-picture');
+  // What scrolls in its own box must scroll by keyboard too, and only that costs a stop of the Tab key.
+  const boxes = document.querySelectorAll('.scroll, .fragment, pre');
   const mark_scrolling = () => {
     for (const box of boxes) {
-      const is_named = box.matches('.live-picture');
       if (box.scrollWidth > box.clientWidth + 1) {
         box.tabIndex = 0;
-        if (is_named) continue;
         box.setAttribute('role', 'region');
         box.setAttribute('aria-label', 'Scrolls sideways');
       } else if (box.tabIndex === 0) {
         box.removeAttribute('tabindex');
-        if (is_named) continue;
         box.removeAttribute('role');
         box.removeAttribute('aria-label');
       }

@@ -49,6 +49,40 @@ void draw(support::Table& poses, int number, const Quaterniond& book, double rig
   poses.row("head", x + right, y, dx, dy);
 }
 
+/// A vector, its parts along the axis of a turn and across it, and what becomes of each.
+void draw_parts(support::Table& parts) {
+  const Vec3d n(0, 0, 1), v(1.0, -0.2, 0.95);
+  const Quaterniond q = quaternion_about(n, 115 * std::numbers::pi / 180);
+  const Vec3d along = v.dot(n) * n, across = v - along;
+  const Vec3d turned = rotate(q, v), turned_across = rotate(q, across);
+  support::expect((rotate(q, along) - along).norm() == 0, "what lies along the axis stays");
+  support::expect((turned - (along + turned_across)).norm() < 1e-15, "the parts make the whole");
+  const auto row = [&](const char* kind, const Vec3d& from, const Vec3d& to) {
+    const auto [x, y] = support::on_page(from);
+    const auto [dx, dy] = support::on_page(to - from);
+    parts.row(kind, x, y, dx, dy);
+  };
+  const Vec3d origin = Vec3d::Zero();
+  row("axis", origin, 1.75 * n);
+  row("along", origin, along);
+  row("v", origin, v);
+  row("across", along, v);
+  row("turned", origin, turned);
+  row("turned across", along, turned);
+  const int points = 72;
+  for (int point = 0; point <= points; ++point) {
+    const Quaterniond part = quaternion_about(n, 2 * std::numbers::pi * point / points);
+    const Vec3d at = along + rotate(part, across);
+    row("circle", at, at);
+  }
+  for (int point = 0; point <= points; ++point) {
+    const Quaterniond part =
+        quaternion_of_rotation_vector(Vec3d(rotation_vector_of(q) * (double(point) / points)));
+    const Vec3d at = along + 0.45 * rotate(part, across);
+    row("angle", at, at);
+  }
+}
+
 }  // namespace
 
 int main(int argument_count, char** arguments) {
@@ -71,6 +105,9 @@ int main(int argument_count, char** arguments) {
   support::Table poses = notebook.table("poses", {"kind", "x", "y", "dx", "dy"});
   const std::array drawn{lying, about_x, about_z * about_x, about_z, about_x * about_z};
   for (int n = 0; n < 5; ++n) draw(poses, n, drawn[static_cast<std::size_t>(n)], 3.4 * n);
+
+  support::Table parts = notebook.table("parts", {"kind", "x", "y", "dx", "dy"});
+  draw_parts(parts);
 
   const Quaterniond both = about_z * about_x;
   const Vec3d axis = rotation_vector_of(both).normalized();

@@ -26,7 +26,7 @@ struct Axis {
 }  // namespace
 
 void tumble::support::run_live(Live& live) {
-  const double spin = live.knob("spin", "rad/s", 200, 0, 400);
+  const double spin = live.knob("spin", "rad/s", 200, -400, 400);
   const double tilt = live.knob("tilt", "rad", 1.047, 0.01, 2.6);
   const auto rule = static_cast<std::size_t>(live.choice("rule", 6, 7));
   const double h = live.knob("h", "s", 1.0 / 480, 1.0 / 2000, 1.0 / 60);
@@ -42,7 +42,7 @@ void tumble::support::run_live(Live& live) {
   live.column("lowest cosine", "")
       .push_back((2 * a * cosine - 1) / (a + std::sqrt((a - cosine) * (a - cosine) + sine * sine)));
   live.column("slow", "rad/s")
-      .push_back(ratio * ratio >= cosine && spin > 0
+      .push_back(ratio * ratio >= cosine && spin != 0
                      ? steady_precessions(gyroscope, cosine, spin).first
                      : NAN);
 

@@ -82,7 +82,7 @@
         : 'It is too slow for its axis to go round steadily. ';
       const sinks = `It sinks to ${with_unit(most, 'rad')}, and on paper to ${with_unit(lowest, 'rad')}.`;
       const upright = values.tilt < 0.1
-        ? ` On paper it stands upright from ${with_unit(sleeps, 'rad/s')} on, so that this one ${values.spin >= sleeps ? 'sleeps' : 'falls'}.` : '';
+        ? ` On paper it stands upright from ${with_unit(sleeps, 'rad/s')} on, so that this one ${Math.abs(values.spin) >= sleeps ? 'sleeps' : 'falls'}.` : '';
       return round + sinks + upright;
     },
   };

@@ -109,7 +109,7 @@ for (const name of figures) {
     await page.goto(address(page_of(name)) + link.slice(link.indexOf('#')));
     await page.waitForFunction(([id, wanted]) => JSON.stringify(document.getElementById(id).live?.values) === wanted, [`live_${name}`, values]);
     await page.emulateMedia({media: 'print'});
-    assert.ok(await figure.locator('svg.live-still').isVisible());
+    assert.ok(await figure.locator('div.live-still').isVisible());
     assert.equal(await figure.locator('canvas').first().isVisible(), false);
     assert.deepEqual(page.complaints, []);
     await page.context().close();
@@ -127,7 +127,7 @@ for (const name of figures) {
   test(`${name}: without scripts there is a still picture, and the prediction folds its answer.`, async () => {
     const page = await open_page(browser, {javaScriptEnabled: false});
     await page.goto(address(page_of(name)));
-    assert.ok(await page.locator(`#live_${name} svg.live-still`).isVisible());
+    assert.ok(await page.locator(`#live_${name} div.live-still`).isVisible());
     const fold = page.locator(`form[data-prediction="${name}"] details`);
     assert.equal(await fold.locator('p').isVisible(), false);
     await fold.locator('summary').click();
