@@ -261,9 +261,9 @@ test('A symbol stands in italics beside its knob and in the picture, and bare in
   const {page, figure} = await open_figure('damping');
   assert.deepEqual(await figure.locator('.live-knob label i').allTextContents(), ['k', 'h']);
   assert.equal(await figure.locator('.live-knob option').first().textContent(), 'exp(−k h)');
-  const still = await figure.locator('svg.live-still tspan[font-style="italic"]').allTextContents();
+  const still = await figure.locator('.live-still tspan[font-style="italic"]').allTextContents();
   assert.deepEqual([...new Set(still)], ['k h']);
-  assert.doesNotMatch(await figure.locator('svg.live-still').textContent(), /\*/);
+  assert.doesNotMatch(await figure.locator('.live-still').textContent(), /\*/);
   await page.context().close();
 });
 
@@ -277,7 +277,7 @@ test('Where a panel waits for an answer, it says so, and the still picture on pa
       return words;
     });
     assert.ok((await written()).includes('answer first'), name);
-    assert.doesNotMatch(await figure.locator('svg.live-still').textContent(), /answer first/);
+    assert.doesNotMatch(await figure.locator('.live-still').textContent(), /answer first/);
     await page.context().close();
     const answered = await open_figure(name);
     assert.ok(!(await answered.figure.evaluate(element => {
