@@ -2,8 +2,6 @@
 /// What has changed the plan, in sentences.
 #pragma once
 
-#include <deque>
-#include <map>
 #include <tumble/step_plan.hpp>
 
 namespace tumble {
@@ -15,8 +13,8 @@ class ChangeLog {
   static constexpr std::size_t most = 100;
 
   /// Something happened that may change the plan.
-  void note(const std::string& cause) {
-    if (causes_.size() < 3) causes_.push_back(cause);
+  void note(std::initializer_list<std::string_view> cause) {
+    if (causes_.size() < 3) causes_.push_back(joined(cause));
     ++cause_count_;
   }
   bool is_pending() const { return cause_count_ > 0; }
@@ -25,29 +23,38 @@ class ChangeLog {
   /// fewer.
   template <class Real>
   void tell(const StepPlan<Real>& plan, std::size_t bodies, std::int64_t tick) {
-    std::map<std::uint64_t, std::size_t> now;
-    const auto count = [&](const EffectInstance<Real>& instance, std::uint64_t number) {
-      const std::size_t visited = now[number] = instance.members.size();
-      const auto found = visited_.find(number);
-      const std::size_t before = found == visited_.end() ? 0 : found->second;
+    std::vector<Visited> now;
+    auto then = visited_.begin();  // both lists are in the order of their keys
+    const auto count = [&](const EffectInstance<Real>& instance, std::uint64_t key) {
+      while (then != visited_.end() && then->key < key) ++then;
+      const std::size_t before = then != visited_.end() && then->key == key ? then->count : 0;
+      const std::size_t visited = instance.members.size();
+      now.push_back({key, visited});
       if (visited_.empty() || visited == before) return;  // the first plan is no change
       const std::size_t of = instance.meant_for(bodies);
-      sentences_.push_back("step " + std::to_string(tick) + ": " + instance.effect->name() +
-                           " visits " + std::to_string(visited) + " of " + std::to_string(of) +
-                           ", before " + std::to_string(before) + " (" + why() + ")");
-      if (sentences_.size() > most) sentences_.pop_front();
+      sentences_.push_back(joined({"step ", std::to_string(tick), ": ", instance.effect->name(),
+                                   " visits ", std::to_string(visited), " of ", std::to_string(of),
+                                   ", before ", std::to_string(before), " (", why(), ")"}));
+      if (sentences_.size() > most) sentences_.erase(sentences_.begin());
     };
-    for (std::size_t i = 0; i < plan.motions.size(); ++i) count(plan.motions[i], ~std::uint64_t{i});
+    for (std::size_t i = 0; i < plan.motions.size(); ++i) count(plan.motions[i], i);
     for (const EffectInstance<Real>& instance : plan.effects)
-      count(instance, instance.handle.number);
+      count(instance, first_effect + instance.handle.number);
     visited_ = std::move(now);
     causes_.clear();
     cause_count_ = 0;
   }
 
-  std::vector<std::string> sentences() const { return {sentences_.begin(), sentences_.end()}; }
+  const std::vector<std::string>& sentences() const { return sentences_; }
 
  private:
+  /// How many bodies or pairs an effect visited, or a motion, whose keys are smaller.
+  struct Visited {
+    std::uint64_t key;
+    std::size_t count;
+  };
+  static constexpr std::uint64_t first_effect = std::uint64_t{1} << 32;
+
   /// "'a' came, 'b' came, 'c' came and 4 more"
   std::string why() const {
     std::string text;
@@ -59,8 +66,8 @@ class ChangeLog {
 
   std::vector<std::string> causes_;  // the first three
   std::size_t cause_count_ = 0;
-  std::map<std::uint64_t, std::size_t> visited_;  // how many, by effect and motion
-  std::deque<std::string> sentences_;
+  std::vector<Visited> visited_;
+  std::vector<std::string> sentences_;
 };
 
 }  // namespace tumble

@@ -78,6 +78,11 @@ template <class Real, class Effect>
 using AnswerOf = decltype(detail::response_type_of<Real, Effect>(
     std::declval<const Effect&>(), std::declval<const BodyState<Real>&>()));
 
+/// It says how it answers what the body does, and so limits the time step.
+template <class Real, class Effect>
+inline constexpr bool has_response =
+    std::is_same_v<AnswerOf<Real, Effect>, Response<Real>> && !FindsPairs<Effect, Real>;
+
 /// What a world knows of this effect.
 template <class Real, class Effect>
 EffectTraits<Real> traits_of(const Effect& effect) {
@@ -101,7 +106,7 @@ EffectTraits<Real> traits_of(const Effect& effect) {
   };
   traits.stores_energy = of_one || of_two;
   traits.finds_pairs = FindsPairs<Effect, Real>;
-  traits.has_response = std::is_same_v<Answer, Response<Real>> && !traits.finds_pairs;
+  traits.has_response = has_response<Real, Effect>;
   traits.may_feed_back = !traits.has_response && !std::is_same_v<Answer, NoResponse> &&
                          traits.reads.has_any(quantity::of_motion);
   traits.depends_on_speed = traits.reads.has_any(quantity::velocity | quantity::spin);

@@ -30,8 +30,8 @@ std::string turn_too_far(const Top<Real>& top, Same<Real> time_step) {
   const Vec3<Real> spin = angular_velocity_body(top);
   const Real angle =
       std::abs(time_step) * std::hypot(spin[0], spin[1], spin[2]);  // no square overflows
-  return text_of(angle) + " rad in this step, and no finite orientation was found; at most " +
-         text_of(2 * SineCosineConstants<Real>::limit) + " rad can be turned";
+  return joined({text_of(angle), " rad in this step, and no finite orientation was found; at most ",
+                 text_of(2 * SineCosineConstants<Real>::limit), " rad can be turned"});
 }
 
 namespace detail {
@@ -40,7 +40,7 @@ namespace detail {
 template <class Real>
 std::string not_finite_in(const Particle<Real>& centre, const Top<Real>& top) {
   const auto said = [](const char* what, const Vec3<Real>& value, const char* unit) {
-    return std::string(what).append(text_of(value)).append(unit);
+    return joined({what, text_of(value), unit});
   };
   const Quaternion<Real>& q = top.orientation;
   if (!is_finite(centre.force)) return said("a force of ", centre.force, " N");
@@ -85,7 +85,7 @@ class Replay {
         culprit = instance_of(pass, plan_).effect.get();
         sentence = pass.row.kind == PassKind::rotor
                        ? blame_of_rotor(pass, what)
-                       : culprit->name() + " gives " + what + must_be_finite;
+                       : joined({culprit->name(), " gives ", what, must_be_finite});
       }
     });
     return sentence.empty() ? reason(bodies_, step_.time_step) : sentence;
@@ -114,19 +114,20 @@ class Replay {
         state_of(bodies_, diverged_).top;  // with the spin that the rotor turns it by
     const Vec3<Real> H = turned.angular_momentum_body = effect.rotor_momentum_body(at.time);
     if (!is_finite(H))
-      return effect.name() + " holds a momentum of " + text_of(H) + " kg m^2/s" + must_be_finite;
+      return joined(
+          {effect.name(), " holds a momentum of ", text_of(H), " kg m^2/s", must_be_finite});
     if (pass.row.act == RotorAct::turn_before || pass.row.act == RotorAct::turn_after)
-      return effect.name() + " would turn it by " + turn_too_far(turned, at.time_step / 2);
-    return effect.name() + " gives " + what + must_be_finite;
+      return joined({effect.name(), " would turn it by ", turn_too_far(turned, at.time_step / 2)});
+    return joined({effect.name(), " gives ", what, must_be_finite});
   }
 
   /// Why a body diverged that no effect alone has spoilt, judged by its state before the drift.
   std::string reason(const Bodies<Real>& kicked, Real h) const {
     const BodyState<Real> body = state_of(kicked, diverged_);
     if (!is_finite(Vec3<Real>(body.centre.position + h * body.centre.velocity)))
-      return "with a velocity of " + text_of(body.centre.velocity) +
-             " m/s the step would lead to no finite position";
-    return "it would turn by " + turn_too_far(body.top, h);
+      return joined({"with a velocity of ", text_of(body.centre.velocity),
+                     " m/s the step would lead to no finite position"});
+    return joined({"it would turn by ", turn_too_far(body.top, h)});
   }
 
   Bodies<Real> bodies_;
@@ -141,8 +142,8 @@ SimulationError failure(const std::string& name, BodyIndex diverged, const Bodie
                         const StepPlan<Real>& plan, std::int64_t tick, const StepTime<Real>& at) {
   const AnyEffect<Real>* culprit = nullptr;
   const std::string why = Replay<Real>(bodies, plan, at, diverged).find(culprit);
-  return {"'" + name + "' at " + text_of(at.time) + " s (step " + std::to_string(tick) +
-              "): " + why + "; the world is as it was before this step",
+  return {joined({"'", name, "' at ", text_of(at.time), " s (step ", std::to_string(tick),
+                  "): ", why, "; the world is as it was before this step"}),
           name, culprit ? culprit->name() : std::string(), static_cast<double>(at.time)};
 }
 

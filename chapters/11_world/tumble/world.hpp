@@ -59,7 +59,7 @@ class World {
   /// Removes a body, and the effects that are fixed to it.
   void remove(BodyHandle body) {
     const BodyIndex index = registry_.index_of(body);
-    change_log_.note("'" + name_of(body) + "' was removed");
+    change_log_.note({"'", name_of(body), "' was removed"});
     limit_changed_ |= planner_.is_limiting(index);
     checkpoints_.forget_all();
     planner_.forget_body(body, named_bodies());
@@ -102,7 +102,7 @@ class World {
     check_body(name_of(body), by.centre);
     check_body(name_of(body), by.top);
     require_top(body);
-    change_log_.note("'" + name_of(body) + "' was replaced");
+    change_log_.note({"'", name_of(body), "' was replaced"});
     limit_changed_ |= planner_.is_limiting(registry_.index_of(body));
     RigidBody<Real> kept = by;
     kept.top.orientation = renormalized(by.top.orientation);
@@ -183,7 +183,7 @@ class World {
 
   void remove(EffectHandle effect) {
     const EffectInstance<Real>& instance = instance_of(effect);
-    change_log_.note("'" + instance.effect->name() + "' was removed");
+    change_log_.note({"'", instance.effect->name(), "' was removed"});
     limit_changed_ |= instance.effect->traits().changes_limit();
     planner_.remove_effect(effect.number, named_bodies());
   }
@@ -194,7 +194,8 @@ class World {
     const EffectInstance<Real>& instance = instance_of(handle);
     const auto* found = dynamic_cast<const EffectOf<Real, Effect>*>(instance.effect.get());
     if (!found)
-      throw std::invalid_argument("'" + instance.effect->name() + "' is an effect of another type");
+      throw std::invalid_argument(
+          joined({"'", instance.effect->name(), "' is an effect of another type"}));
     return found->effect();
   }
 
@@ -203,7 +204,7 @@ class World {
   void change(EffectHandle handle, Effect by) {
     (void)effect<Effect>(handle);
     auto erased = prepared(by);
-    change_log_.note("'" + erased->name() + "' was changed");
+    change_log_.note({"'", erased->name(), "' was changed"});
     for (std::size_t i = 0; const BodyHandle body : instance_of(handle).targets)
       require_top_for(*erased, body, i++);
     limit_changed_ |= erased->traits().changes_limit();
@@ -214,13 +215,13 @@ class World {
   /// of the user's own.
   template <TurningRule<Real> Rule>
   void turn_by(const Rule& rule) {
-    change_log_.note("another method of turning was chosen");
+    change_log_.note({"another method of turning was chosen"});
     planner_.turn_by(Backend::erased(Tumbling<Rule>{.rule = rule}));
   }
 
   /// From now on all bodies are stepped by `scheme`.
   void step_by(Scheme scheme) {
-    change_log_.note("the scheme " + std::string(tumble::name_of(scheme)) + " was chosen");
+    change_log_.note({"the scheme ", tumble::name_of(scheme), " was chosen"});
     limit_changed_ = true;
     planner_.step_by(scheme);
   }
@@ -236,7 +237,7 @@ class World {
     static_assert(
         phase_of<Motion, Real>() == Phase::kick || phase_of<Motion, Real>() == Phase::drift,
         "a motion acts in the phase kick or drift");
-    change_log_.note("'" + std::string(motion.name) + "' came");
+    change_log_.note({"'", motion.name, "' came"});
     planner_.add_motion({.effect = Backend::erased(motion)}, named_bodies());
   }
 
@@ -269,7 +270,7 @@ class World {
     for (const EffectInstance<Real>& instance : effects())
       if (auto effect = instance.effect->prepared(time_step))
         prepared.emplace_back(instance.handle.number, std::move(effect));
-    change_log_.note("a step of " + text_of(time_step) + " s was chosen");
+    change_log_.note({"a step of ", text_of(time_step), " s was chosen"});
     limit_changed_ = true;
     time_ = continued(time_, step);
     time_step_ = time_step;
@@ -329,17 +330,13 @@ class World {
 
   // --- The step ---------------------------------------------------------------------------------
 
-  /// One step. @throws SimulationError if a number would become infinite or NaN, and whatever an
-  /// effect throws; the world is then as it was before the step.
-  void step() {
-    step([] {});
-  }
-  /// The same. `watch` is called when all warnings are told, and before anything moves.
-  template <class Watch>
-  void step(const Watch& watch) {
+  /// One step. `watch` is called when all warnings are told, and before anything moves.
+  /// @throws SimulationError if a number would become infinite or NaN, and whatever an effect
+  /// throws; the world is then as it was before the step.
+  void step(const std::function<void()>& watch = {}) {
     if (change_log_.is_pending()) report_changes();
     const InsideStep inside(inside_);
-    watch();
+    if (watch) watch();
     const std::optional<BodyIndex> diverged = backend_.step(step_plan(), step_time());
     if (diverged) throw_failure(*diverged);
     ++time_.ticks;
@@ -374,7 +371,7 @@ class World {
     clear_forces(appended);
     backend_.append(appended.centre, top ? &appended.top : nullptr);
     const BodyHandle body = registry_.append(name);
-    change_log_.note("'" + name_of(body) + "' came");
+    change_log_.note({"'", name_of(body), "' came"});
     checkpoints_.forget_all();
     planner_.add_body(named_bodies());
     limit_changed_ |= planner_.is_limiting(registry_.index_of(body));
@@ -383,7 +380,8 @@ class World {
 
   void require_top(BodyHandle body) const {
     if (is_point(body))
-      throw std::invalid_argument("'" + name_of(body) + "' is a point: it has no orientation");
+      throw std::invalid_argument(
+          joined({"'", name_of(body), "' is a point: it has no orientation"}));
   }
 
   /// Lets `change` change a body. If it throws, nothing has changed.
@@ -403,8 +401,8 @@ class World {
     const BodyIndex index = registry_.index_of(body);
     const BodyFlags before = planner_.alone()[index], now = named_bodies().flags_of(index, before);
     if (now.moves != before.moves)
-      change_log_.note("'" + name_of(body) + "' got its first velocity");
-    if (now.turns != before.turns) change_log_.note("'" + name_of(body) + "' got its first spin");
+      change_log_.note({"'", name_of(body), "' got its first velocity"});
+    if (now.turns != before.turns) change_log_.note({"'", name_of(body), "' got its first spin"});
     if (now != before) planner_.change_body(index, named_bodies());
     return body;
   }
@@ -412,12 +410,13 @@ class World {
   const EffectInstance<Real>& instance_of(EffectHandle handle) const {
     for (const EffectInstance<Real>& instance : effects())
       if (instance.handle == handle) return instance;
-    throw std::out_of_range("stale handle: effect " + std::to_string(handle.number) +
-                            " has been removed or never was in this world");
+    throw std::out_of_range(joined({"stale handle: effect ", std::to_string(handle.number),
+                                    " has been removed or never was in this world"}));
   }
 
   template <class Effect>
-  std::shared_ptr<const AnyEffect<Real>> prepared(Effect& effect) const {
+  std::shared_ptr<const AnyEffect<Real>> prepared(Effect& effect) {
+    if constexpr (has_response<Real, Effect>) find_warnings_ = &tumble::warnings<Real>;
     if constexpr (requires { effect.check(); }) effect.check();
     if constexpr (requires { effect.prepare(time_step_); }) effect.prepare(time_step_);
     return Backend::erased(effect);
@@ -427,8 +426,8 @@ class World {
     const bool is_second = effect.traits().joins_two() && place % 2 == 1;
     const bool needs = is_second ? effect.traits().needs_second_top : effect.traits().needs_top;
     if (needs && is_point(body))
-      throw std::invalid_argument("'" + effect.name() + "' needs an orientation, and '" +
-                                  name_of(body) + "' is a point");
+      throw std::invalid_argument(joined(
+          {"'", effect.name(), "' needs an orientation, and '", name_of(body), "' is a point"}));
   }
 
   EffectHandle append_effect(std::shared_ptr<const AnyEffect<Real>> erased, bool everyone,
@@ -437,20 +436,22 @@ class World {
     const std::size_t stride = erased->traits().joins_two() ? 2 : 1;
     IndexSet meant_for;
     if (!everyone && (bodies.empty() || bodies.size() % stride != 0))
-      throw std::invalid_argument("'" + name + "' was given " + std::to_string(bodies.size()) +
-                                  " bodies; it needs " +
-                                  (stride == 2 ? "pairs of them" : "at least one"));
+      throw std::invalid_argument(
+          joined({"'", name, "' was given ", std::to_string(bodies.size()), " bodies; it needs ",
+                  stride == 2 ? "pairs of them" : "at least one"}));
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       require_top_for(*erased, bodies[i], i);
       if (stride == 2 && i % 2 == 1 && bodies[i] == bodies[i - 1])
-        throw std::invalid_argument("'" + name + "' joins '" + name_of(bodies[i]) + "' to itself");
+        throw std::invalid_argument(
+            joined({"'", name, "' joins '", name_of(bodies[i]), "' to itself"}));
       if (stride == 2) continue;
       const BodyIndex body = registry_.index_of(bodies[i]);
       if (meant_for.contains(body))
-        throw std::invalid_argument("'" + name + "' was given '" + name_of(bodies[i]) + "' twice");
+        throw std::invalid_argument(
+            joined({"'", name, "' was given '", name_of(bodies[i]), "' twice"}));
       meant_for.insert(body);
     }
-    change_log_.note("'" + name + "' came");
+    change_log_.note({"'", name, "' came"});
     limit_changed_ |= erased->traits().changes_limit();
     const EffectHandle handle{++last_effect_, registry_.family()};
     planner_.add_effect({handle, std::move(erased), everyone, bodies}, named_bodies());
@@ -460,8 +461,8 @@ class World {
   /// Reports what has changed since the last step.
   void report_changes() {
     change_log_.tell(step_plan(), registry_.size(), ticks());
-    if (!std::exchange(limit_changed_, false)) return;
-    for (const std::string& warning : warnings())
+    if (!std::exchange(limit_changed_, false) || !find_warnings_) return;
+    for (const std::string& warning : find_warnings_(step_plan(), named_bodies(), step_time()))
       if (tell_)
         tell_(warning);
       else
@@ -513,6 +514,9 @@ class World {
   ChangeLog change_log_;
   bool limit_changed_ = false;
   std::function<void(const std::string&)> tell_;
+  /// warnings(), once there is an effect that can limit the step: a program without one is spared
+  /// to compile them, a seventh of what a small world takes.
+  decltype(&tumble::warnings<Real>) find_warnings_ = nullptr;
 };
 
 using Worldf = World<float>;
