@@ -16,7 +16,7 @@ struct PartOfStep {
   std::vector<Pass<double>> passes;  ///< one, or all that a rotor does about the turning
 
   void act(Bodies<double>& bodies, const StepTime<double>& at) const {
-    for (const Pass<double>& pass : passes) run(pass, *plan, bodies, at);
+    for (const Pass<double>& pass : passes) run(pass, *plan, members_of(pass, *plan), bodies, at);
   }
 };
 

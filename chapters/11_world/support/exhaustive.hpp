@@ -58,7 +58,7 @@ void settle(World<Real>& world) {
     for (int round = 1; round <= 1000; ++round) {
       top.angular_momentum_body.setZero();
       const Quaternion<Real> before = top.orientation;
-      tumbling_of(world.step_plan()).effect->run(alone, one, world.step_time());
+      tumbling_of(world.step_plan()).effect->run(alone, one, world.step_time(), {});
       if (before.real == top.orientation.real && before.imaginary == top.orientation.imaginary)
         break;
       if (round % 10 == 0)  // it goes in a circle: from somewhere else

@@ -21,7 +21,7 @@ Push<Real> push_on(const AnyEffect<Real>& effect, const BodyState<Real>& body, R
   append(bodies, body.centre, &top);
   Members one;
   one.indices.insert(0);
-  effect.run(bodies, one, {time, 1});
+  effect.run(bodies, one, {time, 1}, {});
   const Vec3<Real> gained = bodies.centres[0].velocity - body.centre.velocity;
   return {.force = bodies.centres[0].force + mass_of(body.centre) * gained,
           .torque = bodies.tops[0].torque};
@@ -35,7 +35,7 @@ PairPush<Real> push_on(const AnyEffect<Real>& effect, const BodyState<Real>& fir
   const Top<Real> top = free_to_turn(first.top), other = free_to_turn(second.top);
   append(bodies, first.centre, &top);
   append(bodies, second.centre, &other);
-  effect.run(bodies, {{}, {{0, 1}}}, {time, 1});
+  effect.run(bodies, {{}, {{0, 1}}}, {time, 1}, {});
   return {.force_on_first = bodies.centres[0].force,
           .torque_on_first = bodies.tops[0].torque,
           .torque_on_second = bodies.tops[1].torque};

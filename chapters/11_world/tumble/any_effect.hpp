@@ -5,6 +5,7 @@
 #include <memory>
 #include <tumble/effect_members.hpp>
 #include <tumble/index_set.hpp>
+#include <tumble/rotors.hpp>
 #include <utility>
 
 namespace tumble {
@@ -18,9 +19,9 @@ class AnyEffect {
   const EffectTraits<Real>& traits() const { return traits_; }
   const std::string& name() const { return traits_.name; }
   Phase phase() const { return traits_.phase; }
-  /// Runs the effect's function on bodies one by one, or on pairs.
-  virtual void run(Bodies<Real>& bodies, const Members& members,
-                   const StepTime<Real>& at) const = 0;
+  /// Runs the effect's function on bodies one by one, or on pairs. A rotor does what `act` says.
+  virtual void run(Bodies<Real>& bodies, const Members& members, const StepTime<Real>& at,
+                   RotorAct act) const = 0;
   /// Empty if the body needs the effect, else why it does not. Of an effect on two: if any pair
   /// does.
   virtual std::string_view skip_reason(const BodyFlags& flags) const = 0;
@@ -75,8 +76,13 @@ class EffectOf : public AnyEffect<Real> {
       : AnyEffect<Real>(traits_of<Real>(effect)), effect_(effect) {}
   const Effect& effect() const { return effect_; }
 
-  void run(Bodies<Real>& bodies, const Members& members, const StepTime<Real>& at) const override {
-    if constexpr (form.sees == Sees::centre) {
+  void run(Bodies<Real>& bodies, const Members& members, const StepTime<Real>& at,
+           [[maybe_unused]] RotorAct act) const override {
+    if constexpr (HoldsRotor<Effect, Real>) {
+      const Vec3<Real> H = effect_.rotor_momentum_body(at.time);
+      members.indices.for_each(
+          [&](BodyIndex i) { act_on<Real>(bodies.tops[i], act, H, at.time_step); });
+    } else if constexpr (form.sees == Sees::centre) {
       members.indices.for_each(
           [&](BodyIndex i) { give_to(bodies.centres[i], effect_, bodies.centres[i], at); });
     } else if constexpr (form.sees == Sees::top) {

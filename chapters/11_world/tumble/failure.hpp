@@ -72,7 +72,7 @@ class Replay {
     for_each_pass(plan_, [&](const Pass<Real>& pass) {
       if (!sentence.empty()) return;
       const Bodies<Real> before = bodies_;
-      run(pass, plan_, bodies_, step_);
+      run(pass, plan_, members_of(pass, plan_), bodies_, step_);
       if (fault_in(bodies_).empty()) return;
       if (pass.row.kind == PassKind::motion && pass.place < own_motion_count) {
         const BodyState<Real> now = state_of(bodies_, diverged_);
@@ -103,7 +103,7 @@ class Replay {
   std::string fault_alone(const Pass<Real>& pass, Bodies<Real> before) const {
     for (Particle<Real>& centre : before.centres) clear_force(centre);
     for (Top<Real>& top : before.tops) clear_torque(top);
-    run(pass, plan_, before, step_);
+    run(pass, plan_, members_of(pass, plan_), before, step_);
     return fault_in(before);
   }
 

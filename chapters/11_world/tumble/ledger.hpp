@@ -88,11 +88,11 @@ class Ledger {
         if (std::exchange(spent, {}) != Quantities{}) shares.clear();
         shares.push_back({name, pushes_of(pass, plan, bodies, step)});
         line_of(lines, name);  // lines stand in the order of the step
-        run(pass, plan, bodies, step);
+        run(pass, plan, members_of(pass, plan), bodies, step);
         return;
       }
       const Bodies<Real> before = bodies;
-      run(pass, plan, bodies, step);
+      run(pass, plan, members_of(pass, plan), bodies, step);
       const Quantities acting = (instance_of(pass, plan).effect->traits().reads & sums) - spent;
       spent = spent | acting;
       if (acting != Quantities{})
@@ -130,7 +130,7 @@ class Ledger {
                                            Bodies<Real> bodies, const StepTime<Real>& step) {
     for (Particle<Real>& centre : bodies.centres) clear_force(centre);
     for (Top<Real>& top : bodies.tops) clear_torque(top);
-    run(pass, plan, bodies, step);
+    run(pass, plan, members_of(pass, plan), bodies, step);
     std::vector<Push<Real>> pushes;
     for (BodyIndex body = 0; body < bodies.centres.size(); ++body)
       pushes.push_back({state_of(bodies, body).centre.force, state_of(bodies, body).top.torque});

@@ -42,7 +42,9 @@ class OneByOne final : public BodyStore<Real> {
   std::optional<BodyIndex> step(const StepPlan<Real>& plan, const StepTime<Real>& at) {
     undo_.remember(bodies_, plan);
     try {
-      for_each_pass(plan, [&](const Pass<Real>& pass) { run(pass, plan, bodies_, at); });
+      for_each_pass(plan, [&](const Pass<Real>& pass) {
+        run(pass, plan, members_of(pass, plan), bodies_, at);
+      });
     } catch (...) {  // an effect has thrown
       undo_.restore(bodies_, plan);
       throw;

@@ -14,7 +14,7 @@ template <class Real, class DoesVisit, class IndexOf>
 void step_without_sets(Bodies<Real>& bodies, const StepPlan<Real>& plan, const StepTime<Real>& at,
                        const DoesVisit& does_visit, const IndexOf& index_of) {
   for_each_pass_even_idle(plan, plan.substeps, [&](const Pass<Real>& pass) {
-    if (pass.row.kind == PassKind::input) return run(pass, plan, bodies, at);
+    if (pass.row.kind == PassKind::input) return run(pass, plan, {}, bodies, at);
     const EffectInstance<Real>& instance = instance_of(pass, plan);
     const EffectTraits<Real>& traits = instance.effect->traits();
     if (traits.finds_pairs) return run(pass, plan, {}, bodies, at);

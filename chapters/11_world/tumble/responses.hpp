@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <limits>
 #include <tumble/held_points.hpp>
-#include <tumble/rotors.hpp>
 #include <tumble/semi_implicit_euler.hpp>
 #include <tumble/step_plan.hpp>
 #include <vector>
@@ -23,6 +22,21 @@ struct StepLimit {
   BodyIndex spinning = no_index;  ///< of the one or two bodies, which nutates the fastest, if any
   Real nutation_rate = 0;         ///< of that, rad/s
 };
+
+/// What of all rotors of a top can make it nutate at `time` (s), kg m²/s, body axes: nothing about
+/// an axis beside which it can't turn about both others.
+template <class Real>
+Vec3<Real> nutating_momentum(const StepPlan<Real>& plan, BodyIndex index, const Top<Real>& top,
+                             Real time) {
+  Vec3<Real> sum = Vec3<Real>::Zero();
+  for (const std::size_t i : plan.in_phase[static_cast<std::size_t>(Phase::turn)])
+    if (plan.effects[i].members.indices.contains(index))
+      sum += plan.effects[i].effect->rotor_momentum_body(time);
+  const Vec3<Real>& J = top.inverse_moments;
+  for (int axis = 0; axis < 3; ++axis)
+    if (J[(axis + 1) % 3] == 0 || J[(axis + 2) % 3] == 0) sum[axis] = 0;
+  return sum;
+}
 
 /// The responses of a scene's effects, as the bodies are now.
 template <class Real>

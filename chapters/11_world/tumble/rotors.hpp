@@ -3,7 +3,7 @@
 #pragma once
 
 #include <tumble/splitting.hpp>
-#include <tumble/step_plan.hpp>
+#include <tumble/terms.hpp>
 
 namespace tumble {
 
@@ -59,21 +59,6 @@ void act_on(Top<Real>& top, RotorAct act, const Vec3<Same<Real>>& momentum, Same
 template <class Real>
 Real time_of(RotorAct act, const StepTime<Real>& drift) {
   return act < RotorAct::turn_after ? drift.time : drift.time + drift.time_step;
-}
-
-/// What of all rotors of a top can make it nutate at `time` (s), kg m²/s, body axes: nothing about
-/// an axis beside which it can't turn about both others.
-template <class Real>
-Vec3<Real> nutating_momentum(const StepPlan<Real>& plan, BodyIndex index, const Top<Real>& top,
-                             Real time) {
-  Vec3<Real> sum = Vec3<Real>::Zero();
-  for (const std::size_t i : plan.in_phase[static_cast<std::size_t>(Phase::turn)])
-    if (plan.effects[i].members.indices.contains(index))
-      sum += plan.effects[i].effect->rotor_momentum_body(time);
-  const Vec3<Real>& J = top.inverse_moments;
-  for (int axis = 0; axis < 3; ++axis)
-    if (J[(axis + 1) % 3] == 0 || J[(axis + 2) % 3] == 0) sum[axis] = 0;
-  return sum;
 }
 
 }  // namespace tumble

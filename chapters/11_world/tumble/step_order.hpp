@@ -4,7 +4,6 @@
 #pragma once
 
 #include <tumble/motions.hpp>
-#include <tumble/rotors.hpp>
 
 namespace tumble {
 
@@ -112,26 +111,19 @@ void add(const std::vector<Input<Real>>& inputs, Bodies<Real>& bodies) {
   }
 }
 
-/// Runs a pass on those of `members`, in plain arrays.
+/// Whom the plan lets a pass visit; the inputs name their bodies themselves.
+template <class Real>
+const Members& members_of(const Pass<Real>& pass, const StepPlan<Real>& plan) {
+  static const Members nobody;
+  return pass.row.kind == PassKind::input ? nobody : instance_of(pass, plan).members;
+}
+
+/// Runs a pass on these members, in plain arrays.
 template <class Real>
 void run(const Pass<Real>& pass, const StepPlan<Real>& plan, const Members& members,
          Bodies<Real>& bodies, const StepTime<Real>& step) {
   if (pass.row.kind == PassKind::input) return add(plan.inputs, bodies);
-  const StepTime<Real> at = step_time_of(pass, step);
-  const AnyEffect<Real>& effect = *instance_of(pass, plan).effect;
-  if (pass.row.kind != PassKind::rotor) return effect.run(bodies, members, at);
-  const Vec3<Real> H = effect.rotor_momentum_body(at.time);
-  for_each_of(members.indices, bodies.tops,
-              [&](Top<Real>& top) { act_on<Real>(top, pass.row.act, H, at.time_step); });
-}
-
-/// Runs it on those whom the plan lets it visit.
-template <class Real>
-void run(const Pass<Real>& pass, const StepPlan<Real>& plan, Bodies<Real>& bodies,
-         const StepTime<Real>& step) {
-  static const Members nobody;
-  run(pass, plan, pass.row.kind == PassKind::input ? nobody : instance_of(pass, plan).members,
-      bodies, step);
+  instance_of(pass, plan).effect->run(bodies, members, step_time_of(pass, step), pass.row.act);
 }
 
 }  // namespace tumble

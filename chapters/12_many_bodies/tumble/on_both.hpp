@@ -65,7 +65,7 @@ class OnBoth {
                             const std::size_t end = share_of(packs.size(), thread + 1, of);
                             for (std::size_t n = share_of(packs.size(), thread, of); n < end; ++n)
                               pass.effect->run_on_packs(acts.bodies, instance.members, pass.indices,
-                                                        packs[n], packs[n] + 1, at);
+                                                        packs[n], packs[n] + 1, at, {});
                           });
     } else if (instance.effect->phase() != Phase::force) {
       acts.run_on_both(plan, pass, step);

@@ -58,16 +58,8 @@ struct PackedActs {
  private:
   void run(const StepPlan<Real>& plan, const PackedPass<Real, width>& pass, std::uint32_t begin,
            std::uint32_t end, const StepTime<Real>& step) {
-    const StepTime<Real> at = step_time_of(pass, step);
-    const EffectInstance<Real>& instance = instance_of(pass, plan);
-    if (pass.row.kind != PassKind::rotor)
-      return pass.effect->run_on_packs(bodies, instance.members, pass.indices, begin, end, at);
-    const Vec3<Pack<Real, width>> H =
-        instance.effect->rotor_momentum_body(at.time).template cast<Pack<Real, width>>();
-    visit_packs(bodies.tops, pass.indices, begin, end,
-                [H, act = pass.row.act, h = Pack<Real, width>(at.time_step)](auto& top) {
-                  act_on<Pack<Real, width>>(top, act, H, h);
-                });
+    pass.effect->run_on_packs(bodies, instance_of(pass, plan).members, pass.indices, begin, end,
+                              step_time_of(pass, step), pass.row.act);
   }
 };
 

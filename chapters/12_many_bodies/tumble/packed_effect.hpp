@@ -15,10 +15,10 @@ class PackedEffect {
  public:
   virtual ~PackedEffect() = default;
   /// Runs the effect's function on those bodies of `packs` that lie in the packs from `begin` to
-  /// before `end`; on all pairs if it joins two.
+  /// before `end`; on all pairs if it joins two. A rotor does what `act` says.
   virtual void run_on_packs(PackedBodies<Real, width>& bodies, const Members& members,
                             const PackedIndexSet<Real, width>& packs, std::uint32_t begin,
-                            std::uint32_t end, const StepTime<Real>& at) const = 0;
+                            std::uint32_t end, const StepTime<Real>& at, RotorAct act) const = 0;
   /// The pairs that it joins, of an effect on two: those that it visits or, put into `found`, those
   /// that it finds.
   virtual std::span<const BodyPair> pairs(const PackedBodies<Real, width>& bodies,
@@ -58,8 +58,14 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
 
   void run_on_packs(PackedBodies<Real, width>& bodies, const Members& members,
                     const PackedIndexSet<Real, width>& packs, std::uint32_t begin,
-                    std::uint32_t end, const StepTime<Real>& at) const override {
-    if constexpr (sees == Sees::pair) {
+                    std::uint32_t end, const StepTime<Real>& at,
+                    [[maybe_unused]] RotorAct act) const override {
+    if constexpr (HoldsRotor<Effect, Real>) {
+      const Vec3<Packed> H = this->effect().rotor_momentum_body(at.time).template cast<Packed>();
+      visit_packs(bodies.tops, packs, begin, end, [H, act, h = Packed(at.time_step)](auto& top) {
+        act_on<Packed>(top, act, H, h);
+      });
+    } else if constexpr (sees == Sees::pair) {
       std::vector<BodyPair> found;
       for (const BodyPair& pair : pairs(bodies, members, found)) run_on_pair(bodies, pair, at);
     } else if constexpr (sees == Sees::body) {
