@@ -42,6 +42,42 @@ RigidBody<Real> ball_body(const Vec3<Real>& place, const Vec3<Real>& spin = Vec3
 
 }  // namespace
 
+TEST_CASE_TEMPLATE("An effect for a body that has gone is refused, and nothing has changed", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  const BodyHandle first = world.add("first", make_particle<Real>(1)),
+                   second = world.add("second", make_particle<Real>(1));
+  world.remove(second);
+  world.step();
+  const std::size_t told = world.change_log().size();
+  const SpringBetween<Real> spring{.spring = {.stiffness = 1}};
+  for (const std::vector<BodyHandle>& pair : {std::vector{first, second}, {second, first}})
+    CHECK_THROWS_WITH_AS(world.add(spring, pair), doctest::Contains("stale handle"),
+                         std::out_of_range);
+  CHECK_THROWS_AS(world.add(Gravity<Real>{}, {second}), std::out_of_range);
+  CHECK(world.effects().empty());
+  CHECK(world.change_log().size() == told);
+  world.set_velocity(first, {1, 0, 0});  // goes through the effects of this body
+  world.step();
+  CHECK(world.body(first).centre.velocity.x() == 1);
+}
+
+TEST_CASE_TEMPLATE("An effect is contained until it goes, or its last body", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  const BodyHandle first = world.add("first", make_particle<Real>(1)),
+                   second = world.add("second", make_particle<Real>(1));
+  const EffectHandle both = world.add(Gravity<Real>{}, {first, second});
+  const EffectHandle all = world.add(Gravity<Real>{});
+  world.remove(first);
+  CHECK(world.contains(both));
+  world.remove(second);
+  CHECK_FALSE(world.contains(both));
+  CHECK(world.contains(all));
+  world.remove(all);
+  CHECK_FALSE(world.contains(all));
+}
+
 TEST_CASE_TEMPLATE("A stale handle says so, and its slot's next body is another body", Real,
                    EVERY_PRECISION) {
   World<Real> world;

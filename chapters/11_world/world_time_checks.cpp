@@ -3,6 +3,7 @@
 #include <support/box_body.hpp>
 #include <support/checks.hpp>
 #include <support/complaint_of_step.hpp>
+#include <support/conveyor.hpp>
 #include <support/random_world.hpp>
 #include <support/size_of_line.hpp>
 #include <tumble/drawing.hpp>
@@ -237,6 +238,70 @@ TEST_CASE_TEMPLATE("A step that cannot be is refused, and so is any inside a ste
   world.step();
   CHECK(world.time() == Real(1) / 64);
   CHECK(world.body(world.find("stone")).centre.position.x() == Real(1) / 64);
+}
+
+TEST_CASE_TEMPLATE("Nothing of a world can be changed inside a step", Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(64));
+  const BodyHandle box = world.add("box", box_body<Real>({0, 0, 0}));
+  const EffectHandle gravity = world.add(Gravity<Real>{});
+  const Snapshot<Real> saved = world.save();
+  const Checkpoint<Real> checkpoint = world.checkpoint();
+  const std::vector<std::function<void()>> changes = {
+      [&] { world.add("another", make_particle<Real>(1)); },
+      [&] {
+        world.add(box_body<Real>({1, 0, 0}));
+      },
+      [&] { world.remove(box); },
+      [&] {
+        world.replace(box, box_body<Real>({1, 0, 0}));
+      },
+      [&] {
+        world.set_position(box, {1, 0, 0});
+      },
+      [&] {
+        world.set_velocity(box, {1, 0, 0});
+      },
+      [&] { world.set_orientation(box, Quaternion<Real>{}); },
+      [&] {
+        world.set_angular_velocity(box, {1, 0, 0});
+      },
+      [&] {
+        world.apply_impulse_at(box, {1, 0, 0}, {0, 0, 0});
+      },
+      [&] {
+        world.push_at(box, {1, 0, 0}, {0, 0, 0});
+      },
+      [&] { world.add(Gravity<Real>{}); },
+      [&] { world.add(Gravity<Real>{}, {box}); },
+      [&] { world.remove(gravity); },
+      [&] {
+        world.change(gravity, Gravity<Real>{{1, 0, 0}});
+      },
+      [&] { world.turn_by(Steady{}); },
+      [&] { world.step_by(Scheme::verlet); },
+      [&] { world.add_motion(Conveyor{}); },
+      [&] { world.set_step_length(steps_per_second(2)); },
+      [&] { world.restore(saved); },
+      [&] { world.restore(checkpoint); },
+      [&] { (void)world.checkpoint(); },
+      [&] { world.step(); },
+      [&] { world.step_by_reference(); },
+      [&] { world.step_exhaustively(); }};
+  for (std::size_t n = 0; n < changes.size(); ++n) {
+    CAPTURE(n);
+    CHECK_THROWS_WITH_AS(world.step(changes[n]), doctest::Contains(" inside a step"),
+                         std::logic_error);
+  }
+  CHECK(world.ticks() == 0);
+  World<Real> untouched(steps_per_second(64));
+  untouched.add("box", box_body<Real>({0, 0, 0}));
+  untouched.add(Gravity<Real>{});
+  world.step();
+  untouched.step();
+  CHECK(world.body(box).centre.velocity == untouched.bodies().centres[0].velocity);
+  CHECK(world.body(box).centre.position == untouched.bodies().centres[0].position);
+  CHECK(world.effects().size() == 1);
+  CHECK(world.change_log().empty());
 }
 
 TEST_CASE_TEMPLATE("A copy that is made inside a step is not inside one, wherever it goes", Real,

@@ -23,9 +23,15 @@ namespace tumble {
 /// have never been. A handle that was given out since may then be given out once more.
 ///
 /// `Backend` keeps the bodies in arrays and steps them, and changes no bit of how they move.
+///
+/// Every function that is given a handle throws std::out_of_range if that is stale, empty or
+/// another world's. An effect that changes the world inside a step meets std::logic_error, and so
+/// does a `watch` of step(): changes come between steps.
 template <class Real, class Backend = OneByOne<Real>>
 class World {
  public:
+  /// A world without bodies, whose steps last `step`, by default 1/60 s, and whose bodies turn by
+  /// `rule` where their moments differ, by default Splitting.
   /// @throws std::invalid_argument if the step is negative or longer than an hour. In a step
   /// of 0 s no force, kick or drift moves anything; what effects write by themselves they still
   /// write.
@@ -56,8 +62,10 @@ class World {
   BodyHandle add(const Particle<Real>& point) { return append_body({}, point, nullptr); }
   BodyHandle add(const RigidBody<Real>& body) { return append_body({}, body.centre, &body.top); }
 
-  /// Removes a body, and the effects that are fixed to it.
+  /// Removes a body. Effects for some bodies no longer visit it, and pairs with it are dissolved;
+  /// an effect that has no body left goes too.
   void remove(BodyHandle body) {
+    require_between_steps("a body can't be removed");
     const BodyIndex index = registry_.index_of(body);
     change_log_.note({"'", name_of(body), "' was removed"});
     limit_changed_ |= planner_.is_limiting(index);
@@ -68,11 +76,15 @@ class World {
     planner_.list_pairs_again(index, named_bodies());
   }
 
+  /// False once the body was removed.
   bool contains(BodyHandle body) const { return registry_.contains(body); }
+  /// How many bodies there are, points too.
   std::size_t body_count() const { return registry_.size(); }
+  /// How many of them are not points.
   std::size_t top_count() const { return named_bodies().top_count(); }
   /// @throws std::invalid_argument if no body has that name.
   BodyHandle find(const std::string& name) const { return registry_.find(name); }
+  /// Its name, or "body 7" of one without.
   std::string name_of(BodyHandle body) const { return registry_.name_of(registry_.index_of(body)); }
   /// All bodies, in the order of the arrays.
   std::vector<BodyHandle> handles() const {
@@ -81,9 +93,11 @@ class World {
       handles.push_back(registry_.handle_at(index));
     return handles;
   }
-  /// The body with that place in the arrays, and the place of a body.
+  /// The body with that place in the arrays.
   BodyHandle handle_at(BodyIndex index) const { return registry_.handle_at(index); }
+  /// The place of a body in the arrays. It may change when another body is removed.
   BodyIndex index_of(BodyHandle body) const { return registry_.index_of(body); }
+  /// Whether it has no orientation.
   bool is_point(BodyHandle body) const { return named_bodies().is_point(registry_.index_of(body)); }
 
   /// The body as it is now; a point has a top that is locked about every axis.
@@ -99,6 +113,7 @@ class World {
   /// Puts another body in the place of one that is not a point: with another mass, say. It keeps
   /// its name and its effects.
   void replace(BodyHandle body, const RigidBody<Real>& by) {
+    require_between_steps("a body can't be replaced");
     check_body(name_of(body), by.centre);
     check_body(name_of(body), by.top);
     require_top(body);
@@ -149,6 +164,7 @@ class World {
   /// A force (N) at `point` (m), both in world axes, in the next step alone, such as a player's
   /// push. The forces of several calls add up.
   void push_at(BodyHandle body, const Vec3<Same<Real>>& force, const Vec3<Same<Real>>& point) {
+    require_between_steps("a push for the next step can't be given");
     require_finite(name_of(body) + ": force", force, "N");
     require_finite(name_of(body) + ": point of the force", point, "m");
     const Vec3<Real> centre = backend_.body(registry_.index_of(body)).centre.position;
@@ -156,8 +172,9 @@ class World {
                        named_bodies());
   }
 
-  /// What the steps go through, and what is known of each body.
+  /// What the steps go through.
   const StepPlan<Real>& step_plan() const { return planner_.step_plan(); }
+  /// What is known of each body, in the order of the arrays.
   const std::vector<BodyFlags>& flags() const { return planner_.flags(); }
 
   // --- Effects ----------------------------------------------------------------------------------
@@ -165,9 +182,12 @@ class World {
   /// Adds an effect for every body, including those that are added later.
   template <class Effect>
   EffectHandle add(Effect effect) {
-    static_assert(EffectOnOne<Effect, Real> || FindsPairs<Effect, Real>,
-                  "an effect for everyone has one of the functions for one body in forms.hpp, with "
-                  "the arguments and the result given there, and const");
+    static_assert(
+        EffectOnOne<Effect, Real> || FindsPairs<Effect, Real>,
+        "an effect for everyone has one of the functions for one body in forms.hpp, with "
+        "the arguments and the result given there, and const. If a body was meant: it is a "
+        "Particle or a RigidBody with this world's Real, such as "
+        "make_rigid_body(...).body");
     return append_effect(prepared(effect), true, {});
   }
 
@@ -181,7 +201,15 @@ class World {
     return append_effect(prepared(effect), false, bodies);
   }
 
+  /// False once the effect was removed, or the last of its bodies.
+  bool contains(EffectHandle effect) const {
+    return std::any_of(effects().begin(), effects().end(),
+                       [&](const EffectInstance<Real>& one) { return one.handle == effect; });
+  }
+
+  /// Removes an effect, for all its bodies.
   void remove(EffectHandle effect) {
+    require_between_steps("an effect can't be removed");
     const EffectInstance<Real>& instance = instance_of(effect);
     change_log_.note({"'", instance.effect->name(), "' was removed"});
     limit_changed_ |= instance.effect->traits().changes_limit();
@@ -202,6 +230,7 @@ class World {
   /// Puts another effect of the same type in its place, for the same bodies.
   template <class Effect>
   void change(EffectHandle handle, Effect by) {
+    require_between_steps("an effect can't be changed");
     (void)effect<Effect>(handle);
     auto erased = prepared(by);
     change_log_.note({"'", erased->name(), "' was changed"});
@@ -215,12 +244,14 @@ class World {
   /// of the user's own.
   template <TurningRule<Real> Rule>
   void turn_by(const Rule& rule) {
+    require_between_steps("the method of turning can't be changed");
     change_log_.note({"another method of turning was chosen"});
     planner_.turn_by(Backend::erased(Tumbling<Rule>{.rule = rule}));
   }
 
   /// From now on all bodies are stepped by `scheme`.
   void step_by(Scheme scheme) {
+    require_between_steps("the scheme can't be changed");
     change_log_.note({"the scheme ", tumble::name_of(scheme), " was chosen"});
     limit_changed_ = true;
     planner_.step_by(scheme);
@@ -237,6 +268,7 @@ class World {
     static_assert(
         phase_of<Motion, Real>() == Phase::kick || phase_of<Motion, Real>() == Phase::drift,
         "a motion acts in the phase kick or drift");
+    require_between_steps("a motion can't be added");
     change_log_.note({"'", motion.name, "' came"});
     planner_.add_motion({.effect = Backend::erased(motion)}, named_bodies());
   }
@@ -245,12 +277,16 @@ class World {
   const std::vector<EffectInstance<Real>>& effects() const { return step_plan().effects; }
   /// The name of the rule by which bodies turn whose moments differ.
   std::string turning_method() const { return turning_method_of(step_plan()); }
+  /// By which scheme all bodies are stepped.
   Scheme scheme() const { return step_plan().scheme; }
 
   // --- Time -------------------------------------------------------------------------------------
 
+  /// How long a step lasts, as it was given.
   const StepLength& step_length() const { return time_.step; }
+  /// The same in s, rounded.
   Real time_step() const { return time_step_; }
+  /// How many steps there have been.
   std::int64_t ticks() const { return time_.ticks; }
   /// n h, s: with two roundings at most, beside that of h, however many steps there were. After
   /// set_step_length() it goes on from what it was.
@@ -264,7 +300,7 @@ class World {
   /// std::logic_error if an effect asks for it inside a step; nothing has changed then.
   void set_step_length(const StepLength& step) {
     require_step_length(step, 0);
-    if (inside_.is_inside) throw std::logic_error("the time step can't be changed inside a step");
+    require_between_steps("the time step can't be changed");
     const Real time_step = time_step_of<Real>(step);
     std::vector<std::pair<std::uint64_t, std::shared_ptr<const AnyEffect<Real>>>> prepared;
     for (const EffectInstance<Real>& instance : effects())
@@ -285,6 +321,7 @@ class World {
   /// such pushes are dropped. The bodies are taken in the order of the world.
   /// @throws std::invalid_argument if there are more bodies or tops than then, or fewer.
   void restore(const Snapshot<Real>& then) {
+    require_between_steps("a snapshot can't be restored");
     tumble::restore(then, named_bodies(), backend_, planner_);
     checkpoints_.forget_all();
     time_ = continued<Real>(then, time_.step);
@@ -293,10 +330,14 @@ class World {
   /// The same as save(), for each frame of a game that may have to go back: after the first
   /// checkpoint, and until a body comes or goes, it costs what can move and what was changed, and
   /// not what rests. A checkpoint is for this world, or a copy of it, alone.
-  Checkpoint<Real> checkpoint() { return checkpoints_.make(time_, named_bodies(), planner_); }
+  Checkpoint<Real> checkpoint() {
+    require_between_steps("a checkpoint can't be made");
+    return checkpoints_.make(time_, named_bodies(), planner_);
+  }
   /// See restore() of a Snapshot; it costs what can move now, or could then, and what was changed.
   /// @throws std::invalid_argument if there are more bodies or tops than then, or fewer.
   void restore(const Checkpoint<Real>& then) {
+    require_between_steps("a checkpoint can't be restored");
     checkpoints_.restore(then, named_bodies(), backend_, planner_);
     time_ = continued<Real>(then, time_.step);
   }
@@ -330,10 +371,12 @@ class World {
 
   // --- The step ---------------------------------------------------------------------------------
 
-  /// One step. `watch` is called when all warnings are told, and before anything moves.
+  /// One step. `watch` is called when all warnings are told, and before anything moves; it may look
+  /// at the world, and not change it.
   /// @throws SimulationError if a number would become infinite or NaN, and whatever an effect
   /// throws; the world is then as it was before the step.
   void step(const std::function<void()>& watch = {}) {
+    require_between_steps("another step can't be taken");
     if (change_log_.is_pending()) report_changes();
     const InsideStep inside(inside_);
     if (watch) watch();
@@ -343,7 +386,8 @@ class World {
     planner_.end_inputs(named_bodies());
   }
 
-  /// The same step without groups: see step_by_reference() in other_runs.hpp.
+  /// The same step without members: each effect is asked about each body anew. See
+  /// step_by_reference() in other_runs.hpp.
   void step_by_reference() {
     step_on_copy([&](Bodies<Real>& bodies, const auto& index_of) {
       tumble::step_by_reference(bodies, step_plan(), planner_.alone(), step_time(), index_of);
@@ -363,6 +407,7 @@ class World {
   /// `top` is null for a point.
   BodyHandle append_body(const std::string& name, const Particle<Real>& centre,
                          const Top<Real>* top) {
+    require_between_steps("a body can't be added");
     const std::string called = name.empty() ? "a body" : name;
     check_body(called, centre);
     if (top) check_body(called, *top);
@@ -384,9 +429,15 @@ class World {
           joined({"'", name_of(body), "' is a point: it has no orientation"}));
   }
 
+  /// Inside a step the backend goes through the arrays and the plan.
+  void require_between_steps(const char* what) const {
+    if (inside_.is_inside) throw std::logic_error(joined({what, " inside a step"}));
+  }
+
   /// Lets `change` change a body. If it throws, nothing has changed.
   template <class Change>
   void change_state(BodyHandle body, const Change& change) {
+    require_between_steps("a body can't be changed");
     const BodyIndex index = registry_.index_of(body);
     RigidBody<Real> changed = backend_.body(index);
     change(changed);
@@ -432,6 +483,7 @@ class World {
 
   EffectHandle append_effect(std::shared_ptr<const AnyEffect<Real>> erased, bool everyone,
                              const std::vector<BodyHandle>& bodies) {
+    require_between_steps("an effect can't be added");
     const std::string name = erased->name();
     const std::size_t stride = erased->traits().joins_two() ? 2 : 1;
     IndexSet meant_for;
@@ -440,12 +492,13 @@ class World {
           joined({"'", name, "' was given ", std::to_string(bodies.size()), " bodies; it needs ",
                   stride == 2 ? "pairs of them" : "at least one"}));
     for (std::size_t i = 0; i < bodies.size(); ++i) {
+      const BodyIndex body =
+          registry_.index_of(bodies[i]);  // or it throws, and nothing has changed
       require_top_for(*erased, bodies[i], i);
       if (stride == 2 && i % 2 == 1 && bodies[i] == bodies[i - 1])
         throw std::invalid_argument(
             joined({"'", name, "' joins '", name_of(bodies[i]), "' to itself"}));
       if (stride == 2) continue;
-      const BodyIndex body = registry_.index_of(bodies[i]);
       if (meant_for.contains(body))
         throw std::invalid_argument(
             joined({"'", name, "' was given '", name_of(bodies[i]), "' twice"}));
@@ -471,6 +524,7 @@ class World {
 
   template <class Step>
   void step_on_copy(const Step& step) {
+    require_between_steps("another step can't be taken");
     const InsideStep inside(inside_);
     Bodies<Real> bodies = backend_.bodies();
     step(bodies, [this](BodyHandle body) { return registry_.index_of(body); });
