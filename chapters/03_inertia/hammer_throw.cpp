@@ -119,8 +119,6 @@ int main(int argument_count, char** arguments) {
   std::printf("velocity of the centre  %.2f m/s\n", velocity.norm());
   std::printf("turning                 %.1f rad/s, %.1f turns in %.2f s\n", std::abs(spin.y()),
               turns, flight);
-  notebook.value("mass", number("%.2f kg", hammer.mass));
-  notebook.value("centre", number("%.0f mm", 1e3 * hammer.centre_of_mass.z()));
   notebook.value("miss", number("%.0f mm", 1e3 * miss));
   notebook.value("turns", number("%.1f", turns));
   notebook.value("poses", number("%.0f", poses + 1));

@@ -31,6 +31,5 @@ int main(int argument_count, char** arguments) {
   support::expect(name_of(i * j * k) == "-1", "ijk = -1");
 
   notebook.value("size_double", std::to_string(sizeof(Quaterniond)));
-  notebook.value("size_float", std::to_string(sizeof(Quaternionf)));
   notebook.value("matrix_double", std::to_string(sizeof(Mat3d)));
 }

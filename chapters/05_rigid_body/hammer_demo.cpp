@@ -61,8 +61,6 @@ int main(int argument_count, char** arguments) {
               1000 * support::hammer().centre_of_mass.x());
   std::printf("principal moments  %.2e, %.2e, %.2e kg m^2\n", moments.x(), moments.y(),
               moments.z());
-  notebook.value("centre_of_mass",
-                 support::number("%.0f mm", 1000 * support::hammer().centre_of_mass.x()));
 
   // The throw. The hammer turns about z, which is a principal axis, so it turns steadily.
   const double spin = 3 * pi, time_step = 1.0 / 240;

@@ -66,7 +66,6 @@ int main(int argument_count, char** arguments) {
   std::printf("angular velocity from body-frame momentum    %8.1e\n", stored_in_body);
   notebook.value("small_moment", support::number("%.0f %%", 100 * small_moment));
   notebook.value("tensor", support::number("%.0f %%", 100 * tensor));
-  notebook.value("in_and_out", support::number("%.0f %%", 100 * in_and_out));
   notebook.value("stored_in_body", support::number("%.0e", stored_in_body));
   support::expect(small_moment > 0.01,
                   "the tensor formed in float has lost the small moment's digits");

@@ -55,7 +55,6 @@ void show_numbers(support::Notebook& notebook) {
   support::expect(std::abs(lowest_cosine(gyroscope, std::cos(tilt), spin) - exact.lowest()) < 1e-12,
                   "the dip is that of the elliptic solution");
   notebook.value("slow", number("%.2f rad/s", slow));
-  notebook.value("fast", number("%.0f rad/s", fast));
   notebook.value("rough", number("%.2f rad/s", rough));
   notebook.value("nodding", number("%.1f rad/s", nodding));
   notebook.value("rough_nodding", number("%.1f rad/s", rough_nodding));
@@ -64,7 +63,6 @@ void show_numbers(support::Notebook& notebook) {
   notebook.value("sleeps", number("%.0f rad/s", sleeps));
   notebook.value("spin", number("%.0f rad/s", spin));
   notebook.value("turns_a_minute", number("%.0f", spin * 30 / pi));
-  notebook.value("steps_per_second", std::to_string(steps_per_second));
   notebook.value("across", number("%.2e kg m²", gyroscope.across));
   notebook.value("along", number("%.2e kg m²", gyroscope.along));
 }

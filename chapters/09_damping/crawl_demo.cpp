@@ -27,5 +27,4 @@ int main(int argument_count, char** arguments) {
   notebook.value("kept", support::number("%.4f", double(kept)));
   notebook.value("stuck", support::number("%.1e", double(crawling)));
   notebook.value("slowest_float", support::number("%.1e", double(slowest_speed<float>)));
-  notebook.value("slowest_double", support::number("%.1e", slowest_speed<double>));
 }

@@ -30,7 +30,6 @@ int main(int argument_count, char** arguments) {
     std::printf("%16d %13.4f %10.4f\n", steps, after_a_second(0.99, steps), by_rate);
     support::expect(std::abs(by_rate - std::pow(0.99, 60)) < 1e-13, "the rate means a second");
   }
-  notebook.value("rate", number("%.3f", rate));
   notebook.value("left_at_30", number("%.0f %%", 100 * after_a_second(0.99, 30)));
   notebook.value("left_at_144", number("%.0f %%", 100 * after_a_second(0.99, 144)));
 

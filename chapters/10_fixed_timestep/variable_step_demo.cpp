@@ -70,7 +70,6 @@ int main(int argument_count, char** arguments) {
   support::expect(fast < 1.2 && slow < 2.4 && in_turn > 100,
                   "each step alone is stable, the two in turn are not");
   notebook.value("steady", number("%.1f m", std::max(fast, slow)));
-  notebook.value("in_turn", number("%.0f m", in_turn));
 
   Particled even = make_particle(1.0, Vec3d(1, 0, 0)), coarse = even, turns = even;
   const auto pull_and_step = [w](Particled& weight, double time_step) {

@@ -127,7 +127,4 @@ int main(int argument_count, char** arguments) {
   notebook.value("bytes_point", std::to_string(sizeof(Particle<Packed>) / width));
   notebook.value("bytes_body",
                  std::to_string((sizeof(Particle<Packed>) + sizeof(Top<Packed>)) / width));
-  notebook.value("bytes_point_double",
-                 std::to_string(sizeof(Particle<Pack<double, natural_width<double>>>) /
-                                natural_width<double>));
 }

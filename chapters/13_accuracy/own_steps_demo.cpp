@@ -48,10 +48,6 @@ void write_energies(Notebook& notebook, const Orbit& orbit) {
     }
     table.row(double(n), last[0], last[1], last[2], last[3]);
   }
-  notebook.value("energy_even", number("%.0e", worst[0]));
-  notebook.value("energy_chosen", number("%.0e", last[1]));
-  notebook.value("energy_pair", number("%.0e", last[2]));
-  notebook.value("energy_transformed", number("%.0e", worst[3]));
   std::printf(
       "Energy after 100 rounds, relative: %.0e with steps of one length, %.0e with steps chosen\n"
       "at their start, %.0e by the pair, %.0e in transformed time.\n",
@@ -360,7 +356,6 @@ int main(int argument_count, char** arguments) {
       "angle,\n%ld and %ld by seven numbers alike.\n",
       small[0], large[0], small[1], large[1]);
   notebook.value("angle_small", std::to_string(small[0]));
-  notebook.value("angle_large", std::to_string(large[0]));
   notebook.value("seven_small", std::to_string(small[1]));
   notebook.value("seven_large", std::to_string(large[1]));
   expect(small[0] == large[0] && large[1] > 5 * small[1],

@@ -100,7 +100,6 @@ std::int64_t clock_after(Notebook& notebook, std::int64_t steps) {
       static_cast<long long>(clock.steps), static_cast<long long>(frames),
       simulated_time<double>(clock), double(added_up));
   notebook.value("simulated", number("%.0f s", simulated_time<double>(clock)));
-  notebook.value("added_up", number("%.0f s", added_up));
   return clock.steps;
 }
 

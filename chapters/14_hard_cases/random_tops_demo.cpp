@@ -200,8 +200,5 @@ int main(int argument_count, char** arguments) {
   report_unbounded<double>(table, items, "double", few);
   report_unbounded<float>(table, items, "float", few);
   notebook.value("tops", std::to_string(wanted_count()));
-  notebook.value("few_tops", std::to_string(few));
   notebook.value("steps", std::to_string(steps));
-  notebook.value("rounding_double", number("%.0e", rounding<double>));
-  notebook.value("rounding_float", number("%.0e", rounding<float>));
 }

@@ -40,7 +40,7 @@ template <class... Arguments>
 Question question(const char* function, const Arguments&... arguments) {
   Question asked{function, {}, {}};
   std::size_t at = 0;
-  const auto add = [&](const auto& argument) {
+  [[maybe_unused]] const auto add = [&](const auto& argument) {  // of none there is nothing to add
     asked.begins.push_back(at);
     put(asked.line, argument);
     find_quaternions(argument, at, asked.quaternions);
