@@ -279,7 +279,7 @@
       clearTimeout(this.telling);
       // Who drags a knob is told where it stops.
       this.telling = setTimeout(() => {
-        if (this.finding.textContent !== text) this.finding.textContent = text;
+        if (this.finding.textContent !== bare(text)) this.finding.replaceChildren(...with_symbols(text));
         this.element.dispatchEvent(new Event('told'));
       }, 150);
     }

@@ -12,7 +12,7 @@
     const size = Math.abs(value);
     if (size !== 0 && (size < 1e-3 || size >= large)) {
       const [mantissa, power] = value.toExponential(digits - 1).split('e');
-      const factor = Number(mantissa) === 1 ? '' : `${String(Number(mantissa)).replace('-', '−')} × `;
+      const factor = Number(mantissa) === 1 ? '' : `${String(Number(mantissa)).replace('-', '−')}\u00a0×\u00a0`;
       return `${factor}10${[...String(Number(power))].map(c => superscripts[c]).join('')}`;
     }
     return String(Number(value.toPrecision(digits))).replace('-', '−');

@@ -383,15 +383,14 @@ export class Blocks {
       .join('');
   }
 
-  /** A card for each chapter: its opening picture, its question, and what one can say afterwards, once all pages are read. */
+  /** A card for each chapter: its opening picture and its question, once all pages are read. */
   #chapters() {
     const item = page =>
-      `<li><a href="${page.file}">${thumbnail(page)}<b>${escape(page.name)}</b><span>${escape(capitalised(page.question ?? ''))}</span></a>` +
-      `${page.say ? `<p>${page.say}</p>` : ''}</li>`;
+      `<li><a href="${page.file}">${thumbnail(page)}<b>${escape(page.name)}</b><span>${escape(capitalised(page.question ?? ''))}</span></a></li>`;
     return () => `<ol class="chapters unindexed">${this.pages.chapters.filter(page => !page.further).map(item).join('')}</ol>`;
   }
 
-  /** The same sentences as a list. */
+  /** What one can say after each chapter, as a list. */
   #sayings() {
     const item = ({name, say}) => `<li value="${/^\d+/.exec(name)}">${say}</li>`;
     return () => `<ol class="sayings unindexed">${this.pages.chapters.filter(page => page.say).map(item).join('')}</ol>`;

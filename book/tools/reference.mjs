@@ -23,7 +23,7 @@ function rows_of(html) {
 /** Numbers, vectors, matrices, orientations and poses have units; a body or a text has none of its own. */
 const is_quantity = type =>
   /\b(Vec3|Mat3|Quaternion|Pose|Real|double|float|int|int64_t|size_t|Time|Nanoseconds)\b/i.test(type) &&
-  !/\b(Particle|Top|RigidBody|Bod(y|ies)\w*|Wrench|Mesh|Array|vector|span|string\w*)\b/.test(type);
+  !/\b(WorldTime|StepTime|Particle|Top|RigidBody|Bod(y|ies)\w*|Wrench|Mesh|Array|vector|span|string\w*)\b/.test(type);
 
 /** What Doxygen says of each member at length: id to {doc, line}; `line` is the address of its source. */
 function descriptions_in(html) {

@@ -1,7 +1,9 @@
 // A table as HTML.
 import {escape} from './text.mjs';
 
-const shown = cell => (typeof cell === 'string' ? escape(cell) : cell.html);
+/** Nothing is torn between a factor and its power, or a number and its unit. */
+const whole = text => text.replace(/ × /g, '\u00a0×\u00a0').replace(/(\d) (?=(?:[nµm]?s|×|m|rad|J|kg)(?![\p{L}]))/gu, '$1\u00a0');
+const shown = cell => (typeof cell === 'string' ? escape(whole(cell)) : cell.html);
 
 /** Without the rows and the columns that hold nothing beside their heading: what was not measured. */
 export function without_empty({columns, rows}) {
@@ -14,7 +16,7 @@ export function without_empty({columns, rows}) {
 /** Columns are {text, is_number}; a cell is a text or {html}. Rows of `sums` stand below a line. */
 export function table(caption, columns, rows, kind = 'table', sums = []) {
   const mark = column => (columns[column].is_number ? ' class="number"' : '');
-  const head = columns.map(({text}, column) => `<th scope="col"${mark(column)}>${escape(text)}</th>`).join('');
+  const head = columns.map(({text}, column) => `<th scope="col"${mark(column)}>${escape(whole(text))}</th>`).join('');
   const lines = some =>
     some.map(row => `<tr>${row.map((cell, column) => `<td${mark(column)}>${shown(cell)}</td>`).join('')}</tr>`).join('');
   const foot = sums.length ? `<tfoot>${lines(sums)}</tfoot>` : '';

@@ -40,8 +40,9 @@ tumble_live.figures.throw = {
         const plot = new tumble_live.Plot(painter, palette, size, {label: 'time', unit: 's', least: 0, most: 2},
           {label: 'below the parabola', unit: 'm', ...tumble_live.range_of([below, [0]])});
         picture.plot = plot;
-        plot.line(columns.time, columns['half g h t'], palette.bodies[0]);
         plot.points(columns.time, below, palette.bodies[1], 3);
+        if (!tumble_live.answered('half_the_step')) return;
+        plot.line(columns.time, columns['half g h t'], palette.bodies[0]);
         plot.legend([['½ *g h t*', palette.bodies[0]]]);
       },
     },
@@ -49,7 +50,8 @@ tumble_live.figures.throw = {
   finding({columns}) {
     const {with_unit} = tumble_live;
     const last = name => columns[name].at(-1);
-    return `After ${with_unit(last('time'), 's')} the stepped ball is ${with_unit(last('below the parabola'), 'm')} below the parabola, and ½ g h t is ` +
-      `${with_unit(last('half g h t'), 'm')}. Forward it is off by ${with_unit(Math.abs(columns['exact distance'].at(-1) - columns.distance.at(-1)), 'm', 2)}.`;
+    const by_formula = tumble_live.answered('half_the_step') ? `, and ½ g h t is ${with_unit(last('half g h t'), 'm')}` : '';
+    return `After ${with_unit(last('time'), 's')} the stepped ball is ${with_unit(last('below the parabola'), 'm')} below the parabola${by_formula}. ` +
+      `Forward it is off by ${with_unit(Math.abs(columns['exact distance'].at(-1) - columns.distance.at(-1)), 'm', 2)}.`;
   },
 };

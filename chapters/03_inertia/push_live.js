@@ -11,7 +11,7 @@
   const path = (columns, values, at) => Array.from(columns.time, (_, n) => outline(columns, values, n, [[at, 0]])[0]);
 
   live.figures.push = {
-    title: 'What does the place of the push decide, and what not?',
+    title: 'What does the place of the push change, and what does it leave alone?',
     hint: 'Drag in the picture to draw the push: it acts where you begin.',
     knobs: {
       at: {label: 'Where it is pushed'},
@@ -67,10 +67,11 @@
       const [speed] = columns.speed, [spin] = columns.spin, [rest] = columns['at rest'], [centre] = columns.centre;
       const moves = `The centre of mass, at ${with_unit(centre, 'm')}, moves at ${with_unit(speed, 'm/s')}, wherever it is pushed. `;
       if (Math.abs(spin) < 1e-9) return `${moves}Pushed through it, the hammer does not turn.`;
-      const stands = Math.abs(values.angle % 180) !== 90 ? 'No point of the handle stands quite still unless the push is perpendicular to it.'
-        : rest > -0.15 && rest < 0.18 ? `The point at ${with_unit(rest, 'm')} stands still for a moment: hold the hammer there, and the hand feels nothing.`
+      const stands = Math.abs(values.angle % 180) !== 90 ? 'No point of the hammer stands quite still unless the push is perpendicular to it.'
+        : rest > -0.15 && rest < 0.15 ? `The point at ${with_unit(rest, 'm')} stands still for a moment: hold the hammer there, and the hand feels nothing.`
+          : rest < 0.18 && rest > 0 ? `The point at ${with_unit(rest, 'm')}, in the head, stands still for a moment.`
           : `The point that stands still lies at ${with_unit(rest, 'm')}, beyond the hammer.`;
-      return `${moves}It turns at ${shown(spin)} rad/s. ${stands}`;
+      return `${moves}The hammer turns at ${shown(spin)} rad/s. ${stands}`;
     },
   };
 })();

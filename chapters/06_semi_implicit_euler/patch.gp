@@ -7,7 +7,7 @@ set ylabel "{/:Italic v} (m/s)"
 set size ratio -1
 set xrange [0.2:1.6]
 set xtics 0.8
-set yrange [-1.25:0.5]
+set yrange [-1.4:0.5]
 set ytics 0.5
 of(kind) = strcol(1) eq kind ? column(2) : NaN
 set label 1 "start" at 0.9, 0.33 center textcolor rgb "#22303a"
@@ -18,7 +18,7 @@ set label 1 "after the kick" at 0.9, 0.33 center textcolor linetype 3
 plot "patch.tsv" using (of("start")):3 with lines linestyle 7 notitle, \
      "patch.tsv" using (of("kicked")):3 with filledcurves closed fillstyle transparent solid 0.25 border linestyle 3 notitle
 set label 1 "after the drift" at 0.9, 0.33 center textcolor rgb "#0b6aa2"
-set label 2 "explicit step" at 1.0, -1.06 center textcolor linetype 2
+set label 2 "explicit step" at 1.0, -1.24 center textcolor linetype 2
 plot "patch.tsv" using (of("kicked")):3 with lines linestyle 3 notitle, \
      "patch.tsv" using (of("stepped")):3 with filledcurves closed fillstyle transparent solid 0.35 border linestyle 1 notitle, \
      "patch.tsv" using (of("explicit")):3 with lines linestyle 2 notitle

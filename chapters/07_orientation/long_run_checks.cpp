@@ -43,8 +43,8 @@ TEST_CASE_TEMPLATE("However many steps it takes, the norm stays 1 to a few round
 }
 
 TEST_CASE_TEMPLATE(
-    "A million turns of a ten-millionth of a radian make a tenth, in float within 8 per cent", Real,
-    EVERY_PRECISION) {
+    "From no turn a million turns of a ten-millionth make a tenth, in float within 8 per cent",
+    Real, EVERY_PRECISION) {
   const int steps = 1'000'000;
   const Vec3<Real> omega(0, 0, Real(1e-7));
   Quaternion<Real> exact, first;

@@ -138,7 +138,7 @@
           : `Spun about ${axis}, which is stable, the body has been made to tumble by the rule.`);
       }
       if (flips.length === 0) return `${books}No flip yet: the exact motion flips ${with_unit(columns['exact wait'][0] / 2, 's')} after the throw.`;
-      const wait = flips.length > 1 ? `, then one every ${with_unit((flips.at(-1) - flips[0]) / (flips.length - 1), 's')}` : '';
+      const wait = flips.length > 1 ? `, then every ${with_unit((flips.at(-1) - flips[0]) / (flips.length - 1), 's')}` : '';
       return `${books}It flips first after ${with_unit(flips[0], 's')}${wait}; the exact motion takes ${with_unit(columns['exact wait'][0], 's')} from flip to flip.`;
     },
   };

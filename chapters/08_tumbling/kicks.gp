@@ -1,4 +1,4 @@
-set title "The kicks are perpendicular to L, so L goes round"
+set title "The kicks lead L round a circle"
 set xlabel "{/:Italic L}, eastward (g m²/s)"
 set ylabel "{/:Italic L}, northward (g m²/s)"
 set size ratio -1

@@ -3,10 +3,10 @@ set title "What becomes of the spin about the shaft?"
 set xlabel "time (s)"
 set ylabel "rate (rad/s)"
 set ytics 5
-set yrange [-11:13]
+set yrange [-11:14]
 unset key
 set label 1 "A, and exact" at 3.15, -6.5 center textcolor linetype 1
-set label 2 "B, without the term" at 6.2, 11.7 center textcolor linetype 2
+set label 2 "B, without the term" at 6.2, 12.4 center textcolor linetype 2
 plot "t_handle.tsv" using 1:2 with lines linestyle 1, \
      "t_handle.tsv" using 1:3 with lines linestyle 7, \
      "t_handle.tsv" using 1:4 with lines linestyle 2

@@ -57,7 +57,7 @@
         return `${start}The part was tuned for 60 steps a second; with another step the same number is another rate, ${shown(-Math.log(left) / values.h)} 1/s.`;
       if (left < -1) return `${start}The speed turns round in every step, and grows.`;
       if (left < 0) return `${start}The speed turns round in every step.`;
-      return `${start}It never turns round; what is left is ${left < exact ? 'too little' : 'too much'}.`;
+      return `${start}It never turns round, but it keeps too ${left < exact ? 'little' : 'much'} of its speed.`;
     },
   };
 })();

@@ -1,5 +1,5 @@
 /// @file
-/// Loops over the packs of a group.
+/// Loops over the packs in which an effect has members.
 #pragma once
 
 #include <tumble/packed_bodies.hpp>
