@@ -23,6 +23,7 @@ import {player_files} from './players.mjs';
 import {names_in, pruned} from './prune_style.mjs';
 import {read_pages} from './pages.mjs';
 import {preview} from './previews.mjs';
+import {with_quotes} from './quotes.mjs';
 import {Reference, lessons_of} from './reference.mjs';
 import {run_doxygen, write_expanded} from './doxygen.mjs';
 import {search_script, sections} from './search.mjs';
@@ -132,7 +133,7 @@ function write_pages(folder, pages, written, directives) {
     const head = by_file.has(file) && !page.is_being_made ? preview(page, whole, settings, folder) : '';
     const laid_out = layout(page, {html: formulas.in_page(whole, page), headings: typeset_headings, head}, pages, settings.book);
     names_in(laid_out, names);
-    writeFileSync(join(folder, file), laid_out);
+    writeFileSync(join(folder, file), with_quotes(laid_out));
   }
   writeFileSync(join(folder, 'search_index.js'), search_script(settings.source, documents));
   writeFileSync(

@@ -1,5 +1,6 @@
 // Formulas that the exercises write in plain text are set as a reader of the terminal reads them.
 import assert from 'node:assert/strict';
+import {with_quotes} from '../../book/tools/quotes.mjs';
 import {test} from 'node:test';
 import {formula_of_plain_text} from '../../book/tools/plain_formula.mjs';
 import {lines_of_plain_text} from '../../book/tools/plain_text.mjs';
@@ -48,4 +49,10 @@ test('Within a sentence powers are raised, indices lowered and differences taken
   assert.equal(set_line('weight_i and time_step'), 'weight_i and time_step');
   assert.equal(set_line('Say `a_b - c^d`.'), 'Say \\htmlonly<code>a_b - c^d</code>\\endhtmlonly.');
   assert.equal(set_line('Say `a -\nb` or `tumble::a`.'), 'Say `a -\nb` or `tumble::a`.');
+});
+
+test('Quotation marks and apostrophes are set as they are printed, and code keeps its own.', () => {
+  assert.equal(with_quotes(`<p title="a 'b'">"It's <i>so</i>", he said: ('no').</p><pre>"it's"</pre><p>"<code>'x'</code>'s"</p>`),
+    `<p title="a 'b'">“It’s <i>so</i>”, he said: (‘no’).</p><pre>"it's"</pre><p>“<code>'x'</code>’s”</p>`);
+  assert.equal(with_quotes(`<span class="katex"><span>f'</span></span>'s "`), `<span class="katex"><span>f'</span></span>’s “`);
 });
