@@ -25,8 +25,7 @@ std::string text_of(Real value) {
   return buffer;
 }
 
-/// The pieces as one text. Long sums of strings say the same, but take several times as long to
-/// compile.
+/// The pieces as one text. A long sum of strings says the same, and is slower to compile.
 inline std::string joined(std::initializer_list<std::string_view> pieces) {
   std::string text;
   for (const std::string_view piece : pieces) text += piece;

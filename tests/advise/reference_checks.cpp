@@ -1,8 +1,9 @@
+#include <nlohmann/json.hpp>
 #include <random>
 #include <reference.hpp>
 #include <support/checks.hpp>
 #include <thread>
-#include <tumble/scene/read_scene_text.hpp>
+#include <tumble/scene/read_scene.hpp>
 
 using namespace tumble;
 using namespace tumble::advise;

@@ -1,7 +1,7 @@
 #include "plan_comparison.hpp"
 
 #include <support/checks.hpp>
-#include <tumble/scene/read_scene_text.hpp>
+#include <tumble/scene/read_scene.hpp>
 
 using namespace tumble;
 using simulate::Comparison;

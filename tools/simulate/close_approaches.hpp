@@ -8,7 +8,8 @@
 #include <optional>
 #include <set>
 #include <string>
-#include <tumble/scene/read_scene_text.hpp>
+#include <tumble/gravity.hpp>
+#include <tumble/scene/scene.hpp>
 #include <vector>
 
 namespace tumble::simulate {

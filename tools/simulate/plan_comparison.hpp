@@ -16,8 +16,9 @@ struct Comparison {
 };
 
 /// Takes so many steps, or those until one can't be taken.
-template <class Real>
-Comparison compared(World<Real>& planned, World<Real>& exhaustive, std::int64_t steps) {
+template <class Real, class Backend>
+Comparison compared(World<Real, Backend>& planned, World<Real, Backend>& exhaustive,
+                    std::int64_t steps) {
   std::string said;
   for (std::int64_t step = 1; step <= steps && said.empty(); ++step) {
     const std::string complaint = support::complaint_of_step([&] { planned.step(); });

@@ -6,15 +6,18 @@
 #include <system_error>
 #include <tumble/scene/scene_error.hpp>
 
-#include "check_plan.hpp"
 #include "interrupts.hpp"
 #include "live_page.hpp"
 
 namespace tumble::simulate {
 template <class Real>
 ExitCode run(const Options&);
+template <class Real>
+ExitCode check_plan(const Options&);
 extern template ExitCode run<float>(const Options&);
 extern template ExitCode run<double>(const Options&);
+extern template ExitCode check_plan<float>(const Options&);
+extern template ExitCode check_plan<double>(const Options&);
 }  // namespace tumble::simulate
 
 namespace tumble::simulate {
@@ -29,7 +32,8 @@ int answer(int argument_count, char** arguments) {
   try {
     const std::optional<Options> options = read_options(argument_count, arguments);
     if (!options) return all_simulated;
-    if (options->check_plan) return check_plan(*options);
+    if (options->check_plan)
+      return options->is_float ? check_plan<float>(*options) : check_plan<double>(*options);
     if (!options->live.empty()) {
       write_live_page(*options);
       return all_simulated;

@@ -1,5 +1,5 @@
 /// @file
-/// World, compiled once for all checks and programs of the course: see support/worlds and
+/// World, compiled once for all checks and programs of the course: see worlds.cpp and
 /// tumble_compile_once in cmake/TumbleCourse.cmake. Users have the headers alone.
 #pragma once
 

@@ -44,8 +44,8 @@ std::string difference_in_value(const Bodies<Real>& plan, const Bodies<Real>& ot
 /// For most rules that is any orientation; splitting without a sine rounds. The plan does not turn
 /// a top that can't turn, so without this the two runs would differ by roundings that are no
 /// motion.
-template <class Real>
-void settle(World<Real>& world) {
+template <class Real, class Backend>
+void settle(World<Real, Backend>& world) {
   Members one;
   one.indices.insert(0);
   Bodies<Real> alone;

@@ -1,5 +1,5 @@
 /// @file
-/// ManyBodies, compiled once for all checks and programs of the course: see support/many_bodies and
+/// ManyBodies, compiled once for all checks and programs of the course: see many_bodies.cpp and
 /// tumble_compile_once in cmake/TumbleCourse.cmake. Users have the headers alone.
 #pragma once
 

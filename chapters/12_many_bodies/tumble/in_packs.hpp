@@ -127,7 +127,7 @@ class InPacks final : public BodyStore<Real> {
     bool diverged = false;
     for (std::size_t n = share_of(row.blocks.size(), thread, threads); n < end; ++n)
       for (const PackedPass<Real, width>& pass : row.passes) {
-        if (thrown && pass.task != Act::remember) continue;
+        if (thrown && pass.task != Task::remember) continue;
         const std::uint32_t begin = row.blocks[n];
         try {
           diverged |= acts_.act(plan, pass, array, begin, begin + packs_in_block, at);

@@ -21,14 +21,14 @@ struct PackedActs {
   bool act(const StepPlan<Real>& plan, const PackedPass<Real, width>& pass, Array& array,
            std::uint32_t begin, std::uint32_t end, const StepTime<Real>& step) {
     switch (pass.task) {
-      case Act::remember:
+      case Task::remember:
         for_each_whole(pass.indices, begin, end, [&](std::uint32_t first, std::uint32_t last) {
           for (std::uint32_t pack = first; pack < last; ++pack) undo.remember(array, pack);
         });
         for_each_part(pass.indices, begin, end,
                       [&](std::uint32_t pack, const auto&) { undo.remember(array, pack); });
         return false;
-      case Act::run:
+      case Task::run:
         run(plan, pass, begin, end, step);
         return false;
       default:

@@ -31,7 +31,7 @@ struct PackedIndexSet {
 
 namespace detail {
 
-/// The members of a group in ascending order. A bit for each body is faster than to sort a list.
+/// The members of a set in ascending order. A bit for each body is faster than to sort a list.
 inline std::vector<BodyIndex> sorted_members(const IndexSet& members) {
   std::vector<std::uint64_t> bits;
   members.for_each([&](BodyIndex i) {
@@ -49,18 +49,18 @@ inline std::vector<BodyIndex> sorted_members(const IndexSet& members) {
 
 }  // namespace detail
 
-/// Sorts the members of a group into packs. The lanes that are left over in the last pack belong to
+/// Sorts the members of a set into packs. The lanes that are left over in the last pack belong to
 /// nobody and are not visited.
 template <class Real, int width>
 PackedIndexSet<Real, width> packed_index_set(const IndexSet& members) {
-  PackedIndexSet<Real, width> group;
+  PackedIndexSet<Real, width> indices;
   const auto add = [&](std::uint32_t pack, const PackMask<Real, width>& part, int visited) {
     if (visited < width)
-      group.parts.push_back({pack, part});
-    else if (!group.whole.empty() && group.whole.back().end == pack)
-      ++group.whole.back().end;
+      indices.parts.push_back({pack, part});
+    else if (!indices.whole.empty() && indices.whole.back().end == pack)
+      ++indices.whole.back().end;
     else
-      group.whole.push_back({pack, pack + 1});
+      indices.whole.push_back({pack, pack + 1});
   };
   std::vector<BodyIndex> sorted;
   std::size_t first = 0;
@@ -68,7 +68,7 @@ PackedIndexSet<Real, width> packed_index_set(const IndexSet& members) {
     sorted = detail::sorted_members(members);
   } else if (!members.empty()) {
     first = members.size() / width * width;
-    if (first > 0) group.whole.push_back({0, static_cast<std::uint32_t>(first / width)});
+    if (first > 0) indices.whole.push_back({0, static_cast<std::uint32_t>(first / width)});
     for (; first < members.size(); ++first) sorted.push_back(static_cast<BodyIndex>(first));
   }
   for (auto member = sorted.begin(); member != sorted.end();) {
@@ -79,15 +79,16 @@ PackedIndexSet<Real, width> packed_index_set(const IndexSet& members) {
       part.lanes[*member % width] = -1;
     add(pack, part, visited);
   }
-  return group;
+  return indices;
 }
 
 /// How many members there are.
 template <class Real, int width>
-std::size_t count_of(const PackedIndexSet<Real, width>& group) {
+std::size_t count_of(const PackedIndexSet<Real, width>& indices) {
   std::size_t count = 0;
-  for (const WholePacks& packs : group.whole) count += std::size_t{packs.end - packs.begin} * width;
-  for (const auto& part : group.parts)
+  for (const WholePacks& packs : indices.whole)
+    count += std::size_t{packs.end - packs.begin} * width;
+  for (const auto& part : indices.parts)
     for (int lane = 0; lane < width; ++lane) count += part.members[lane];
   return count;
 }
@@ -95,21 +96,21 @@ std::size_t count_of(const PackedIndexSet<Real, width>& group) {
 /// Calls `visit` with the beginning and the end of each row of packs, between `begin` and `end`,
 /// all of whose bodies are members.
 template <class Real, int width, class Visit>
-void for_each_whole(const PackedIndexSet<Real, width>& group, std::uint32_t begin,
+void for_each_whole(const PackedIndexSet<Real, width>& indices, std::uint32_t begin,
                     std::uint32_t end, const Visit& visit) {
-  auto run = std::partition_point(group.whole.begin(), group.whole.end(),
+  auto run = std::partition_point(indices.whole.begin(), indices.whole.end(),
                                   [&](const WholePacks& packs) { return packs.end <= begin; });
-  for (; run != group.whole.end() && run->begin < end; ++run)
+  for (; run != indices.whole.end() && run->begin < end; ++run)
     visit(std::max(run->begin, begin), std::min(run->end, end));
 }
 
 /// Calls `visit` with each other pack that has members, and with their mask.
 template <class Real, int width, class Visit>
-void for_each_part(const PackedIndexSet<Real, width>& group, std::uint32_t begin, std::uint32_t end,
-                   const Visit& visit) {
-  auto part = std::partition_point(group.parts.begin(), group.parts.end(),
+void for_each_part(const PackedIndexSet<Real, width>& indices, std::uint32_t begin,
+                   std::uint32_t end, const Visit& visit) {
+  auto part = std::partition_point(indices.parts.begin(), indices.parts.end(),
                                    [&](const auto& candidate) { return candidate.pack < begin; });
-  for (; part != group.parts.end() && part->pack < end; ++part) visit(part->pack, part->members);
+  for (; part != indices.parts.end() && part->pack < end; ++part) visit(part->pack, part->members);
 }
 
 }  // namespace tumble

@@ -17,8 +17,8 @@ struct PackedPart {
 template <class Real, int width>
 PackedPart packed_part_of(const StepPlan<Real>& plan, const PackedPass<Real, width>& pass,
                           bool of_tops) {
-  if (pass.task != Act::run)
-    return {std::string(pass.task == Act::guard ? "guard of " : "memory of ")
+  if (pass.task != Task::run)
+    return {std::string(pass.task == Task::guard ? "guard of " : "memory of ")
                 .append(of_tops ? "tops" : "centres"),
             count_of(pass.indices)};
   if (pass.row.kind == PassKind::input) return {"input", plan.inputs.size()};

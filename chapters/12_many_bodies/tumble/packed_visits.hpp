@@ -53,12 +53,12 @@ template <class Packed, class Kernel, class Members>
 /// Calls `kernel` with each pack of `array`, between `begin` and `end`, that has members.
 //! [visit_packs]
 template <class Array, class Real, int width, class Kernel>
-void visit_packs(Array& array, const PackedIndexSet<Real, width>& group, std::uint32_t begin,
+void visit_packs(Array& array, const PackedIndexSet<Real, width>& indices, std::uint32_t begin,
                  std::uint32_t end, const Kernel& kernel) {
-  for_each_whole(group, begin, end, [&](std::uint32_t first, std::uint32_t last) {
+  for_each_whole(indices, begin, end, [&](std::uint32_t first, std::uint32_t last) {
     visit_row(kernel, array.packs().data() + first, array.packs().data() + last);
   });
-  for_each_part(group, begin, end, [&](std::uint32_t pack, const auto& members) {
+  for_each_part(indices, begin, end, [&](std::uint32_t pack, const auto& members) {
     visit_part(kernel, array.packs()[pack], members);
   });
 }
@@ -66,18 +66,18 @@ void visit_packs(Array& array, const PackedIndexSet<Real, width>& group, std::ui
 
 /// Calls `kernel` with one member after another.
 template <class Array, class Real, int width, class Kernel>
-void visit_lanes_of(Array& array, const PackedIndexSet<Real, width>& group, std::uint32_t begin,
+void visit_lanes_of(Array& array, const PackedIndexSet<Real, width>& indices, std::uint32_t begin,
                     std::uint32_t end, const Kernel& kernel) {
   const auto visit_lane = [&](std::uint32_t pack, int lane) {
     auto element = lane_of(array.packs()[pack], lane);
     kernel(element);
     set_lane(array.packs()[pack], lane, element);
   };
-  for_each_whole(group, begin, end, [&](std::uint32_t first, std::uint32_t last) {
+  for_each_whole(indices, begin, end, [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t pack = first; pack < last; ++pack)
       for (int lane = 0; lane < width; ++lane) visit_lane(pack, lane);
   });
-  for_each_part(group, begin, end, [&](std::uint32_t pack, const auto& members) {
+  for_each_part(indices, begin, end, [&](std::uint32_t pack, const auto& members) {
     for (int lane = 0; lane < width; ++lane)
       if (members[lane]) visit_lane(pack, lane);
   });
@@ -102,7 +102,7 @@ Top<Pack<Real, width>> tops_of(const PackedBodies<Real, width>& bodies, std::uin
 
 /// Calls `kernel` with the centres and the tops of each pack of bodies that has members.
 template <class Real, int width, class Kernel>
-void visit_bodies(PackedBodies<Real, width>& bodies, const PackedIndexSet<Real, width>& group,
+void visit_bodies(PackedBodies<Real, width>& bodies, const PackedIndexSet<Real, width>& indices,
                   std::uint32_t begin, std::uint32_t end, bool changes_tops, const Kernel& kernel) {
   const auto visit_pack = [&](std::uint32_t pack, const PackMask<Real, width>& members) {
     auto changed = bodies.centres.packs()[pack];
@@ -117,10 +117,10 @@ void visit_bodies(PackedBodies<Real, width>& bodies, const PackedIndexSet<Real, 
     }
   };
   constexpr PackMask<Real, width> all{~typename PackMask<Real, width>::Lanes{}};
-  for_each_whole(group, begin, end, [&](std::uint32_t first, std::uint32_t last) {
+  for_each_whole(indices, begin, end, [&](std::uint32_t first, std::uint32_t last) {
     for (std::uint32_t pack = first; pack < last; ++pack) visit_pack(pack, all);
   });
-  for_each_part(group, begin, end, visit_pack);
+  for_each_part(indices, begin, end, visit_pack);
 }
 
 }  // namespace tumble

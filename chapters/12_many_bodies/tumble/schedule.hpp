@@ -10,12 +10,12 @@
 namespace tumble {
 
 /// What is done to each block.
-enum class Act { remember, run, guard };
+enum class Task { remember, run, guard };
 
 /// A pass, or what guards it, with those that it visits sorted into packs.
 template <class Real, int width>
 struct PackedPass : Pass<Real> {
-  Act task = Act::run;
+  Task task = Task::run;
   PackedIndexSet<Real, width> indices = {};
   const PackedEffect<Real, width>* effect = nullptr;  ///< its form for packs; null for the inputs
   PackColouring apart = {};  ///< for more threads than one, of an effect that sees centre and top
@@ -55,9 +55,9 @@ class Schedule {
   Schedule() = default;
   //! [schedule]
   explicit Schedule(const StepPlan<Real>& plan) : version(plan.version), stages(1) {
-    on_all(Act::remember, plan);
+    on_all(Task::remember, plan);
     for_each_pass(plan, [&](const Pass<Real>& pass) { add(pass, plan); });
-    on_all(Act::guard, plan);
+    on_all(Task::guard, plan);
     for (Stage<Real, width>& stage : stages)
       for (Row<Real, width>* row : {&stage.on_centres, &stage.on_tops}) find_blocks(*row);
   }
@@ -71,13 +71,13 @@ class Schedule {
   }
 
  private:
-  void on_all(Act act, const StepPlan<Real>& plan) {
+  void on_all(Task task, const StepPlan<Real>& plan) {
     if (!plan.moving.empty())
       stages.back().on_centres.passes.push_back(
-          {{}, act, packed_index_set<Real, width>(plan.moving)});
+          {{}, task, packed_index_set<Real, width>(plan.moving)});
     if (!plan.turning.empty())
       stages.back().on_tops.passes.push_back(
-          {{}, act, packed_index_set<Real, width>(plan.turning)});
+          {{}, task, packed_index_set<Real, width>(plan.turning)});
   }
 
   void add(const Pass<Real>& pass, const StepPlan<Real>& plan) {

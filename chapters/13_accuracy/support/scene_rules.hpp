@@ -26,7 +26,7 @@ using SceneRules = Longer<RungsOfWorlds, ExactSolution>::Type;
 #ifdef TUMBLE_COMPILED_RULES
 #include <tumble/in_packs.hpp>
 namespace tumble {
-// They are compiled once, see support/scene_rules.
+// They are compiled once, in scene_rules.cpp.
 extern template void support::SceneRules::choose(World<float>&, std::size_t);
 extern template void support::SceneRules::choose(World<double>&, std::size_t);
 extern template void support::SceneRules::choose(ManyBodies<float>&, std::size_t);

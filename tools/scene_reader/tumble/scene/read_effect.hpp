@@ -13,12 +13,6 @@
 
 namespace tumble {
 
-/// An effect with a name of its own.
-template <class Effect>
-struct Named : Effect {
-  std::string name;
-};
-
 /// The bodies of one element of "bodies" that an effect is meant for.
 struct Targets {
   std::size_t model = 0;

@@ -28,6 +28,12 @@ struct DrawnEnd {
   std::optional<std::size_t> body = {};  ///< its index in the world; none: the point is the world's
 };
 
+/// An effect to which the file gives a name of its own.
+template <class Effect>
+struct Named : Effect {
+  std::string name;
+};
+
 /// A world to simulate, and what the file says beside it.
 //! [scene]
 template <class Real, class Backend = OneByOne<Real>>

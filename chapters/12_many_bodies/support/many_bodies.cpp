@@ -2,4 +2,5 @@
 
 namespace tumble {
 TUMBLE_MANY_BODIES(, float)
+TUMBLE_MANY_BODIES(, double)
 }  // namespace tumble

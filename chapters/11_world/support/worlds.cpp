@@ -2,4 +2,5 @@
 
 namespace tumble {
 TUMBLE_WORLD(, float)
+TUMBLE_WORLD(, double)
 }  // namespace tumble

@@ -1,5 +1,0 @@
-#include <tumble/world.hpp>
-
-namespace tumble {
-TUMBLE_WORLD(, double)
-}  // namespace tumble

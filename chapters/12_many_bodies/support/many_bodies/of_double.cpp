@@ -1,5 +1,0 @@
-#include <tumble/in_packs.hpp>
-
-namespace tumble {
-TUMBLE_MANY_BODIES(, double)
-}  // namespace tumble

@@ -1,3 +1,0 @@
-#include "run.hpp"
-
-template tumble::simulate::ExitCode tumble::simulate::run<float>(const Options&);
