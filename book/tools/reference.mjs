@@ -5,16 +5,24 @@ import {join} from 'node:path';
 import {BookError} from './results.mjs';
 import {escape, plain, slug} from './text.mjs';
 
-/** The rows of Doxygen's lists: {id, template, left, right, brief, kind}. */
+/** The rows of Doxygen's lists: {id, template, left, right, brief, kind}; without what stands there a second time, as a base class has it. */
 function rows_of(html) {
   const rows = [];
   for (const [, list] of html.matchAll(/<table class="memberdecls">([\s\S]*?)<\/table>/g)) {
     const kind = /<a id="([\w-]+)"/.exec(list)?.[1] ?? '';
+    let template = '';
     for (const [, id, row] of list.matchAll(/<tr class="memitem:(\w*)">([\s\S]*?)<\/tr>(?=\s*$|\n<tr class="(?:memdesc|separator|memitem))/g)) {
-      if (/class="memTemplParams"/.test(row)) continue;
+      const head = /<td class="memTemplParams"[^>]*>([\s\S]*?)<\/td>/.exec(row)?.[1];
+      if (head) {
+        template = head;
+        continue;
+      }
       const left = /<td class="mem(?:Templ)?ItemLeft"[^>]*>([\s\S]*?)<\/td>/.exec(row)?.[1] ?? '';
       const right = /<td class="mem(?:Templ)?ItemRight"[^>]*>([\s\S]*?)<\/td>/.exec(row)?.[1] ?? '';
-      rows.push({kind, id, left, right});
+      const brief = new RegExp(`<tr class="memdesc:${id}"><td class="mdescLeft">&#160;</td><td class="mdescRight">([\\s\\S]*?)(?:<a href="[^"]*">More\\.\\.\\.</a>)?<br />`).exec(list)?.[1] ?? '';
+      const is_of_base = / =0$/.test(right.trim()) && rows.some(known => / override$/.test(known.right.trim()) && name_in(known.right) === name_in(right));
+      if (!is_of_base) rows.push({kind, id, template, left, right, brief});
+      template = '';
     }
   }
   return rows;
@@ -36,7 +44,8 @@ function descriptions_in(html) {
     const parameters = [...block.matchAll(/<td class="paramtype">([\s\S]*?)<\/td>\s*<td class="paramname"><em>(\w+)<\/em>/g)]
       .filter(([, type]) => is_quantity(plain(type)))
       .map(([, , name]) => name);
-    found.set(id, {doc: doc.replace(/<p class="definition">[\s\S]*?<\/p>/g, '').trim(), line, parameters});
+    const kept = doc.replace(/<p class="definition">[\s\S]*?<\/p>/g, '').replace(/<p>Implements <a [^>]*>[^<]*<\/a>\.<\/p>/g, '');
+    found.set(id, {doc: kept.trim(), line, parameters});
   }
   return found;
 }
@@ -51,11 +60,16 @@ const declaration = html =>
     .replace(/ &amp;(?=\w|<a)/g, '&amp; ')
     .replace(/ &amp;/g, '&amp;')
     .replace(/ \(/g, '(')
+    .replace(/ ,/g, ',')
     .replace(/(?<=\d) '(?=\d{3})/g, "'")
     .replace(/\s+/g, ' ')
     .trim();
 
-const name_in = right => plain(/^\s*(?:<a [^>]*>)?([\w~]+|operator[^ (]+)/.exec(right)?.[1] ?? right);
+const name_in = right => plain(/^\s*(?:<(?:a|b)\b[^>]*>)?([\w~]+|operator[^ (]+)/.exec(right)?.[1] ?? right);
+
+/** The declaration as it is set: what it is a template of stands on a line of its own. */
+const declared = (template, text) =>
+  `<code>${template ? `<span>${declaration(template).replace(/^template&lt;/, 'template &lt;')}</span><span>${text}</span>` : text}</code>`;
 
 export class Reference {
   /** `headers` are {path, name, page, brief}, `page` that of the chapter; `lessons` leads from a path to where it is taught. */
@@ -145,7 +159,7 @@ export class Reference {
     );
   }
 
-  #member({id, left, right}, owner, taken, level) {
+  #member({id, template, left, right, brief}, owner, taken, level) {
     const about = this.descriptions.get(id);
     const name = name_in(right);
     const address = taken.has(id) ? '' : ` id="${id}"`;
@@ -153,31 +167,34 @@ export class Reference {
     const line = about?.line ? ` <a class="line-link" href="${about.line}">source</a>` : '';
     return (
       `<${level}${address}>${escape(name)}</${level}>` +
-      `<p class="declaration"><code>${declaration(`${left} ${right}`)}</code>${line}</p>` +
-      `${about ? about.doc : ''}${this.#given(owner, name, about?.parameters ?? [])}`
+      `<p class="declaration">${declared(template, declaration(`${left} ${right}`))}${line}</p>` +
+      `${about ? about.doc : brief && `<p>${brief}</p>`}${this.#given(owner, name, about?.parameters ?? [])}`
     );
   }
 
   #fields(rows) {
     const line = ({id, left, right}) => {
       const doc = this.descriptions.get(id)?.doc.replace(/^<p\s*>|<\/p>\s*$/g, '') ?? '';
-      return `<tr id="${id}"><td><code>${declaration(right)}</code></td><td><code>${declaration(left)}</code></td><td>${doc}</td></tr>`;
+      const [, field, value] = /^(.*?)(?: = ?(.*))?$/.exec(declaration(right));
+      const cells = [field, declaration(left), value ?? ''].map(cell => `<td>${cell && `<code>${cell}</code>`}</td>`);
+      return `<tr id="${id}">${cells.join('')}<td>${doc}</td></tr>`;
     };
     return (
-      `<div class="scroll"><table class="fields"><thead><tr><th scope="col">field</th><th scope="col">type</th>` +
+      `<div class="scroll"><table class="fields"><thead><tr><th scope="col">field</th><th scope="col">type</th><th scope="col">default</th>` +
       `<th scope="col">what</th></tr></thead><tbody>${rows.map(line).join('')}</tbody></table></div>`
     );
   }
 
   #compound(file, header, taken, headings) {
     const {title, contents} = this.written[file];
-    const name = title.replace(/ (?:Class|Struct|Union|Concept)?\s*(?:Template )?Reference$/, '').replace(/< .* >/, '');
+    const name = title.replace(/ (?:Class|Struct|Union|Concept)?\s*(?:Template )?Reference$/, '').replace(/< .* >|^tumble::/g, '');
     const id = this.#id_of(file);
     headings.push({level: 2, id, html: escape(name)});
     const described =
       /<a name="details" id="details"><\/a><h2 class="groupheader">Detailed Description<\/h2>\s*<div class="textblock">([\s\S]*?)<\/div>\s*(?=<h2 class="groupheader"|$)/.exec(
         contents,
       )?.[1] ?? '';
+    const head = /<div class="compoundTemplParams">([\s\S]*?)<br \/>\s*(class|struct|union)/.exec(described);
     const definition = /<h2 class="groupheader">Concept definition<\/h2>\s*(<div class="fragment">[\s\S]*?<!-- fragment -->)/.exec(contents)?.[1];
     const doc = described
       .replace(/<div class="compoundTemplParams">[\s\S]*?<\/div>/, '')
@@ -190,7 +207,8 @@ export class Reference {
     for (const row of members)
       if (!headings.some(({html}) => html === escape(name_in(row.right)))) headings.push({level: 3, id: row.id, html: escape(name_in(row.right))});
     return (
-      `<h2 id="${id}">${escape(name)}</h2>${doc}${definition ?? ''}${fields.length ? this.#fields(fields) : ''}` +
+      `<h2 id="${id}">${escape(name)}</h2>` +
+      `${head ? `<p class="declaration">${declared(head[1], `${head[2]} ${escape(name)}`)}</p>` : ''}${doc}${definition ?? ''}${fields.length ? this.#fields(fields) : ''}` +
       members.map(row => this.#member(row, name, taken, 'h3')).join('')
     );
   }

@@ -34,6 +34,8 @@ test('Each field and each function that a header documents stands in the referen
     const page = readFileSync(join(book, file), 'utf8');
     const rows = [...page.matchAll(/<tr id="[^"]*"><td><code>(.*?)<\/code>/g)].map(match => match[1].replace(/<[^>]*>/g, '').replace(/ = .*/, ''));
     const named = [...page.matchAll(/<h[23][^>]*>([\w~]+)<\/h[23]>/g)].map(match => match[1]);
+    const headings = [...page.matchAll(/<h[23] id="[^"]*">(.*?)<\/h[23]>/g)].map(match => match[1]);
+    absent.push(...headings.filter(name => !/^(~?\w+|operator\S+)$/.test(name)).map(name => `${path}: a name instead of "${name}"`));
     if (named.includes('tumble')) absent.push(`${path}: what is called there like the namespace`);
     const told = documented(readFileSync(join(source, path), 'utf8'));
     absent.push(...told.fields.filter(name => !rows.includes(name)).map(name => `${path}: the field ${name}`));
