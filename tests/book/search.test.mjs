@@ -1,4 +1,4 @@
-// Forty-eight questions as readers ask them, and where each must lead first. TUMBLE_BOOK is the folder of the book.
+// Fifty-one questions as readers ask them, and where each must lead first. TUMBLE_BOOK is the folder of the book.
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
@@ -32,6 +32,9 @@ const questions = [
   ['float or double', /conventions\.html#conventions_precision/],
   ['timestep for a stiff spring', /how_long_may_a_step_be|step_limits/],
   ['nlerp', /chapter_10_fixed_timestep\.html#timestep_draw/],
+  ['skip_reason', /effects\.html#effects_members/],
+  ['collision', /effects\.html#effects_forms/],
+  ['collisions between bodies', /effects\.html#effects_forms/],
   ['FetchContent', /reference\.html#reference_link/],
   // Headings.
   ['parallel axis', /chapter_03_inertia\.html#inertia_parallel/],
@@ -74,7 +77,7 @@ for (const [question, place] of questions) {
   });
 }
 
-test('There are forty-eight questions.', () => assert.equal(questions.length, 48));
+test('There are fifty-one questions.', () => assert.equal(questions.length, 51));
 
 test('Where no place holds every word, the best for some of them comes, and the reader is told.', () => {
   const {hits, whole} = book_search.find('quaternion xylophone', prepared);
