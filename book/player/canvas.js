@@ -22,7 +22,7 @@
       this.context.lineCap = 'round';
       this.is_dark = paper[0] < 128; // where a shadow must be deeper to be seen
       const family = getComputedStyle(this.canvas).fontFamily; // the page's own letters
-      this.fonts ??= [`13px ${family}`, `italic 14px KaTeX_Math, ${family}`];
+      this.fonts ??= [`13px ${family}`, `italic 14px KaTeX_Math, ${family}`, `10.5px ${family}`]; // words, symbols, powers
       this.paper = css(paper);
       this.context.fillStyle = this.paper;
       this.context.fillRect(0, 0, width, height);
@@ -90,12 +90,16 @@
       context.restore();
     }
 
-    /** The words' parts with their widths, px; what stands between stars is a symbol, and in italics. */
+    /**
+     * The words' parts with their widths, px. What stands between stars is a symbol, and in italics. Powers are raised digits, since the
+     * letters for them are smaller than one can read here.
+     */
     #measured(words) {
-      return words.split('*').map((part, n) => {
-        this.context.font = this.fonts[n % 2];
-        return {part, font: this.fonts[n % 2], wide: this.context.measureText(part).width};
-      }).filter(({part}) => part);
+      return words.split('*').flatMap((text, n) => text.split(/([⁻⁰¹²³⁴-⁹]+)/).map((some, m) => {
+        const part = m % 2 ? [...some].map(letter => '−0123456789'['⁻⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(letter)]).join('') : some;
+        const font = this.context.font = m % 2 ? this.fonts[2] : this.fonts[n % 2];
+        return {part, font, up: m % 2 ? 4.5 : 0, wide: this.context.measureText(part).width};
+      })).filter(({part}) => part);
     }
 
     /** How wide text() writes the words, px. */
@@ -117,7 +121,7 @@
         let at = begin;
         for (const part of parts) {
           context.font = part.font;
-          context[write](part.part, at, y + 4.5);
+          context[write](part.part, at, y + 4.5 - part.up);
           at += part.wide;
         }
       }

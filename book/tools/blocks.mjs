@@ -194,7 +194,9 @@ export class Blocks {
     const {columns, rows} = without_empty(reference in kept_tables
       ? table_in(readFileSync(join(this.settings.source, kept_tables[reference]), 'utf8'))
       : this.results.table(...this.#of(page, reference)));
-    const is_number = (_, column) => rows.every(row => /^-?[\d.]+(e[+-]?\d+)?$|^$/.test(row[column]));
+    // Most cells are numbers: a word among them, such as "rounding", stands where its number would.
+    const is_number = (_, column) =>
+      rows.filter(row => /^-?[\d.]+(e[+-]?\d+)?( ?(×|%|[nµm]?s))?$|^$/.test(row[column])).length * 2 > rows.length;
     return table(escape(caption), columns.map((text, column) => ({text, is_number: is_number(text, column)})),
       rows.map(row => row.map(cell)));
   }

@@ -55,6 +55,7 @@ export function typeset_in_formula(value) {
 
 /** A cell of a table: programs write every digit they have, a reader gets five that count, but a whole number as it is. */
 export function cell(value) {
+  if (/^[-\d.e+]+(, [-\d.e+]+)+$/.test(value)) return value.split(', ').map(cell).join(', ');
   const short =
     /^-?\d+(\.\d*|(?=e))(e[+-]?\d+)?$/.test(value) && value.replace(/[^\d]/g, '').length > 6
       ? String(Number(Number(value).toPrecision(5)))

@@ -45,14 +45,14 @@ void tumble::support::run_live(Live& live) {
 
   std::vector<double>&time = live.column("time", "s"), &x = live.column("x", "m"),
   &y = live.column("y", "m"), &c = live.column("cosine", ""), &s = live.column("sine", "");
-  for (int n = 0; n <= 100; ++n) {
-    const double t = n * 0.01;
+  for (int n = 0; n <= 250; ++n) {
+    const double t = n * 0.004;
     const auto turned = sine_cosine(spin * t);
     time.push_back(t);
     x.push_back(middle.position.x());
     y.push_back(middle.position.y());
     c.push_back(turned.cosine);
     s.push_back(turned.sine);
-    for (int part = 0; part < 10; ++part) drift(middle, h);
+    for (int part = 0; part < 4; ++part) drift(middle, h);
   }
 }

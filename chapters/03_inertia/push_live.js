@@ -31,7 +31,7 @@
           const x = live.range_of([ends.map(p => p[0]), columns.x, [-0.4, 0.5]]), y = live.range_of([ends.map(p => p[1]), columns.y, [-0.3, 0.3]]);
           const plot = new live.Plot(painter, palette, size, {label: '*x*', unit: 'm', ...x}, {label: '*y*', unit: 'm', ...y}, {equal: true});
           picture.plot = plot;
-          const n = Math.min(columns.time.length - 1, Math.floor(time * 100 + 1e-9));
+          const n = Math.min(columns.time.length - 1, Math.floor(time * 250 + 1e-9));
           const shown = m => {
             painter.polygon(outline(columns, values, m, box(-0.15, 0.15, 0.015)).map(p => plot.place(p)), palette.bodies[4]);
             if (values.head > 0) painter.polygon(outline(columns, values, m, box(0.15, 0.18, 0.05)).map(p => plot.place(p)), palette.bodies[0]);

@@ -14,6 +14,20 @@ std::string shown(double error, double rounding) {
   return error < rounding ? "rounding" : number("%.1e", error);
 }
 
+void write_problems(support::Notebook& notebook) {
+  support::Table table = notebook.table(
+      "problems", {"body", "moments (kg m²)", "start (rad/s)", "turn in one step (rad)"});
+  const auto three = [](const std::array<double, 3>& values) {
+    return number("%.8g, ", values[0]) + number("%.8g, ", values[1]) + number("%.8g", values[2]);
+  };
+  for (const support::TumblingProblem& problem : support::tumbling_problems) {
+    const auto& [x, y, z] = problem.angular_velocity;
+    table.row(std::string(1, problem.letter) + ", " + std::string(problem.name),
+              three(problem.moments), three(problem.angular_velocity),
+              number("%#.2g", std::hypot(x, y, z) / 60));
+  }
+}
+
 template <class Real>
 void compare(support::Notebook& notebook, const std::string& precision, double rounding) {
   for (const support::TumblingProblem& problem : support::tumbling_problems) {
@@ -49,6 +63,7 @@ void compare(support::Notebook& notebook, const std::string& precision, double r
 
 int main(int argument_count, char** arguments) {
   support::Notebook notebook(argument_count, arguments);
+  write_problems(notebook);
   compare<double>(notebook, "double", 1e-11);
   compare<float>(notebook, "float", 1e-11);
   const Motion implicit =

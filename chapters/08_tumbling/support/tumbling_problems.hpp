@@ -23,7 +23,7 @@ inline constexpr std::array<TumblingProblem, 4> tumbling_problems = {{
     {'A', "ordinary", {1, 2, 3}, {1, 2, 0.5}, 600, 10},
     {'B', "stable axis", {1, 2, 3}, {0.2, 0.1, 3}, 600, 10},
     {'C', "thin rod", {1.7231e-4, 6.58e-6, 1.7243e-4}, {2, 60, 1}, 60, 1},
-    {'D', "needle 1:10^6", {1, 1e-6, 1.0000005}, {1, 200, 0.5}, 60, 1},
+    {'D', "needle", {1, 1e-6, 1.0000005}, {1, 200, 0.5}, 60, 1},
 }};
 
 /// A top with these moments and this spin, its axes in the order given.
