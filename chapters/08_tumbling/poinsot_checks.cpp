@@ -120,3 +120,27 @@ TEST_CASE("The herpolhode of a real body never bends back, and that of impossibl
     CHECK(sharpest_turns(impossible).second > 0);
   }
 }
+
+TEST_CASE("The herpolhode's bend is a sum over the pairs of axes, wherever omega stands") {
+  for (const Vec3<Exact>& I :
+       {Vec3<Exact>(1, 2, 2.5L), Vec3<Exact>(3, 1.1L, 2), Vec3<Exact>(1, 3, 5)})
+    for (const Vec3<Exact>& omega : {spins[0], spins[1], Vec3<Exact>(-0.7L, 1.3L, 0.9L)}) {
+      const Vec3<Exact> L = I.cwiseProduct(omega);
+      // Euler's equations, I ω' = L × ω, and their derivative; then the acceleration in the world.
+      const Vec3<Exact> velocity = L.cross(omega).cwiseQuotient(I);
+      const Vec3<Exact> change = I.cwiseProduct(velocity).cross(omega) + L.cross(velocity);
+      const Vec3<Exact> acceleration = change.cwiseQuotient(I) + omega.cross(velocity);
+      const Exact bend = dot(velocity.cross(acceleration), L);
+      const Exact rest = std::pow(omega.prod(), Exact(2)) / (2 * I.prod());
+      Exact sum = 0;
+      for (int k = 0; k < 3; ++k) {
+        const int i = (k + 1) % 3, j = (k + 2) % 3;
+        const Exact excess = I[i] + I[j] - I[k], a = omega[i] * omega[i], b = omega[j] * omega[j];
+        sum += std::pow(I[i] - I[j], Exact(2)) *
+               (a * b / (I[k] * I[k]) * excess * (I[i] * a / I[j] + I[j] * b / I[i]) +
+                rest * (I[i] * I[j] + I[k] * excess));
+      }
+      const Exact size = velocity.norm() * acceleration.norm() * L.norm();
+      CHECK(std::abs(bend - sum) <= 200 * unit_roundoff<Exact> * size);
+    }
+}
