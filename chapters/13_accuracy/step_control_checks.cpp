@@ -130,8 +130,8 @@ std::pair<int, double> on_a_smooth_stretch(int power, double more) {
 }  // namespace
 
 TEST_CASE(
-    "Where errors are smooth steps settle at 0.58 of the longest, and none is rejected as long as "
-    "equal steps err more by less than 0.85^-k each") {
+    "Where errors are smooth steps settle at 0.58 of the longest, and none is rejected while the "
+    "errors of equal steps grow by less than 1/0.85 to the k-th power") {
   const double settled = std::pow(0.85, 1 / 0.3);
   CHECK(std::abs(settled - 0.58) < 0.005);
   for (const int power : {DormandPrince54::power - 1, DormandPrince853::power - 1}) {
