@@ -438,7 +438,7 @@
       const element = link && document.getElementById(link.hash.slice(1));
       if (element?.dataset.script === undefined) return;
       event.preventDefault();
-      element.scrollIntoView({block: 'nearest'});
+      element.scrollIntoView({block: element.offsetHeight > innerHeight ? 'start' : 'nearest'});
       await (await wake(element)).set(changes_of(link.dataset.set));
     });
     addEventListener('hashchange', follow_address);

@@ -73,11 +73,16 @@ function in_scrollers(html) {
  * {html, headings} of one page; `sources` leads from a file's path to the page that shows it, `headers` are {path, file} of the
  * reference's.
  */
+/** The first row of a table of ours is its head, which a printed page repeats; and a long name may break at its joints. */
+const with_heads = html => html
+  .replace(/(<table class="markdownTable">)\s*(<tr class="markdownTableHead">[\s\S]*?<\/tr>)([\s\S]*?)(?=<\/table>)/g, '$1<thead>$2</thead><tbody>$3</tbody>')
+  .replace(/<td\b[^>]*>[\s\S]*?<\/td>/g, cell => cell.replace(/<code>[\w./:]{12,}<\/code>/g, code => code.replace(/(?<=\w)(_|::|\/)(?=\w)/g, '$1<wbr>')));
+
 export function finish_contents(contents, {blocks, sources, headers, is_page}) {
   const {html, headings} = with_headings(tidy(with_blocks(contents, blocks)), is_page);
   return {
     headings,
-    html: in_scrollers(html)
+    html: in_scrollers(with_heads(html))
       .replace(/href="header:([^"#]*)/g, (_, path) => `href="${headers.find(header => header.path === path).file}`)
       .replace(/href="source:([^"#]*)/g, (_, path) => {
         if (!sources.has(path)) throw new Error(`no page shows the source of ${path}`);

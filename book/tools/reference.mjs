@@ -1,6 +1,6 @@
 // The reference: a page for each header that a program may include, with all that it offers on it. Doxygen spreads that over pages of
 // classes, files and namespaces; here its descriptions are gathered where one would look for them, and links lead there.
-import {readFileSync} from 'node:fs';
+import {existsSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {BookError} from './results.mjs';
 import {escape, plain, slug} from './text.mjs';
@@ -20,7 +20,7 @@ function rows_of(html) {
       const left = /<td class="mem(?:Templ)?ItemLeft"[^>]*>([\s\S]*?)<\/td>/.exec(row)?.[1] ?? '';
       const right = /<td class="mem(?:Templ)?ItemRight"[^>]*>([\s\S]*?)<\/td>/.exec(row)?.[1] ?? '';
       const brief = new RegExp(`<tr class="memdesc:${id}"><td class="mdescLeft">&#160;</td><td class="mdescRight">([\\s\\S]*?)(?:<a href="[^"]*">More\\.\\.\\.</a>)?<br />`).exec(list)?.[1] ?? '';
-      const is_of_base = / =0$/.test(right.trim()) && rows.some(known => / override$/.test(known.right.trim()) && name_in(known.right) === name_in(right));
+      const is_of_base = /=0$/.test(right.trim()) && rows.some(known => / override$/.test(known.right.trim()) && name_in(known.right) === name_in(right));
       if (!is_of_base) rows.push({kind, id, template, left, right, brief});
       template = '';
     }
@@ -44,7 +44,7 @@ function descriptions_in(html) {
     const parameters = [...block.matchAll(/<td class="paramtype">([\s\S]*?)<\/td>\s*<td class="paramname"><em>(\w+)<\/em>/g)]
       .filter(([, type]) => is_quantity(plain(type)))
       .map(([, , name]) => name);
-    const kept = doc.replace(/<p class="definition">[\s\S]*?<\/p>/g, '').replace(/<p>Implements <a [^>]*>[^<]*<\/a>\.<\/p>/g, '');
+    const kept = doc.replace(/<p class="definition">[\s\S]*?<\/p>/g, '').replace(/<p>Implement(s|ed in) <a [\s\S]*?<\/p>/g, '');
     found.set(id, {doc: kept.trim(), line, parameters});
   }
   return found;
@@ -71,6 +71,22 @@ const name_in = right => plain(/^\s*(?:<(?:a|b)\b[^>]*>)?([\w~]+|operator[^ (]+)
 const declared = (template, text) =>
   `<code>${template ? `<span>${declaration(template).replace(/^template&lt;/, 'template &lt;')}</span><span>${text}</span>` : text}</code>`;
 
+/** What the world asks of an effect, by the tables of the page on effects: a member's name to what it tells. Most of ours say no more. */
+function members_of_effects(source) {
+  const told = new Map(), page = join(source, 'chapters/11_world/effects.md');
+  for (const line of existsSync(page) ? readFileSync(page, 'utf8').split('\n') : []) {
+    const [names, first, second, third] = line.replace(/^\| | \|$/g, '').split(' | ');
+    if (third === undefined) continue;
+    const what = escape(names.includes('(seen') ? `gives ${second}, and that is ${third}`.replace(/that is (?=changes|replaces)/, 'that ') : first).replace(/`([^`]*)`/g, '<code>$1</code>');
+    for (const [, name] of names.matchAll(/(\w+)(?:<\w+>)?\(/g)) told.set(name, what);
+  }
+  return told;
+}
+
+/** How a class begins in its header: [kind, bases]. */
+const beginning = (text, name) =>
+  new RegExp(`^(class|struct) ${name}(?: final)?(?: : ([^{;]+?))? \\{`, 'm').exec(text)?.slice(1) ?? [];
+
 export class Reference {
   /** `headers` are {path, name, page, brief}, `page` that of the chapter; `lessons` leads from a path to where it is taught. */
   constructor(written, headers, {source, lessons}) {
@@ -80,6 +96,8 @@ export class Reference {
     const {names, of} = JSON.parse(readFileSync(join(source, 'book/pages/parameters.json'), 'utf8'));
     this.parameters = names;
     this.parameters_of = of;
+    this.asked_of_effects = members_of_effects(source);
+    for (const header of headers) header.text = readFileSync(join(source, header.path), 'utf8');
     this.#gather();
     this.made = new Map(headers.map(header => [header.file, this.#page(header)]));
     const anchors = ({contents}) => new Set([...contents.matchAll(/ id="([^"]*)"/g)].map(match => match[1]));
@@ -118,8 +136,11 @@ export class Reference {
       const header = by_source.get(includes);
       if (!file.startsWith('namespace'))
         this.places.set(file, header ? `${header.file}#${this.#id_of(file)}` : own_line);
-      if (header) (header.compounds ??= []).push(file);
+      if (header) (header.compounds ??= []).push({file, line: Number(/#l(\d+)/.exec(own_line)?.[1])});
     }
+    for (const header of this.headers) header.compounds?.sort((one, other) => one.line - other.line);
+    this.by_class = new Map([...this.places].filter(([file]) => /^(struct|class)\w+\.html$/.test(file)).map(([file, place]) => [
+      this.written[file].title.replace(/<.*|\s.*/, ''), place]));
     this.by_file = new Map(this.headers.map(header => [header.file, header]));
   }
 
@@ -168,21 +189,40 @@ export class Reference {
     return (
       `<${level}${address}>${escape(name)}</${level}>` +
       `<p class="declaration">${declared(template, declaration(`${left} ${right}`))}${line}</p>` +
-      `${about ? about.doc : brief && `<p>${brief}</p>`}${this.#given(owner, name, about?.parameters ?? [])}`
+      `${(about ? about.doc : brief && `<p>${brief}</p>`) || this.#asked(name, level)}${this.#given(owner, name, about?.parameters ?? [])}`
     );
   }
 
+  /** Of a member that an effect has because the world asks for it. */
+  #asked(name, level) {
+    const what = level === 'h3' && this.asked_of_effects.get(name);
+    return what ? `<p>${what[0].toUpperCase()}${what.slice(1)}: <a href="effects.html#effects_members">a member of an effect</a>.</p>` : '';
+  }
+
   #fields(rows) {
-    const line = ({id, left, right}) => {
-      const doc = this.descriptions.get(id)?.doc.replace(/^<p\s*>|<\/p>\s*$/g, '') ?? '';
-      const [, field, value] = /^(.*?)(?: = ?(.*))?$/.exec(declaration(right));
-      const cells = [field, declaration(left), value ?? ''].map(cell => `<td>${cell && `<code>${cell}</code>`}</td>`);
-      return `<tr id="${id}">${cells.join('')}<td>${doc}</td></tr>`;
-    };
-    return (
-      `<div class="scroll"><table class="fields"><thead><tr><th scope="col">field</th><th scope="col">type</th><th scope="col">default</th>` +
-      `<th scope="col">what</th></tr></thead><tbody>${rows.map(line).join('')}</tbody></table></div>`
-    );
+    const lines = rows.map(({id, left, right}) => {
+      const told = this.descriptions.get(id)?.doc ?? '';
+      const [begins = '', long] = /^<b>Initial value:<\/b><div class="fragment">([\s\S]*?)<\/div><!-- fragment -->/.exec(told) ?? [];
+      const doc = told.slice(begins.length).trim().replace(/^<p\s*>|<\/p>\s*$/g, '');
+      const [, field, short] = /^(.*?)(?: = ?(.*))?$/.exec(declaration(right));
+      const value = short ?? (long && escape(plain(long)).replace(/^\s*=\s*/, ''));
+      return {id, cells: [...[field, declaration(left), value].map(cell => cell && `<code>${cell}</code>`), doc]};
+    });
+    const columns = ['field', 'type', 'default', 'what'].map((text, n) => ({text, n})).filter(({n}) => lines.some(({cells}) => cells[n]));
+    const head = columns.map(({text}) => `<th scope="col">${text}</th>`).join('');
+    const body = lines.map(({id, cells}) => `<tr id="${id}">${columns.map(({text, n}) => `<td class="${text}">${cells[n] ?? ''}</td>`).join('')}</tr>`);
+    return `<div class="scroll"><table class="fields"><thead><tr>${head}</tr></thead><tbody>${body.join('')}</tbody></table></div>`;
+  }
+
+  /** The first lines of a class: what it is a template of, and its bases with links to them. */
+  #begun(head, header, name) {
+    const [kind = head?.[2] ?? 'struct', bases] = beginning(header.text, name);
+    if (!head && !bases) return '';
+    const linked = bases && escape(bases).replace(/\w+/g, word => {
+      const place = this.by_class.get(word);
+      return place ? `<a class="el" href="${place}">${word}</a>` : word;
+    });
+    return `<p class="declaration">${declared(head?.[1], `${kind} ${escape(name)}${linked ? ` : ${linked}` : ''}`)}</p>`;
   }
 
   #compound(file, header, taken, headings) {
@@ -195,7 +235,8 @@ export class Reference {
         contents,
       )?.[1] ?? '';
     const head = /<div class="compoundTemplParams">([\s\S]*?)<br \/>\s*(class|struct|union)/.exec(described);
-    const definition = /<h2 class="groupheader">Concept definition<\/h2>\s*(<div class="fragment">[\s\S]*?<!-- fragment -->)/.exec(contents)?.[1];
+    const definition = /<h2 class="groupheader">Concept definition<\/h2>\s*(<div class="fragment">[\s\S]*?<!-- fragment -->)/.exec(contents)?.[1]
+      .replace(/tumble::(?=\w+<\/a>)/, '').replace(/= {2}requires/, '= requires');
     const doc = described
       .replace(/<div class="compoundTemplParams">[\s\S]*?<\/div>/, '')
       .replace(/<p class="definition">[\s\S]*?<\/p>/g, '');
@@ -205,10 +246,10 @@ export class Reference {
     const fields = rows.filter(({kind}) => /attribs/.test(kind));
     const members = rows.filter(({kind}) => !/attribs|nested/.test(kind) && kind !== 'friends');
     for (const row of members)
-      if (!headings.some(({html}) => html === escape(name_in(row.right)))) headings.push({level: 3, id: row.id, html: escape(name_in(row.right))});
+      if (headings.at(-1).html !== escape(name_in(row.right))) headings.push({level: 3, id: row.id, html: escape(name_in(row.right))});
     return (
       `<h2 id="${id}">${escape(name)}</h2>` +
-      `${head ? `<p class="declaration">${declared(head[1], `${head[2]} ${escape(name)}`)}</p>` : ''}${doc}${definition ?? ''}${fields.length ? this.#fields(fields) : ''}` +
+      `${definition ?? this.#begun(head, header, name)}${doc}${fields.length ? this.#fields(fields) : ''}` +
       members.map(row => this.#member(row, name, taken, 'h3')).join('')
     );
   }
@@ -225,11 +266,11 @@ export class Reference {
     const shown = own.filter(({kind, id}) => kind !== 'typedef-members' || this.descriptions.get(id)?.doc);
     const aliases = own.filter(row => !shown.includes(row));
     const members = shown.map(row => {
-      if (!headings.some(({html}) => html === escape(name_in(row.right)))) headings.push({level: 2, id: row.id, html: escape(name_in(row.right))});
+      if (headings.at(-1)?.html !== escape(name_in(row.right))) headings.push({level: 2, id: row.id, html: escape(name_in(row.right))});
       return this.#member(row, header.name, taken, 'h2');
     });
     const compounds_headings = [];
-    const compounds = (header.compounds ?? []).map(file => this.#compound(file, header, taken, compounds_headings));
+    const compounds = (header.compounds ?? []).map(({file}) => this.#compound(file, header, taken, compounds_headings));
     const also = aliases.length
       ? `<p class="facts">Also: ${aliases.map(({id, right}) => `<code id="${id}">${declaration(right)}</code>`).join(', ')}.</p>`
       : '';

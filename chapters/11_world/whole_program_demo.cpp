@@ -1,5 +1,5 @@
 // A whole program around a world: frames that come as they come, pictures between two steps, a
-// saved game, and an error that costs nothing but its step.
+// saved game, and an input that no body survives.
 #include <sstream>
 #include <support/record.hpp>
 #include <tumble/drawing.hpp>

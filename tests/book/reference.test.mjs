@@ -32,7 +32,7 @@ test('Each field and each function that a header documents stands in the referen
       continue;
     }
     const page = readFileSync(join(book, file), 'utf8');
-    const rows = [...page.matchAll(/<tr id="[^"]*"><td><code>(.*?)<\/code>/g)].map(match => match[1].replace(/<[^>]*>/g, '').replace(/ = .*/, ''));
+    const rows = [...page.matchAll(/<tr id="[^"]*"><td[^>]*><code>(.*?)<\/code>/g)].map(match => match[1].replace(/<[^>]*>/g, '').replace(/ = .*/, ''));
     const named = [...page.matchAll(/<h[23][^>]*>([\w~]+)<\/h[23]>/g)].map(match => match[1]);
     const headings = [...page.matchAll(/<h[23] id="[^"]*">(.*?)<\/h[23]>/g)].map(match => match[1]);
     absent.push(...headings.filter(name => !/^(~?\w+|operator\S+)$/.test(name)).map(name => `${path}: a name instead of "${name}"`));

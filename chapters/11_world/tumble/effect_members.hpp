@@ -1,5 +1,6 @@
 /// @file
-/// The members by which an effect may tell more of itself, and which of them nobody would hear.
+/// Refuses members of an effect that nobody would hear. The page on effects has the table of those
+/// by which an effect may tell more of itself.
 #pragma once
 
 #include <string_view>

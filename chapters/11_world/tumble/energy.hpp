@@ -15,7 +15,8 @@ struct WorldEnergy {
   double sum() const { return motion + turning + stored; }
 };
 
-/// The energy (J) stored in the effects that know theirs: gravity and springs.
+/// The energy (J) stored in all effects that have a potential_energy(), in those bodies or pairs
+/// that each visits. Of an effect that finds its pairs itself nothing is counted.
 template <class Real, class Backend>
 double stored_energy(const World<Real, Backend>& world) {
   const Bodies<Real>& bodies = world.bodies();

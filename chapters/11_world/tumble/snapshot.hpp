@@ -12,8 +12,9 @@ namespace tumble {
 template <class Real>
 struct Snapshot : WorldTime<Real> {
   std::vector<CentreMotion<Real>> centres;  ///< of the bodies, in the order of the world
-  std::vector<TopMotion<Real>> tops;
-  std::vector<bool> has_moved, has_turned;  ///< what the plan knew of the bodies
+  std::vector<TopMotion<Real>> tops;        ///< of those that are no points, in the same order
+  std::vector<bool> has_moved;              ///< which bodies the plan knew to move
+  std::vector<bool> has_turned;             ///< and which to turn
 };
 
 /// How all bodies move now, and what the planner knows of whether they do.

@@ -66,13 +66,15 @@ Vec3<Real> velocity_of_arm(const BodyState<Real>& body, const Vec3<Same<Real>>& 
   return body.centre.velocity + angular_velocity_world(body.top).cross(arm);
 }
 
-/// A spring from a point of the body to a point of the world.
+/// A spring from a point of the body to a point of the world. A place in a model's axes, as scene
+/// files have it, is led to body axes by point_outward(model_in_body, place).
 template <class Real>
 struct SpringToPoint {
   Spring<Real> spring = {};
-  Vec3<Real> anchor = Vec3<Real>::Zero();      ///< where it hangs, m, world axes
-  Vec3<Real> attachment = Vec3<Real>::Zero();  ///< where it holds the body, m, body axes
-  std::string name = "spring";                 ///< what plans and errors call it
+  Vec3<Real> anchor = Vec3<Real>::Zero();  ///< where it hangs, m, world axes
+  Vec3<Real> attachment =
+      Vec3<Real>::Zero();       ///< where it holds the body: from its centre, m, body axes
+  std::string name = "spring";  ///< what plans and errors call it
 
   void check() const {
     check_spring(spring);
@@ -112,12 +114,12 @@ struct SpringToPoint {
   }
 };
 
-/// A spring from a point of one body to a point of another.
+/// A spring from a point of one body to a point of another. See SpringToPoint for their axes.
 template <class Real>
 struct SpringBetween {
   Spring<Real> spring = {};
-  Vec3<Real> attachment_first = Vec3<Real>::Zero();   ///< m, body axes of the first
-  Vec3<Real> attachment_second = Vec3<Real>::Zero();  ///< m, body axes of the second
+  Vec3<Real> attachment_first = Vec3<Real>::Zero();   ///< from its centre of mass, m, body axes
+  Vec3<Real> attachment_second = Vec3<Real>::Zero();  ///< from its centre of mass, m, body axes
   std::string name = "spring between bodies";         ///< what plans and errors call it
 
   void check() const {

@@ -15,10 +15,9 @@ template <class Real>
 struct EffectInstance {
   EffectHandle handle = {};  ///< 0 of a motion
   std::shared_ptr<const AnyEffect<Real>> effect;
-  bool everyone = true;
-  std::vector<BodyHandle> targets =
-      {};  ///< if not for everyone: these; for pairs, first and second in turn
-  Members members = {};
+  bool everyone = true;                  ///< every body is meant, those of later too
+  std::vector<BodyHandle> targets = {};  ///< or else these; for pairs, first and second in turn
+  Members members = {};                  ///< whom it visits
 
   /// How many bodies, or pairs, it is meant for in a world of so many bodies.
   std::size_t meant_for(std::size_t bodies) const {
@@ -41,7 +40,8 @@ template <class Real>
 struct StepPlan {
   std::vector<EffectInstance<Real>> effects;  ///< in the order in which they came
   std::vector<EffectInstance<Real>> motions;  ///< see motions.hpp
-  EffectsByPhase in_phase, motions_in_phase;  ///< those of either that visit any body
+  EffectsByPhase in_phase;                    ///< those effects that visit any body
+  EffectsByPhase motions_in_phase;            ///< and those motions
   std::vector<Input<Real>> inputs;            ///< pushes of this step alone
   IndexSet moving;                            ///< the centres that a step may change
   IndexSet turning;                           ///< the tops that it may change

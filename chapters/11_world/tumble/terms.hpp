@@ -49,7 +49,8 @@ struct PairPush {
   Vec3<Real> torque_on_second = Vec3<Real>::Zero();
 };
 
-/// The same for a blow between two bodies, in N s and N m s.
+/// What a blow does to two bodies: the impulse on the first, its opposite on the second, and an
+/// angular impulse on each about its own centre of mass. World axes, N s and N m s.
 template <class Real>
 struct PairBlow {
   Vec3<Real> impulse_on_first = Vec3<Real>::Zero();

@@ -11,9 +11,9 @@ namespace tumble {
 template <class Real>
 struct Thruster {
   static constexpr Quantities reads = quantity::time | quantity::orientation;
-  Vec3<Real> force_body = Vec3<Real>::Zero();          ///< F, N, body axes
-  Vec3<Real> point = Vec3<Real>::Zero();               ///< p, where it acts, m, body axes
-  Real from = 0;                                       ///< s, when it starts to burn
+  Vec3<Real> force_body = Vec3<Real>::Zero();  ///< F, N, body axes
+  Vec3<Real> point = Vec3<Real>::Zero();       ///< p, where it acts: from the centre, m, body axes
+  Real from = 0;                               ///< s, when it starts to burn
   Real until = std::numeric_limits<Real>::infinity();  ///< s, when it stops
   std::string name = "thruster";                       ///< what plans and errors call it
 

@@ -24,9 +24,9 @@ namespace tumble {
 ///
 /// `Backend` keeps the bodies in arrays and steps them, and changes no bit of how they move.
 ///
-/// Every function that is given a handle throws std::out_of_range if that is stale, empty or
-/// another world's. An effect that changes the world inside a step meets std::logic_error, and so
-/// does a `watch` of step(): changes come between steps.
+/// Every function that is given a handle, but for contains(), throws std::out_of_range if that is
+/// stale, empty or another world's. An effect that changes the world inside a step meets
+/// std::logic_error, and so does a `watch` of step(): changes come between steps.
 template <class Real, class Backend = OneByOne<Real>>
 class World {
  public:
@@ -76,7 +76,7 @@ class World {
     planner_.list_pairs_again(index, named_bodies());
   }
 
-  /// False once the body was removed.
+  /// False once the body was removed, and of a handle that is empty or another world's.
   bool contains(BodyHandle body) const { return registry_.contains(body); }
   /// How many bodies there are, points too.
   std::size_t body_count() const { return registry_.size(); }
@@ -102,7 +102,8 @@ class World {
 
   /// The body as it is now; a point has a top that is locked about every axis.
   RigidBody<Real> body(BodyHandle body) const { return backend_.body(registry_.index_of(body)); }
-  /// All of them: a reference to them, or, from a Backend that has them in another form, a copy.
+  /// All of them. Of a World a reference, const Bodies<Real>&, which the next change makes invalid;
+  /// of ManyBodies a copy, Bodies<Real>, that each call makes anew.
   decltype(auto) bodies() const { return backend_.bodies(); }
   /// What keeps and steps the bodies, for instance to set the number of threads.
   Backend& backend() { return backend_; }
@@ -112,6 +113,7 @@ class World {
 
   /// Puts another body in the place of one that is not a point: with another mass, say. It keeps
   /// its name and its effects.
+  /// @throws std::invalid_argument if it is a point, or if add() would not take the other.
   void replace(BodyHandle body, const RigidBody<Real>& by) {
     require_between_steps("a body can't be replaced");
     check_body(name_of(body), by.centre);
@@ -126,23 +128,32 @@ class World {
     planner_.change_body(registry_.index_of(body), named_bodies());
   }
 
+  /// Puts the centre of mass there.
+  /// @throws std::invalid_argument if a component is not finite.
   void set_position(BodyHandle body, const Vec3<Same<Real>>& position) {
     require_finite(name_of(body) + ": position", position, "m");
     change_state(body, [&](RigidBody<Real>& changed) { changed.centre.position = position; });
   }
 
+  /// Sets the velocity of the centre of mass.
+  /// @throws std::invalid_argument if a component is not finite.
   void set_velocity(BodyHandle body, const Vec3<Same<Real>>& velocity) {
     require_finite(name_of(body) + ": velocity", velocity, "m/s");
     change_state(body, [&](RigidBody<Real>& changed) { changed.centre.velocity = velocity; });
   }
 
+  /// Turns the body axes, which are the principal axes, so. For a model to stand in the pose M give
+  /// the orientation of composed(M, inverse(model_in_body)).
+  /// @throws std::invalid_argument if the body is a point, or if the norm is not nearly 1.
   void set_orientation(BodyHandle body, const Quaternion<Real>& orientation) {
     require_top(body);
     const Quaternion<Real> q = checked_orientation(orientation, name_of(body) + ": orientation");
     change_state(body, [&](RigidBody<Real>& changed) { changed.top.orientation = q; });
   }
 
-  /// Sets the angular velocity, rad/s, world axes.
+  /// Sets the angular velocity.
+  /// @throws std::invalid_argument if a component is not finite, if the body is a point, or if it
+  /// would turn about a locked axis.
   void set_angular_velocity(BodyHandle body, const Vec3<Same<Real>>& angular_velocity) {
     require_top(body);
     change_state(body, [&](RigidBody<Real>& changed) {
@@ -151,6 +162,7 @@ class World {
   }
 
   /// A blow of `impulse` N s at `point` m, world axes, between two steps.
+  /// @throws std::invalid_argument if the body's velocity or angular momentum would not be finite.
   void apply_impulse_at(BodyHandle body, const Vec3<Same<Real>>& impulse,
                         const Vec3<Same<Real>>& point) {
     change_state(body, [&](RigidBody<Real>& changed) {
@@ -163,6 +175,7 @@ class World {
 
   /// A force (N) at `point` (m), both in world axes, in the next step alone, such as a player's
   /// push. The forces of several calls add up.
+  /// @throws std::invalid_argument if a component is not finite.
   void push_at(BodyHandle body, const Vec3<Same<Real>>& force, const Vec3<Same<Real>>& point) {
     require_between_steps("a push for the next step can't be given");
     require_finite(name_of(body) + ": force", force, "N");
@@ -180,6 +193,7 @@ class World {
   // --- Effects ----------------------------------------------------------------------------------
 
   /// Adds an effect for every body, including those that are added later.
+  /// @throws whatever the effect's check() throws.
   template <class Effect>
   EffectHandle add(Effect effect) {
     static_assert(
@@ -192,6 +206,10 @@ class World {
   }
 
   /// Adds an effect for some bodies; for one that joins two, each first followed by its second.
+  /// @throws whatever the effect's check() throws, and std::invalid_argument if there are no
+  /// bodies, if the effect joins two and their number is odd or a body would be joined to itself,
+  /// if it is for one and a body is named twice, or if it needs an orientation and a body is a
+  /// point.
   template <class Effect>
   EffectHandle add(Effect effect, const std::vector<BodyHandle>& bodies) {
     static_assert(EffectForSome<Effect, Real>,
@@ -201,7 +219,7 @@ class World {
     return append_effect(prepared(effect), false, bodies);
   }
 
-  /// False once the effect was removed, or the last of its bodies.
+  /// False once the effect was removed, or the last of its bodies, and of another world's handle.
   bool contains(EffectHandle effect) const {
     return std::any_of(effects().begin(), effects().end(),
                        [&](const EffectInstance<Real>& one) { return one.handle == effect; });
@@ -228,6 +246,8 @@ class World {
   }
 
   /// Puts another effect of the same type in its place, for the same bodies.
+  /// @throws whatever its check() throws, and std::invalid_argument if the type is another, or if
+  /// it needs an orientation now and a body is a point.
   template <class Effect>
   void change(EffectHandle handle, Effect by) {
     require_between_steps("an effect can't be changed");
@@ -374,7 +394,8 @@ class World {
   /// One step. `watch` is called when all warnings are told, and before anything moves; it may look
   /// at the world, and not change it.
   /// @throws SimulationError if a number would become infinite or NaN, and whatever an effect
-  /// throws; the world is then as it was before the step.
+  /// throws; the world is then as it was before the step. What push_at() gave is kept too, and acts
+  /// in the next step that can be taken; restore() drops it.
   void step(const std::function<void()>& watch = {}) {
     require_between_steps("another step can't be taken");
     if (change_log_.is_pending()) report_changes();
