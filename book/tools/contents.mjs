@@ -1,5 +1,5 @@
 // From what Doxygen wrote between a page's header and footer to what the book shows there.
-import {plain, slug} from './text.mjs';
+import {escape, plain, slug} from './text.mjs';
 
 /** A snippet from inside a function, moved to the left edge: on a phone its indentation would take the room of its words. */
 function at_left_edge(fragment) {
@@ -63,21 +63,31 @@ function with_headings(html, is_page) {
 function in_scrollers(html) {
   return html
     .replace(
-      /<table class="(markdownTable|doxtable|params|exception|tparams|retval|memname|memberdecls)">[\s\S]*?<\/table>/g,
+      /<table class="(markdownTable(?: many-columns)?|doxtable|params|exception|tparams|retval|memname|memberdecls)">[\s\S]*?<\/table>/g,
       table => `<div class="scroll">${table}</div>`,
     )
     .replace(/<div class="scroll">(<table class="memname">)/g, '<div class="scroll prototype">$1');
 }
 
 /**
+ * The first row of a table of ours is its head, which a printed page repeats. Each cell knows its column's name, since a phone sets the
+ * cells of a row one below another if there are many; and a long name in code may break at its joints.
+ */
+function with_heads(html) {
+  return html
+    .replace(/(<table class="markdownTable)(">)\s*(<tr class="markdownTableHead">[\s\S]*?<\/tr>)([\s\S]*?)(?=<\/table>)/g, (_, begin, end, head, rows) => {
+      const names = [...head.matchAll(/<th\b[^>]*>([\s\S]*?)<\/th>/g)].map(([, name]) => plain(name).trim());
+      let n = 0;
+      const named = rows.replace(/<tr\b|<td\b/g, tag => (tag === '<tr' ? ((n = 0), tag) : `<td data-label="${escape(names[n++] ?? '')}"`));
+      return `${begin}${names.length > 3 ? ' many-columns' : ''}${end}<thead>${head}</thead><tbody>${named}</tbody>`;
+    })
+    .replace(/<td\b[^>]*>[\s\S]*?<\/td>/g, cell => cell.replace(/<code>[\w./:]{12,}<\/code>/g, code => code.replace(/(?<=\w)(_|::|\/)(?=\w)/g, '$1<wbr>')));
+}
+
+/**
  * {html, headings} of one page; `sources` leads from a file's path to the page that shows it, `headers` are {path, file} of the
  * reference's.
  */
-/** The first row of a table of ours is its head, which a printed page repeats; and a long name may break at its joints. */
-const with_heads = html => html
-  .replace(/(<table class="markdownTable">)\s*(<tr class="markdownTableHead">[\s\S]*?<\/tr>)([\s\S]*?)(?=<\/table>)/g, '$1<thead>$2</thead><tbody>$3</tbody>')
-  .replace(/<td\b[^>]*>[\s\S]*?<\/td>/g, cell => cell.replace(/<code>[\w./:]{12,}<\/code>/g, code => code.replace(/(?<=\w)(_|::|\/)(?=\w)/g, '$1<wbr>')));
-
 export function finish_contents(contents, {blocks, sources, headers, is_page}) {
   const {html, headings} = with_headings(tidy(with_blocks(contents, blocks)), is_page);
   return {
