@@ -87,6 +87,13 @@ function members_of_effects(source) {
 const beginning = (text, name) =>
   new RegExp(`^(class|struct) ${name}(?: final)?(?: : ([^{;]+?))? \\{`, 'm').exec(text)?.slice(1) ?? [];
 
+/** Where a long class is parted by a comment: {line, name}. */
+const parts_of = text =>
+  text.split('\n').flatMap((line, n) => {
+    const name = /^ {2}\/\/ --- (.+?) -+$/.exec(line)?.[1];
+    return name ? [{line: n + 1, name}] : [];
+  });
+
 export class Reference {
   /** `headers` are {path, name, page, brief}, `page` that of the chapter; `lessons` leads from a path to where it is taught. */
   constructor(written, headers, {source, lessons}) {
@@ -245,12 +252,20 @@ export class Reference {
       .map(row => ({...row, id: `${id}-${row.id}`}));
     const fields = rows.filter(({kind}) => /attribs/.test(kind));
     const members = rows.filter(({kind}) => !/attribs|nested/.test(kind) && kind !== 'friends');
-    for (const row of members)
+    const parts = parts_of(header.text);
+    let part;
+    const told = members.map(row => {
+      const line = Number(/#l(\d+)/.exec(this.descriptions.get(row.id)?.line)?.[1]);
+      const begun = parts.findLast(each => each.line < line);
+      const opens = begun && begun !== part;
+      part = begun ?? part;
+      if (opens) headings.push({level: 3, id: slug(part.name), html: `<b>${escape(part.name)}</b>`});
       if (headings.at(-1).html !== escape(name_in(row.right))) headings.push({level: 3, id: row.id, html: escape(name_in(row.right))});
+      return (opens ? `<h3 class="part" id="${slug(part.name)}">${escape(part.name)}</h3>` : '') + this.#member(row, name, taken, 'h3');
+    });
     return (
       `<h2 id="${id}">${escape(name)}</h2>` +
-      `${definition ?? this.#begun(head, header, name)}${doc}${fields.length ? this.#fields(fields) : ''}` +
-      members.map(row => this.#member(row, name, taken, 'h3')).join('')
+      `${definition ?? this.#begun(head, header, name)}${doc}${fields.length ? this.#fields(fields) : ''}${told.join('')}`
     );
   }
 
