@@ -75,3 +75,11 @@ test('The unit and the axes in the table of what a function takes are those that
   assert.deepEqual(wrong, []);
   assert.ok(compared > 50, `${compared} units were found in the texts`);
 });
+
+test('What is said of one function\'s arguments is said of a function that there is.', () => {
+  const {of} = JSON.parse(readFileSync(join(source, 'book/pages/parameters.json'), 'utf8'));
+  const exact = readdirSync(join(source, 'exact/tumble/exact')).map(name => join('exact/tumble/exact', name));
+  const code = [...headers, ...exact].map(path => readFileSync(join(source, path), 'utf8')).join('');
+  const gone = Object.keys(of).filter(name => !new RegExp(`\\b${name.split('/').at(-1)}\\b *[({<]`).test(code));
+  assert.deepEqual(gone, []);
+});
