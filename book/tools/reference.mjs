@@ -78,9 +78,9 @@ function members_of_effects(source) {
     const [names, first, second, third] = line.replace(/^\| | \|$/g, '').split(' | ');
     if (third === undefined) continue;
     const what = escape(names.includes('(seen') ? `gives ${second}, and that is ${third}`.replace(/that is (?=changes|replaces)/, 'that ') : first).replace(/`([^`]*)`/g, '<code>$1</code>');
-    for (const [, name] of names.matchAll(/(\w+)(?:<\w+>)?\(/g)) told.set(name, what);
+    for (const [, name] of names.matchAll(/(\w+)(?:(?:<\w+>)?\(|`$)/g)) told.set(name, what);
   }
-  return told;
+  return told.set('name', 'what plans and errors call it');
 }
 
 /** How a class begins in its header: [kind, bases]. */
@@ -206,14 +206,16 @@ export class Reference {
     return what ? `<p>${what[0].toUpperCase()}${what.slice(1)}: <a href="effects.html#effects_members">a member of an effect</a>.</p>` : '';
   }
 
-  #fields(rows) {
+  #fields(rows, are_of_effect) {
     const lines = rows.map(({id, left, right}) => {
       const told = this.descriptions.get(id)?.doc ?? '';
       const [begins = '', long] = /^<b>Initial value:<\/b><div class="fragment">([\s\S]*?)<\/div><!-- fragment -->/.exec(told) ?? [];
-      const doc = told.slice(begins.length).trim().replace(/^<p\s*>|<\/p>\s*$/g, '');
-      const [, field, short] = /^(.*?)(?: = ?(.*))?$/.exec(declaration(right));
+      const own = told.slice(begins.length).trim().replace(/^<p\s*>|<\/p>\s*$/g, '');
+      const doc = own || (are_of_effect && this.asked_of_effects.get(name_in(right))) || '';
+      const [, first, short] = /^(.*?)(?: = ?(.*))?$/.exec(declaration(right));
+      const [, field, taken = ''] = /^(.*?)(?: ?(\)\(.*))?$/.exec(first); // the second is of a pointer to a function
       const value = short ?? (long && escape(plain(long)).replace(/^\s*=\s*/, ''));
-      return {id, cells: [...[field, declaration(left), value].map(cell => cell && `<code>${cell}</code>`), doc]};
+      return {id, cells: [...[field, declaration(left) + taken, value].map(cell => cell && `<code>${cell}</code>`), doc]};
     });
     const columns = ['field', 'type', 'default', 'what'].map((text, n) => ({text, n})).filter(({n}) => lines.some(({cells}) => cells[n]));
     const head = columns.map(({text}) => `<th scope="col">${text}</th>`).join('');
@@ -265,7 +267,7 @@ export class Reference {
     });
     return (
       `<h2 id="${id}">${escape(name)}</h2>` +
-      `${definition ?? this.#begun(head, header, name)}${doc}${fields.length ? this.#fields(fields) : ''}${told.join('')}`
+      `${definition ?? this.#begun(head, header, name)}${doc}${fields.length ? this.#fields(fields, members.some(({right}) => this.asked_of_effects.has(name_in(right)))) : ''}${told.join('')}`
     );
   }
 
