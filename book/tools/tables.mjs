@@ -1,8 +1,10 @@
 // A table as HTML.
 import {escape} from './text.mjs';
 
-/** Nothing is torn between a factor and its power, or a number and its unit. */
-const whole = text => text.replace(/ × /g, '\u00a0×\u00a0').replace(/(\d) (?=(?:[nµm]?s|×|m|rad|J|kg)(?![\p{L}]))/gu, '$1\u00a0');
+/** Nothing is torn between a factor and its power, a number and its unit, or a letter and its number; \u2060 joins what would part at a sign. */
+const whole = text => text.replace(/ × /g, '\u00a0×\u00a0')
+  .replace(/(\d) (?=(?:[nµm]?s|×|m|rad|J|kg)(?![\p{L}]))/gu, '$1\u00a0')
+  .replace(/(?:(?<=\p{L}) )?(\d(?:\.\d+)?e[+-])(?=\d)/gu, (all, number) => `${all[0] === ' ' ? '\u00a0' : ''}${number}\u2060`);
 const shown = cell => (typeof cell === 'string' ? escape(whole(cell)) : cell.html);
 
 /** Without the rows and the columns that hold nothing beside their heading: what was not measured. */
