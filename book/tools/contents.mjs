@@ -63,7 +63,7 @@ function with_headings(html, is_page) {
 function in_scrollers(html) {
   return html
     .replace(
-      /<table class="(markdownTable(?: many-columns)?|doxtable|params|exception|tparams|retval|memname|memberdecls)">[\s\S]*?<\/table>/g,
+      /<table class="(markdownTable[^"]*|doxtable|params|exception|tparams|retval|memname|memberdecls)">[\s\S]*?<\/table>/g,
       table => `<div class="scroll">${table}</div>`,
     )
     .replace(/<div class="scroll">(<table class="memname">)/g, '<div class="scroll prototype">$1');
