@@ -135,6 +135,8 @@ export class Reference {
       for (const [id, about] of descriptions_in(contents)) {
         this.descriptions.set(prefix + id, about);
         const header = by_source.get(about.line?.replace(/#.*/, ''));
+        const begins = header?.text.split('\n').slice(Number(/#l(\d+)/.exec(about.line)?.[1]) - 1).join('\n') ?? '';
+        about.before = /^\s*(?:template <.*>\n\s*)?((?:\[\[noreturn\]\] |explicit )+)/.exec(begins)?.[1] ?? ''; // which Doxygen leaves out
         this.places.set(`${file}#${id}`, header ? `${header.file}#${prefix}${id}` : about.line);
       }
       const includes = /<p><code>#include &lt;<a class="el" href="([^"]*)"/.exec(contents)?.[1];
@@ -195,7 +197,7 @@ export class Reference {
     const line = about?.line ? ` <a class="line-link" href="${about.line}">source</a>` : '';
     return (
       `<${level}${address}>${escape(name)}</${level}>` +
-      `<p class="declaration">${declared(template, declaration(`${left} ${right}`))}${line}</p>` +
+      `<p class="declaration">${declared(template, declaration(`${about?.before ?? ''}${left} ${right}`))}${line}</p>` +
       `${(about ? about.doc : brief && `<p>${brief}</p>`) || this.#asked(name, level)}${this.#given(owner, name, about?.parameters ?? [])}`
     );
   }
