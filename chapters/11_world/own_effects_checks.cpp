@@ -106,11 +106,13 @@ struct OfACentre : Plain<Real> {
   Real potential_energy(const Particle<Real>&) const { return 2; }
 };
 /// An effect that has a number where the world asks for a function.
+// NOLINTBEGIN(bugprone-macro-parentheses): a member's name can stand in none
 #define TUMBLE_NUMBER(member)              \
   template <class Real>                    \
   struct NumberOf_##member : Plain<Real> { \
     int member = 0;                        \
   }
+// NOLINTEND(bugprone-macro-parentheses)
 TUMBLE_NUMBER(skip_reason);
 TUMBLE_NUMBER(check);
 TUMBLE_NUMBER(prepare);

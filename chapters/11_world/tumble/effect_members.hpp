@@ -17,12 +17,14 @@ struct MemberNames {
       needs_second_top, depends_on_speed, smoothness, find_pairs, broadcast;
 };
 /// Names that are nearly these, and for which nobody asks.
+// NOLINTBEGIN(readability-identifier-naming): they are as others may spell them
 struct NearlyMemberNames {
   int skip_reasons, skipReason, skips, why_skipped, why_skiped, checks, prepares, responds,
       responses, potential_energies, potentialEnergy, gives_torques, givesTorque, needs_a_top,
       needsTop, needs_tops, needs_second, needsSecondTop, depends_on_velocity, dependsOnSpeed,
       smooth, find_pair, finds_pairs, findPairs, broadcasts, widened;
 };
+// NOLINTEND(readability-identifier-naming)
 template <class Effect, class Names>
 struct WithNames : Effect, Names {};
 
