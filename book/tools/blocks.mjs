@@ -195,8 +195,10 @@ export class Blocks {
       ? table_in(readFileSync(join(this.settings.source, kept_tables[reference]), 'utf8'))
       : this.results.table(...this.#of(page, reference)));
     // Most cells are numbers: a word among them, such as "rounding", stands where its number would.
-    const is_number = (_, column) =>
-      rows.filter(row => /^-?[\d.]+(e[+-]?\d+)?( ?(×|%|[nµm]?s))?$|^$/.test(row[column])).length * 2 > rows.length;
+    const is_number = (_, column) => {
+      const filled = rows.map(row => row[column]).filter(Boolean);
+      return filled.filter(text => /^-?[\d.]+(e[+-]?\d+)?( ?(×|%|[nµm]?s))?$/.test(text)).length * 2 >= Math.max(1, filled.length);
+    };
     return table(escape(caption), columns.map((text, column) => ({text, is_number: is_number(text, column)})),
       rows.map(row => row.map(cell)));
   }

@@ -102,8 +102,8 @@ class World {
 
   /// The body as it is now; a point has a top that is locked about every axis.
   RigidBody<Real> body(BodyHandle body) const { return backend_.body(registry_.index_of(body)); }
-  /// All of them. Of a World a reference, const Bodies<Real>&, which the next change makes invalid;
-  /// of ManyBodies a copy, Bodies<Real>, that each call makes anew.
+  /// All of them. Of a World a reference, const Bodies<Real>&, to its own arrays, which go on with
+  /// it; of ManyBodies a copy, Bodies<Real>, that each call makes anew.
   decltype(auto) bodies() const { return backend_.bodies(); }
   /// What keeps and steps the bodies, for instance to set the number of threads.
   Backend& backend() { return backend_; }
