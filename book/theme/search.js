@@ -6,6 +6,7 @@
   const answer = document.getElementById('answer'),
     found = document.getElementById('found');
   const most = 12;
+  if (matchMedia('(hover: none)').matches) query.placeholder = 'Search'; // there is no key to press
   let prepared,
     chosen = -1;
 

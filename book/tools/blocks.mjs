@@ -20,6 +20,8 @@ function source_link(path, line, html) {
   return `<a href="source:${escape(path)}${line ? `#l${String(line).padStart(5, '0')}` : ''}">${html}</a>`;
 }
 
+/** Of a chapter with many headers those that others bring along. */
+const brought_along = headers => headers.filter(({is_part}) => is_part && headers.length > 12);
 const code = text => `<code>${escape(text)}</code>`;
 
 /** "name | words" as [name, words] */
@@ -368,7 +370,7 @@ export class Blocks {
   #map() {
     const item = page => {
       const own = this.pages.headers.filter(header => header.page === page);
-      const links = own.map(({path, name}) => `<a href="header:${escape(path)}"><code>${escape(name.replace('tumble/', ''))}</code></a>`);
+      const links = own.filter(header => !brought_along(own).includes(header)).map(({path, name}) => `<a href="header:${escape(path)}"><code>${escape(name.replace('tumble/', ''))}</code></a>`);
       const adds = links.length ? `<span class="headers">${links.join(', ')}</span>` : '';
       return `<li><a href="${page.file}">${escape(page.name)}</a><br>${escape(page.question ?? '')}${adds}</li>`;
     };
@@ -382,7 +384,12 @@ export class Blocks {
     return chapters
       .map(page => {
         const title = page ? escape(page.title) : 'What every chapter uses';
-        return `<h2>${title}</h2><ul class="headers">${headers.filter(header => header.page === page).map(item).join('')}</ul>`;
+        const own = headers.filter(header => header.page === page);
+        const parts = brought_along(own);
+        const fold = parts.length
+          ? `<details class="fold"><summary>${parts.length} more, which come with these</summary><ul class="headers">${parts.map(item).join('')}</ul></details>`
+          : '';
+        return `<h2>${title}</h2><ul class="headers">${own.filter(header => !parts.includes(header)).map(item).join('')}</ul>${fold}`;
       })
       .join('');
   }

@@ -47,7 +47,13 @@ function brief(source, path) {
     : '';
 }
 
-/** What a reader's program may include: {path, name, brief, page}, `page` being that of the chapter which explains it. */
+const included_in = (source, path) =>
+  [...readFileSync(join(source, path), 'utf8').matchAll(/^#include <(tumble\/[\w/]+\.hpp)>/gm)].map(([, name]) => name);
+
+/**
+ * What a reader's program may include: {path, name, brief, page, is_part}, `page` being that of the chapter which explains it. One is
+ * part of another where a header of the same folder includes it and no program of the course does.
+ */
 function public_headers(source, floors, chapters) {
   const of_chapter = name => chapters.find(page => page.chapter === name && !page.further);
   const folders = floors.map(({folder, name}) => ({below: join(folder, 'tumble'), inside: 'tumble', page: of_chapter(name)}));
@@ -57,12 +63,18 @@ function public_headers(source, floors, chapters) {
     {below: 'tools/scene_reader/tumble/scene', inside: 'tumble/scene', page: scenes, only: /^(scene|read_scene|read_scene_text|scene_error|solid|keys)\.hpp$/},
     {below: 'exact/tumble/exact', inside: 'tumble/exact', page: hard},
   );
-  return folders.flatMap(({below, inside, page, only = /\.hpp$/}) =>
-    (existsSync(join(source, below)) ? readdirSync(join(source, below)) : [])
-      .filter(file => only.test(file) && file.endsWith('.hpp'))
-      .sort()
-      .map(file => ({path: join(below, file), name: `${inside}/${file}`, brief: brief(source, join(below, file)), page})),
-  );
+  const programs = floors.flatMap(({folder}) =>
+    readdirSync(join(source, folder), {recursive: true}).filter(file => /(?<!_checks)\.cpp$/.test(file)).map(file => join(folder, file)));
+  const by_programs = new Set(programs.flatMap(path => included_in(source, path)));
+  return folders.flatMap(({below, inside, page, only = /\.hpp$/}) => {
+    const files = (existsSync(join(source, below)) ? readdirSync(join(source, below)) : []).filter(file => only.test(file) && file.endsWith('.hpp')).sort();
+    const by_each_other = new Set(files.flatMap(file => included_in(source, join(below, file))));
+    return files.map(file => {
+      const path = join(below, file),
+        name = `${inside}/${file}`;
+      return {path, name, brief: brief(source, path), page, is_part: by_each_other.has(name) && !by_programs.has(name)};
+    });
+  });
 }
 
 /** {front, chapters, back, teaching, all}: floors are {name, folder}, from the ground up; tools also have the chapter that their pages follow.

@@ -28,10 +28,21 @@ function rows_of(html) {
   return rows;
 }
 
+const longest_before_given = 500; // letters of a description; of a longer one the first paragraph
+const longest_default = 60; // letters; what is longer is shown where it stands
+
 /** Numbers, vectors, matrices, orientations and poses have units; a body or a text has none of its own. */
 const is_quantity = type =>
   /\b(Vec3|Mat3|Quaternion|Pose|Real|double|float|int|int64_t|size_t|Time|Nanoseconds)\b/i.test(type) &&
   !/\b(WorldTime|StepTime|Particle|Top|RigidBody|Bod(y|ies)\w*|Wrench|Mesh|Array|vector|span|string\w*)\b/.test(type);
+
+/** Enumerators in the look of fields; no link from a person's name, which is also that of a class: Verlet's step, Suzuki (1990). */
+const with_own_names = doc =>
+  doc
+    .replace(/<table class="fieldtable">\s*<tr><th colspan="2">Enumerator<\/th><\/tr>([\s\S]*?<\/table>)/g,
+      '<div class="scroll"><table class="fields"><tr><th scope="col">value</th><th scope="col">what</th></tr>$1</div>')
+    .replace(/<td class="fieldname">(<a id[^>]*><\/a>)?(\w+)&#160;<\/td><td class="fielddoc">\s*(?:<p ?>)?([\s\S]*?)\s*(?:<\/p>)?\s*<\/td>/g, '<td>$1<code>$2</code></td><td class="what">$3</td>')
+    .replace(/<a class="el" [^>]*>(\w+)<\/a>(?=['’]s\b| \(\d{4}\))/g, '$1');
 
 /** What Doxygen says of each member at length: id to {doc, line}; `line` is the address of its source. */
 function descriptions_in(html) {
@@ -44,7 +55,7 @@ function descriptions_in(html) {
     const parameters = [...block.matchAll(/<td class="paramtype">([\s\S]*?)<\/td>\s*<td class="paramname"><em>(\w+)<\/em>/g)]
       .filter(([, type]) => is_quantity(plain(type)))
       .map(([, , name]) => name);
-    const kept = doc.replace(/<p class="definition">[\s\S]*?<\/p>/g, '').replace(/<p>Implement(s|ed in) <a [\s\S]*?<\/p>/g, '');
+    const kept = with_own_names(doc).replace(/<p class="definition">[\s\S]*?<\/p>/g, '').replace(/<p>Implement(s|ed in) <a [\s\S]*?<\/p>/g, '');
     found.set(id, {doc: kept.trim(), line, parameters});
   }
   return found;
@@ -53,16 +64,17 @@ function descriptions_in(html) {
 /** A declaration as a reader wants it: no blanks inside <>, and Real for what takes a number of the same kind. */
 const declaration = html =>
   html
-    .replace(/&#160;/g, ' ')
+    .replace(/&#160;|\s+/g, ' ')
+    .replace(/<\/?b>/g, '')
     .replace(/(?:<a [^>]*>)?Same(?:<\/a>)?&lt; (\w+) &gt;/g, '$1')
     .replace(/&lt; /g, '&lt;')
     .replace(/ &gt;/g, '&gt;')
     .replace(/ &amp;(?=\w|<a)/g, '&amp; ')
     .replace(/ &amp;/g, '&amp;')
     .replace(/ \(/g, '(')
-    .replace(/ ,/g, ',')
+    .replace(/ +,/g, ',')
     .replace(/(?<=\d) '(?=\d{3})/g, "'")
-    .replace(/\s+/g, ' ')
+    .replace(/ +/g, ' ')
     .trim();
 
 const name_in = right => plain(/^\s*(?:<(?:a|b)\b[^>]*>)?([\w~]+|operator[^ (]+)/.exec(right)?.[1] ?? right);
@@ -145,7 +157,7 @@ export class Reference {
       const header = by_source.get(includes);
       if (!file.startsWith('namespace'))
         this.places.set(file, header ? `${header.file}#${this.#id_of(file)}` : own_line);
-      if (header) (header.compounds ??= []).push({file, line: Number(/#l(\d+)/.exec(own_line)?.[1])});
+      if (header) (header.compounds ??= []).push({file, source: own_line, line: Number(/#l(\d+)/.exec(own_line)?.[1])});
     }
     for (const header of this.headers) header.compounds?.sort((one, other) => one.line - other.line);
     this.by_class = new Map([...this.places].filter(([file]) => /^(struct|class)\w+\.html$/.test(file)).map(([file, place]) => [
@@ -189,16 +201,37 @@ export class Reference {
     );
   }
 
-  #member({id, template, left, right, brief}, owner, taken, level) {
+  /** Overloads that follow one another and have no words of their own stand below the first one's declaration. */
+  #by_description(rows) {
+    const groups = [];
+    for (const row of rows)
+      if (groups.length && name_in(groups.at(-1)[0].right) === name_in(row.right) && !this.descriptions.get(row.id)?.doc && !row.brief) groups.at(-1).push(row);
+      else groups.push([row]);
+    return groups;
+  }
+
+  #declaration({id, template, left, right}, address = '') {
+    const about = this.descriptions.get(id);
+    const line = about?.line ? ` <a class="line-link" href="${about.line}">source</a>` : '';
+    return `<p class="declaration"${address}>${declared(template, declaration(`${about?.before ?? ''}${left} ${right}`))}${line}</p>`;
+  }
+
+  #member([first, ...overloads], owner, taken, level) {
+    const {id, right, brief} = first;
     const about = this.descriptions.get(id);
     const name = name_in(right);
-    const address = taken.has(id) ? '' : ` id="${id}"`;
-    taken.add(id);
-    const line = about?.line ? ` <a class="line-link" href="${about.line}">source</a>` : '';
+    const address = row => {
+      const is_new = !taken.has(row.id);
+      taken.add(row.id);
+      return is_new ? ` id="${row.id}"` : '';
+    };
+    // What a function is given stands beside its declaration, before a derivation of many lines.
+    const doc = (about ? about.doc : brief && `<p>${brief}</p>`) || this.#asked(name, level);
+    const given = this.#given(owner, name, about?.parameters ?? []);
+    const [, begin, rest] = /^([\s\S]*?<\/p>)([\s\S]*)$/.exec(plain(doc).length > longest_before_given ? doc : '') ?? [, doc, ''];
     return (
-      `<${level}${address}>${escape(name)}</${level}>` +
-      `<p class="declaration">${declared(template, declaration(`${about?.before ?? ''}${left} ${right}`))}${line}</p>` +
-      `${(about ? about.doc : brief && `<p>${brief}</p>`) || this.#asked(name, level)}${this.#given(owner, name, about?.parameters ?? [])}`
+      `<${level}${address(first)}>${escape(name)}</${level}>` +
+      this.#declaration(first) + overloads.map(row => this.#declaration(row, address(row))).join('') + begin + given + rest
     );
   }
 
@@ -216,8 +249,10 @@ export class Reference {
       const doc = own || (are_of_effect && this.asked_of_effects.get(name_in(right))) || '';
       const [, first, short] = /^(.*?)(?: = ?(.*))?$/.exec(declaration(right));
       const [, field, taken = ''] = /^(.*?)(?: ?(\)\(.*))?$/.exec(first); // the second is of a pointer to a function
-      const value = short ?? (long && escape(plain(long)).replace(/^\s*=\s*/, ''));
-      return {id, cells: [...[field, declaration(left) + taken, value].map(cell => cell && `<code>${cell}</code>`), doc]};
+      const value = short ?? (long && escape(plain(long.replace(/<div class="ttc"[\s\S]*?<\/div><\/div>/g, ''))).replace(/^\s*=\s*/, ''));
+      const {line} = this.descriptions.get(id) ?? {};
+      const shown = value && plain(value).length > longest_default && line ? `<a href="${line}">see source</a>` : value && `<code>${value}</code>`;
+      return {id, cells: [...[field, declaration(left) + taken].map(cell => cell && `<code>${cell}</code>`), shown, doc]};
     });
     const columns = ['field', 'type', 'default', 'what'].map((text, n) => ({text, n})).filter(({n}) => lines.some(({cells}) => cells[n]));
     const head = columns.map(({text}) => `<th scope="col">${text}</th>`).join('');
@@ -226,17 +261,16 @@ export class Reference {
   }
 
   /** The first lines of a class: what it is a template of, and its bases with links to them. */
-  #begun(head, header, name) {
+  #begun(head, header, name, source) {
     const [kind = head?.[2] ?? 'struct', bases] = beginning(header.text, name);
-    if (!head && !bases) return '';
     const linked = bases && escape(bases).replace(/\w+/g, word => {
       const place = this.by_class.get(word);
       return place ? `<a class="el" href="${place}">${word}</a>` : word;
     });
-    return `<p class="declaration">${declared(head?.[1], `${kind} ${escape(name)}${linked ? ` : ${linked}` : ''}`)}</p>`;
+    return `<p class="declaration">${declared(head?.[1], `${kind} ${escape(name)}${linked ? ` : ${linked}` : ''}`)} <a class="line-link" href="${source}">source</a></p>`;
   }
 
-  #compound(file, header, taken, headings) {
+  #compound({file, source}, header, taken, headings) {
     const {title, contents} = this.written[file];
     const name = title.replace(/ (?:Class|Struct|Union|Concept)?\s*(?:Template )?Reference$/, '').replace(/< .* >|^tumble::/g, '');
     const id = this.#id_of(file);
@@ -247,7 +281,8 @@ export class Reference {
       )?.[1] ?? '';
     const head = /<div class="compoundTemplParams">([\s\S]*?)<br \/>\s*(class|struct|union)/.exec(described);
     const definition = /<h2 class="groupheader">Concept definition<\/h2>\s*(<div class="fragment">[\s\S]*?<!-- fragment -->)/.exec(contents)?.[1]
-      .replace(/tumble::(?=\w+<\/a>)/, '').replace(/= {2}requires/, '= requires');
+      .replace(/tumble::(?=\w+<\/a>)/, '').replace(/<a [^>]*>(\w+)<\/a> = {2}(<span class="keyword">requires[\s\S]*)/, (_, called, body) =>
+        `${called} =</div><div class="line">  ${body.replace(/<div class="line">/g, '<div class="line">  ')}`);
     const doc = described
       .replace(/<div class="compoundTemplParams">[\s\S]*?<\/div>/, '')
       .replace(/<p class="definition">[\s\S]*?<\/p>/g, '');
@@ -258,18 +293,19 @@ export class Reference {
     const members = rows.filter(({kind}) => !/attribs|nested/.test(kind) && kind !== 'friends');
     const parts = parts_of(header.text);
     let part;
-    const told = members.map(row => {
+    const told = this.#by_description(members).map(group => {
+      const [row] = group;
       const line = Number(/#l(\d+)/.exec(this.descriptions.get(row.id)?.line)?.[1]);
       const begun = parts.findLast(each => each.line < line);
       const opens = begun && begun !== part;
       part = begun ?? part;
       if (opens) headings.push({level: 3, id: slug(part.name), html: `<b>${escape(part.name)}</b>`});
       if (headings.at(-1).html !== escape(name_in(row.right))) headings.push({level: 3, id: row.id, html: escape(name_in(row.right))});
-      return (opens ? `<h3 class="part" id="${slug(part.name)}">${escape(part.name)}</h3>` : '') + this.#member(row, name, taken, 'h3');
+      return (opens ? `<h3 class="part" id="${slug(part.name)}">${escape(part.name)}</h3>` : '') + this.#member(group, name, taken, 'h3');
     });
     return (
       `<h2 id="${id}">${escape(name)}</h2>` +
-      `${definition ?? this.#begun(head, header, name)}${doc}${fields.length ? this.#fields(fields, members.some(({right}) => this.asked_of_effects.has(name_in(right)))) : ''}${told.join('')}`
+      `${definition ?? this.#begun(head, header, name, source)}${doc}${fields.length ? this.#fields(fields, members.some(({right}) => this.asked_of_effects.has(name_in(right)))) : ''}${told.join('')}`
     );
   }
 
@@ -284,12 +320,13 @@ export class Reference {
     const own = rows_of(contents).filter(({kind}) => !/nested|namespaces|concepts/.test(kind));
     const shown = own.filter(({kind, id}) => kind !== 'typedef-members' || this.descriptions.get(id)?.doc);
     const aliases = own.filter(row => !shown.includes(row));
-    const members = shown.map(row => {
+    const members = this.#by_description(shown).map(group => {
+      const [row] = group;
       if (headings.at(-1)?.html !== escape(name_in(row.right))) headings.push({level: 2, id: row.id, html: escape(name_in(row.right))});
-      return this.#member(row, header.name, taken, 'h2');
+      return this.#member(group, header.name, taken, 'h2');
     });
     const compounds_headings = [];
-    const compounds = (header.compounds ?? []).map(({file}) => this.#compound(file, header, taken, compounds_headings));
+    const compounds = (header.compounds ?? []).map(compound => this.#compound(compound, header, taken, compounds_headings));
     const also = aliases.length
       ? `<p class="facts">Also: ${aliases.map(({id, right}) => `<code id="${id}">${declaration(right)}</code>`).join(', ')}.</p>`
       : '';

@@ -56,7 +56,7 @@ struct SineCosineConstants {
       next *= Real(0.79) * Real(0.79) / Real((2 * count + 1) * (2 * count + 2));
     return count;
   }
-  static constexpr int terms = count_terms();
+  static constexpr int terms = count_terms();  ///< of each series
 
   /// ±1/n! for n = first, first + 2, first + 4, …, with alternating signs. Each n! fits into the
   /// digits of Real, so that the quotient alone is rounded; long double, which has other digits on
@@ -70,15 +70,16 @@ struct SineCosineConstants {
     }
     return coefficients;
   }
-  static constexpr std::array<Real, terms> sine_series = series(1);
-  static constexpr std::array<Real, terms> cosine_series = series(0);
+  static constexpr std::array<Real, terms> sine_series = series(1);    ///< of x, x³, …
+  static constexpr std::array<Real, terms> cosine_series = series(0);  ///< of 1, x², …
 };
 
 /// The sine and the cosine of one angle, as sine_cosine() returns them: no unit, between -1 and 1
 /// up to its rounding errors, or both NaN.
 template <class Real>
 struct SineCosine {
-  Real sine, cosine;  ///< of one angle
+  Real sine;    ///< of the angle
+  Real cosine;  ///< of the same
 };
 
 /// The sine and cosine of `angle` (rad), each within two units in its last place; right next to a

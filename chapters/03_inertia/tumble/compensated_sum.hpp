@@ -10,7 +10,7 @@ namespace tumble {
 //! [compensated_sum]
 template <class Value>
 struct CompensatedSum {
-  Value sum;
+  Value sum;            ///< of all that was added
   Value carried = sum;  ///< what has been rounded off and not yet put back
 
   /// Begins with `zero`, which also gives a matrix its size.

@@ -19,9 +19,10 @@ struct Mesh {
 
 /// One side of one triangle.
 struct MeshEdge {
-  std::size_t low, high;  ///< the two vertices, the smaller number first
-  std::size_t triangle;   ///< whose side it is
-  bool upward;            ///< true if the triangle runs from low to high
+  std::size_t low;       ///< the vertex with the smaller number
+  std::size_t high;      ///< and the other one
+  std::size_t triangle;  ///< whose side it is
+  bool upward;           ///< true if the triangle runs from low to high
 };
 
 /// Throws unless every vertex is finite and every triangle has three corners that exist and some

@@ -14,7 +14,7 @@ namespace tumble {
 //! [quaternion]
 template <class Real>
 struct Quaternion {
-  Real real = 1;
+  Real real = 1;                              ///< w
   Vec3<Real> imaginary = Vec3<Real>::Zero();  ///< along i, j and k
 };
 //! [quaternion]

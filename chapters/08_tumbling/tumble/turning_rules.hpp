@@ -1,6 +1,6 @@
 /// @file
 /// Five simple rules for a top without torque, all of them wrong somewhere. Each takes it through
-/// `time_step` seconds (h).
+/// one step of h seconds.
 #pragma once
 
 #include <tumble/euler_equations.hpp>

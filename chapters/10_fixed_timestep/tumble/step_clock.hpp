@@ -63,7 +63,7 @@ Real time_step_of(const StepLength& step) {
 /// (time_in − dropped_time) · denominator = (steps + dropped_steps) · numerator + remainder.
 //! [step_clock]
 struct StepClock {
-  StepLength step;
+  StepLength step;                           ///< how long a step lasts
   std::int64_t longest_frame = 250'000'000;  ///< ns; the rest of a frame is dropped
   std::int64_t most_steps = 8;               ///< in a frame; steps beyond this are dropped
 

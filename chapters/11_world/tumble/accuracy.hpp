@@ -12,9 +12,9 @@ namespace tumble {
 /// The order that a step of a world is sure of where no force or torque jumps. Where one of them
 /// does, as when a thruster ends or a tether with a damper becomes taut, it is 1 in that step.
 struct Accuracy {
-  Scheme scheme = Scheme::semi_implicit_euler;
-  int order = 1;
-  std::vector<std::string> limits = {};  ///< why it is less than the scheme's, a clause each
+  Scheme scheme = Scheme::semi_implicit_euler;  ///< by which the world steps
+  int order = 1;                                ///< the error falls as h to this power
+  std::vector<std::string> limits = {};         ///< why it is less than the scheme's, a clause each
 };
 
 /// The order that an effect leaves to a scheme, as a clause if that is less than the scheme's.

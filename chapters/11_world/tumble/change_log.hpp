@@ -17,6 +17,7 @@ class ChangeLog {
     if (causes_.size() < 3) causes_.push_back(joined(cause));
     ++cause_count_;
   }
+  /// Whether anything has changed that no sentence tells yet.
   bool is_pending() const { return cause_count_ > 0; }
 
   /// A sentence for each effect or motion that visits more bodies now than at the last call, or
@@ -45,6 +46,7 @@ class ChangeLog {
     cause_count_ = 0;
   }
 
+  /// The latest of them, the oldest first.
   const std::vector<std::string>& sentences() const { return sentences_; }
 
  private:

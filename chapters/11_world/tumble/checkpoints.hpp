@@ -20,7 +20,7 @@ struct BodyMotion {
 /// those that may have moved since it was made.
 template <class Real>
 struct Checkpoint : WorldTime<Real> {
-  std::size_t top_count = 0;
+  std::size_t top_count = 0;                                 ///< bodies that are not points
   std::shared_ptr<const std::vector<BodyMotion<Real>>> all;  ///< in the order of the world
   std::vector<BodyIndex> moved;                              ///< in no order
   std::vector<BodyMotion<Real>> motions;                     ///< of these

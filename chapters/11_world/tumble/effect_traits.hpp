@@ -13,13 +13,14 @@ namespace tumble {
 /// What a world knows of an effect without asking it about a body.
 template <class Real>
 struct EffectTraits {
-  std::string name;
-  Phase phase = Phase::force;
-  Sees sees = Sees::nothing;
-  Quantities reads, writes;
-  bool needs_top = false;  ///< the (first) body must not be a point
-  bool needs_second_top = false;
-  bool stores_energy = false;
+  std::string name;               ///< what plans and errors call it
+  Phase phase = Phase::force;     ///< in which part of a step it acts
+  Sees sees = Sees::nothing;      ///< of a body: its centre, its top, both, or a pair of bodies
+  Quantities reads;               ///< what it looks at
+  Quantities writes;              ///< and what it changes
+  bool needs_top = false;         ///< the (first) body must not be a point
+  bool needs_second_top = false;  ///< nor the second
+  bool stores_energy = false;     ///< it has a potential energy
   bool replaces = false;          ///< what it writes takes the place of what there was
   bool finds_pairs = false;       ///< it finds the pairs that it joins itself, in each step
   bool has_response = false;      ///< it says how it limits the time step

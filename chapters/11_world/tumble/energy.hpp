@@ -12,6 +12,7 @@ struct WorldEnergy {
   double motion = 0;   ///< of the centres of mass, ½ m v²
   double turning = 0;  ///< about them, ½ ω·L
   double stored = 0;   ///< in the effects
+  /// What stays the same as long as nothing gives or takes energy.
   double sum() const { return motion + turning + stored; }
 };
 

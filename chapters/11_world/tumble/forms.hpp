@@ -98,10 +98,10 @@ enum class Sees { nothing, centre, top, body, pair };
 
 /// What the form of an effect's function says.
 struct Form {
-  Sees sees = Sees::nothing;
-  Quantities writes;
-  int count = 0;          ///< functions; an effect has one
-  bool replaces = false;  ///< what it writes takes the place of what there was
+  Sees sees = Sees::nothing;  ///< what is handed to the function
+  Quantities writes;          ///< what it may change
+  int count = 0;              ///< functions; an effect has one
+  bool replaces = false;      ///< what it writes takes the place of what there was
 };
 
 namespace detail {

@@ -13,6 +13,7 @@ namespace tumble {
 template <class Real>
 class Ledger {
  public:
+  /// Begins with what the world's bodies have now.
   template <class Backend>
   explicit Ledger(const World<Real, Backend>& world)
       : start_(holdings_of(world.bodies())),

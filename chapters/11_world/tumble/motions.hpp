@@ -84,14 +84,16 @@ struct Tumbling {
   static constexpr Phase phase = Phase::drift;
   static constexpr Quantities reads = quantity::spin,
                               writes = quantity::orientation | quantity::spin;
+  /// @cond
   static constexpr auto letters = [] {
     std::array<char, tumbling_prefix.size() + std::string_view(Rule::name).size()> text{};
     const auto end = std::copy(tumbling_prefix.begin(), tumbling_prefix.end(), text.begin());
     std::copy(Rule::name.begin(), Rule::name.end(), end);
     return text;
   }();
+  /// @endcond
   static constexpr std::string_view name{letters.data(), letters.size()};
-  Rule rule;
+  Rule rule;  ///< by which it turns them
   template <class Real>
   requires TurningRule<Rule, Real>
   void operator()(Top<Real>& top, const Real& time_step) const { rule(top, time_step); }

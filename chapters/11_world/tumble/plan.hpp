@@ -18,17 +18,19 @@ inline std::string_view name_of(Phase phase) {
 
 /// One line of a plan.
 struct PlanRow {
-  std::string effect;
-  Phase phase = Phase::force;
-  std::size_t visited = 0;  ///< bodies that the effect visits in each step; or pairs
-  std::size_t of = 0;       ///< bodies that it was meant for
-  std::string reads, writes, reason;
+  std::string effect;          ///< its name
+  Phase phase = Phase::force;  ///< in which part of a step it acts
+  std::size_t visited = 0;     ///< bodies that the effect visits in each step; or pairs
+  std::size_t of = 0;          ///< bodies that it was meant for
+  std::string reads;           ///< the quantities that it looks at, "position, velocity"
+  std::string writes;          ///< and those that it changes
+  std::string reason;          ///< why it visits those bodies and no others
 };
 
 /// What each step does, in this order.
 struct Plan {
-  std::vector<PlanRow> rows;
-  Accuracy accuracy;
+  std::vector<PlanRow> rows;          ///< effects and motions in the order of a step
+  Accuracy accuracy;                  ///< how the error falls with the step
   std::vector<std::string> warnings;  ///< what may go wrong, such as a step too long for a spring
   std::vector<std::string> unknown;   ///< which effects don't say how they limit the step
   /// The lines of those that visit somebody.

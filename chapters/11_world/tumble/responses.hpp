@@ -15,8 +15,8 @@ namespace tumble {
 /// infinite if nothing does.
 template <class Real>
 struct StepLimit {
-  Real time_step = std::numeric_limits<Real>::infinity();
-  std::size_t effect = 0;         ///< its place among the scene's
+  Real time_step = std::numeric_limits<Real>::infinity();  ///< s
+  std::size_t effect = 0;                                  ///< its place among the scene's
   BodyIndex body = 0;             ///< on which body, or which first one of two
   Real at_rest = time_step;       ///< the step that would be short enough if no body spun, s
   BodyIndex spinning = no_index;  ///< of the one or two bodies, which nutates the fastest, if any

@@ -21,6 +21,7 @@ enum class Scheme {
 
 inline constexpr std::array<std::string_view, 3> scheme_names = {"semi-implicit Euler", "Verlet",
                                                                  "Suzuki"};
+/// As plans and tables call it.
 inline std::string_view name_of(Scheme scheme) {
   return scheme_names[static_cast<std::size_t>(scheme)];
 }
@@ -37,9 +38,9 @@ enum class SubstepKind { kick, whole, drift, end };
 /// A part of a step; its times are parts of the whole step.
 template <class Real>
 struct Substep {
-  SubstepKind kind;
-  Real begins;  ///< the drifts before it have led so far
-  Real lasts;   ///< negative: backwards
+  SubstepKind kind;  ///< a kick or a drift
+  Real begins;       ///< the drifts before it have led so far
+  Real lasts;        ///< negative: backwards
 };
 
 /// When a substep happens.

@@ -70,7 +70,7 @@ Vec3<Real> velocity_of_arm(const BodyState<Real>& body, const Vec3<Same<Real>>& 
 /// files have it, is led to body axes by point_outward(model_in_body, place).
 template <class Real>
 struct SpringToPoint {
-  Spring<Real> spring = {};
+  Spring<Real> spring = {};                ///< how it pulls
   Vec3<Real> anchor = Vec3<Real>::Zero();  ///< where it hangs, m, world axes
   Vec3<Real> attachment =
       Vec3<Real>::Zero();       ///< where it holds the body: from its centre, m, body axes
@@ -117,7 +117,7 @@ struct SpringToPoint {
 /// A spring from a point of one body to a point of another. See SpringToPoint for their axes.
 template <class Real>
 struct SpringBetween {
-  Spring<Real> spring = {};
+  Spring<Real> spring = {};                           ///< how it pulls
   Vec3<Real> attachment_first = Vec3<Real>::Zero();   ///< from its centre of mass, m, body axes
   Vec3<Real> attachment_second = Vec3<Real>::Zero();  ///< from its centre of mass, m, body axes
   std::string name = "spring between bodies";         ///< what plans and errors call it

@@ -73,7 +73,7 @@ namespace tumble {
 /// most t times as large, so the step that the same proportion would allow is shortened by as much.
 ///
 /// All this is Euler's, and so Verlet's. Without dampers it comes down to w h < 2 for the fastest
-/// swing, and Suzuki's scheme bears a longer step: that much longer at rest, and 1/(1 − 1.5 (θ/π)²)
+/// swing, and Scheme::suzuki bears a longer step: that much longer at rest, and 1/(1 − 1.5 (θ/π)²)
 /// in place of 1/N where that allows more than Euler's. With dampers Euler's limit is taken for
 /// Suzuki's too. Both are tried on random scenes, and not proved.
 //! [bound]

@@ -13,9 +13,9 @@ enum class PassKind { effect, input, motion, rotor };
 
 /// In which substeps, and of which phase, passes of a kind are run.
 struct OrderRow {
-  SubstepKind in;
-  PassKind kind;
-  Phase phase;
+  SubstepKind in;                 ///< of which kind of substep it is a part
+  PassKind kind;                  ///< effects, motions, rotors, or what a program pushed
+  Phase phase;                    ///< of its effects or motions
   RotorAct act = RotorAct::join;  ///< of rotors
 };
 
@@ -41,8 +41,8 @@ inline constexpr std::array<OrderRow, 12> step_order = {{
 /// One thing that a step does to all bodies that call for it.
 template <class Real>
 struct Pass {
-  OrderRow row = step_order[0];
-  Substep<Real> substep = {};
+  OrderRow row = step_order[0];  ///< in which row it stands
+  Substep<Real> substep = {};    ///< and of which substep it is a part
   std::size_t place = 0;  ///< an index into the effects of the plan, or into its motions, so that a
                           ///< copied world may keep what it has made of its passes
 };

@@ -13,9 +13,9 @@ namespace tumble {
 /// those that it visits.
 template <class Real>
 struct EffectInstance {
-  EffectHandle handle = {};  ///< 0 of a motion
-  std::shared_ptr<const AnyEffect<Real>> effect;
-  bool everyone = true;                  ///< every body is meant, those of later too
+  EffectHandle handle = {};                       ///< 0 of a motion
+  std::shared_ptr<const AnyEffect<Real>> effect;  ///< as it was added
+  bool everyone = true;                           ///< every body is meant, those of later too
   std::vector<BodyHandle> targets = {};  ///< or else these; for pairs, first and second in turn
   Members members = {};                  ///< whom it visits
 
@@ -38,15 +38,15 @@ using EffectsByPhase = std::array<std::vector<std::size_t>, 6>;
 /// What the steps of a world go through, in the order of step_order.hpp.
 template <class Real>
 struct StepPlan {
-  std::vector<EffectInstance<Real>> effects;  ///< in the order in which they came
-  std::vector<EffectInstance<Real>> motions;  ///< see motions.hpp
-  EffectsByPhase in_phase;                    ///< those effects that visit any body
-  EffectsByPhase motions_in_phase;            ///< and those motions
-  std::vector<Input<Real>> inputs;            ///< pushes of this step alone
-  IndexSet moving;                            ///< the centres that a step may change
-  IndexSet turning;                           ///< the tops that it may change
-  Scheme scheme = Scheme::semi_implicit_euler;
-  std::vector<Substep<Real>> substeps = substeps_of<Real>(scheme);
+  std::vector<EffectInstance<Real>> effects;    ///< in the order in which they came
+  std::vector<EffectInstance<Real>> motions;    ///< see motions.hpp
+  EffectsByPhase in_phase;                      ///< those effects that visit any body
+  EffectsByPhase motions_in_phase;              ///< and those motions
+  std::vector<Input<Real>> inputs;              ///< pushes of this step alone
+  IndexSet moving;                              ///< the centres that a step may change
+  IndexSet turning;                             ///< the tops that it may change
+  Scheme scheme = Scheme::semi_implicit_euler;  ///< see scheme.hpp
+  std::vector<Substep<Real>> substeps = substeps_of<Real>(scheme);  ///< kicks and drifts of a step
   std::uint64_t version = 0;  ///< a new number after each change
 };
 

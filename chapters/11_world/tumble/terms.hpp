@@ -85,7 +85,7 @@ struct BodyPair {
 };
 
 /// When a step happens and how long it lasts. To an effect of the phases force and kick: when its
-/// kick happens, and how long that is; by Suzuki's scheme one of them lasts a negative time.
+/// kick happens, and how long that is; by Scheme::suzuki one of them lasts a negative time.
 template <class Real>
 struct StepTime {
   Real time = 0;       ///< s, at the start of the step

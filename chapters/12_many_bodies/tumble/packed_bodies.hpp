@@ -1,5 +1,5 @@
 /// @file
-/// The bodies of a world in packs: the particles of `width` bodies side by side, and their tops.
+/// The bodies of a world in packs: the particles of several bodies side by side, and their tops.
 #pragma once
 
 #include <bit>
@@ -18,6 +18,7 @@ constexpr std::size_t vector_bytes = 32;
 #else
 constexpr std::size_t vector_bytes = 16;
 #endif
+/// How many numbers fit into one register of the machine that it is compiled for.
 template <class Real>
 constexpr int natural_width = static_cast<int>(vector_bytes / sizeof(Real));
 //! [width]

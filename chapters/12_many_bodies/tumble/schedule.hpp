@@ -15,8 +15,8 @@ enum class Task { remember, run, guard };
 /// A pass, or what guards it, with those that it visits sorted into packs.
 template <class Real, int width>
 struct PackedPass : Pass<Real> {
-  Task task = Task::run;
-  PackedIndexSet<Real, width> indices = {};
+  Task task = Task::run;                              ///< what is to be done
+  PackedIndexSet<Real, width> indices = {};           ///< for whom
   const PackedEffect<Real, width>* effect = nullptr;  ///< its form for packs; null for the inputs
   PackColouring apart = {};  ///< for more threads than one, of an effect that sees centre and top
 };

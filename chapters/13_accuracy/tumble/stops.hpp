@@ -35,7 +35,8 @@ void require_stops(const Stops<Real>& stops) {
 template <class Forces, class Real>
 struct WithinLeg {
   const Forces& evaluate_forces;  ///< of the whole integration
-  Real first, last;               ///< s
+  Real first;                     ///< where the leg begins, s
+  Real last;                      ///< and where it ends, s
 
   /// `time`, or the nearer end of the leg, s.
   Real inside(Real time) const { return std::clamp(time, first, last); }

@@ -22,9 +22,11 @@ template <class Real>
 struct CarlsonSeries {
   Real two = 0, three = 0, four = 0, five = 0;
 
+  /// R_F times the square root of the mean of its arguments.
   Real of_first_kind() const {
     return 1 - two / 10 + three / 14 + two * two / 24 - 3 * two * three / 44;
   }
+  /// R_J times that root cubed.
   Real of_third_kind() const {
     return 1 - 3 * two / 14 + three / 6 + 9 * two * two / 88 - 3 * four / 22 -
            9 * two * three / 52 + 3 * five / 26;

@@ -122,8 +122,9 @@ class HeavyTop {
     return steady_ ? std::numeric_limits<Real>::infinity() : 2 * jacobi_.quarter_period() / rate_;
   }
 
-  /// The cosines of the largest and the smallest tilt.
+  /// The cosine of the largest tilt.
   Real lowest() const { return 1 - roots_.low_gap; }
+  /// The cosine of the smallest tilt.
   Real highest() const { return 1 - roots_.top_gap; }
 
  private:

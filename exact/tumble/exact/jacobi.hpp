@@ -46,6 +46,7 @@ class Jacobi {
     mean_ = a;
   }
 
+  /// m, the square of the modulus.
   Real parameter() const { return m_; }
 
   /// K(m): a quarter of the period of sn and cn, half of that of dn; infinite where m is 1.

@@ -55,6 +55,7 @@ class KeplerOrbit {
     e_sine_ = dot(r, v) / std::sqrt(attraction * semi_axis_);
   }
 
+  /// Of one revolution, s.
   Real period() const { return 2 * pi<Real> / mean_motion_; }
   Real eccentricity() const { return std::hypot(e_cosine_, e_sine_); }
 

@@ -21,7 +21,7 @@ class SceneError : public std::runtime_error {
         file(std::move(in_file)),
         pointer(std::move(at_pointer)),
         sentence(std::move(what_is_wrong)) {}
-  std::string file;
+  std::string file;      ///< as it was opened
   std::string pointer;   ///< a JSON Pointer (RFC 6901); empty for the file as a whole
   std::string sentence;  ///< what follows the pointer
 };
