@@ -10,7 +10,7 @@ namespace {
 
 std::set<BodyIndex> members_of(const IndexSet& group) {
   std::set<BodyIndex> members;
-  group.for_each([&](BodyIndex i) { CHECK(members.insert(i).second); });
+  for (const BodyIndex i : group) CHECK(members.insert(i).second);
   return members;
 }
 

@@ -52,9 +52,8 @@ SmallWorld small_world() {
 template <class Visit>
 void for_each_row(const World<double>& world, const Visit& visit) {
   const StepPlan<double>& plan = world.step_plan();
-  for_each_pass_even_idle(plan, plan.substeps, [&](const Pass<double>& pass) {
+  for (const Pass<double>& pass : all_passes(plan, plan.substeps))
     if (pass.row.kind != PassKind::input) visit(instance_of(pass, plan));
-  });
 }
 
 bool is_visited(const World<double>& world, const EffectInstance<double>& pass, BodyIndex body) {

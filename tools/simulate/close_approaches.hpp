@@ -45,7 +45,7 @@ class CloseApproaches {
       if (const PointGravity<Real>* found = gravity_of(*instance.effect)) {
         Point point{instance.effect->name(), static_cast<double>(found->strength),
                     found->centre.template cast<double>()};
-        instance.members.indices.for_each([&](BodyIndex i) { point.bodies.push_back(i); });
+        for (const BodyIndex i : instance.members.indices) point.bodies.push_back(i);
         points_.push_back(std::move(point));
       }
   }

@@ -28,18 +28,17 @@ inline std::vector<PartOfStep> parts_of(const StepPlan<double>& plan) {
       return &instance_of(part.passes[0], plan) == &instance_of(pass, plan);
     });
   };
-  for_each_pass(plan, substeps_of<double>(Scheme::semi_implicit_euler), plan.in_phase,
-                plan.motions_in_phase, [&](const Pass<double>& pass) {
-                  if (pass.row.kind == PassKind::input) return;
-                  const auto found = part_of(pass);
-                  if (found == parts.end())
-                    parts.push_back({instance_of(pass, plan).effect->name(), 0, &plan, {pass}});
-                  else
-                    found->passes.push_back(pass);
-                });
-  for_each_pass(plan, [&](const Pass<double>& pass) {
+  const std::vector<Substep<double>> of_one_kick = substeps_of<double>(Scheme::semi_implicit_euler);
+  for (const Pass<double> pass : Passes(plan, of_one_kick, plan.in_phase, plan.motions_in_phase)) {
+    if (pass.row.kind == PassKind::input) continue;
+    const auto found = part_of(pass);
+    if (found == parts.end())
+      parts.push_back({instance_of(pass, plan).effect->name(), 0, &plan, {pass}});
+    else
+      found->passes.push_back(pass);
+  }
+  for (const Pass<double> pass : Passes(plan))
     if (pass.row.kind != PassKind::input && pass.row.act == RotorAct::join) ++part_of(pass)->times;
-  });
   return parts;
 }
 

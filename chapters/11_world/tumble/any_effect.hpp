@@ -80,20 +80,19 @@ class EffectOf : public AnyEffect<Real> {
            [[maybe_unused]] RotorAct act) const override {
     if constexpr (HoldsRotor<Effect, Real>) {
       const Vec3<Real> H = effect_.rotor_momentum_body(at.time);
-      members.indices.for_each(
-          [&](BodyIndex i) { act_on<Real>(bodies.tops[i], act, H, at.time_step); });
+      for (const BodyIndex i : members.indices) act_on<Real>(bodies.tops[i], act, H, at.time_step);
     } else if constexpr (form.sees == Sees::centre) {
-      members.indices.for_each(
-          [&](BodyIndex i) { give_to(bodies.centres[i], effect_, bodies.centres[i], at); });
+      for (const BodyIndex i : members.indices)
+        give_to(bodies.centres[i], effect_, bodies.centres[i], at);
     } else if constexpr (form.sees == Sees::top) {
-      members.indices.for_each(
-          [&](BodyIndex i) { give_to(bodies.tops[i], effect_, bodies.tops[i], at); });
+      for (const BodyIndex i : members.indices)
+        give_to(bodies.tops[i], effect_, bodies.tops[i], at);
     } else if constexpr (form.sees == Sees::body) {
-      members.indices.for_each([&](BodyIndex body) {
+      for (const BodyIndex body : members.indices) {
         Top<Real> none;
         const BodyInPlace<Real> one = in_place(bodies, body, none);
         give_to_both(one.centre, one.top, effect_, at);
-      });
+      }
     } else if constexpr (FindsPairs<Effect, Real>) {
       std::vector<BodyPair> found;
       effect_.find_pairs(std::as_const(bodies), found);

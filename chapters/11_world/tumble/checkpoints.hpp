@@ -89,16 +89,16 @@ class Checkpoints {
     const StepPlan<Real>& plan = planner.step_plan();
     std::vector<BodyIndex> found;
     found.reserve(plan.moving.size());
-    plan.moving.for_each([&](BodyIndex body) { found.push_back(body); });
-    plan.turning.for_each([&](BodyIndex top) {
+    for (const BodyIndex body : plan.moving) found.push_back(body);
+    for (const BodyIndex top : plan.turning) {
       const BodyIndex body = bodies.body_of(top);
       if (!plan.moving.contains(body)) found.push_back(body);
-    });
-    planner.touched().for_each([&](BodyIndex body) {
+    }
+    for (const BodyIndex body : planner.touched()) {
       const BodyIndex top = bodies.top_of(body);
       const bool turns = top != no_index && plan.turning.contains(top);
       if (!turns && !plan.moving.contains(body)) found.push_back(body);
-    });
+    }
     return found;
   }
 

@@ -29,10 +29,10 @@ double stored_energy(const World<Real, Backend>& world) {
       sum += static_cast<double>(
           instance.effect->potential_energy(state_of(bodies, first), state_of(bodies, second)));
     };
-    instance.members.indices.for_each([&](BodyIndex i) {
+    for (const BodyIndex i : instance.members.indices) {
       const BodyIndex body = traits.visits_tops() ? bodies.body_of[i] : i;
       add(body, body);
-    });
+    }
     for (const BodyPair& pair : instance.members.pairs) add(pair.first, pair.second);
   }
   return sum;

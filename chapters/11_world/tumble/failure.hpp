@@ -68,27 +68,24 @@ class Replay {
   /// pass to blame is the one after which that body has a number that is not finite. A sum of
   /// forces that overflows is nobody's alone: the kick that follows tells of it.
   std::string find(const AnyEffect<Real>*& culprit) {
-    std::string sentence;
-    for_each_pass(plan_, [&](const Pass<Real>& pass) {
-      if (!sentence.empty()) return;
+    for (const Pass<Real> pass : Passes(plan_)) {
       const Bodies<Real> before = bodies_;
       run(pass, plan_, members_of(pass, plan_), bodies_, step_);
-      if (fault_in(bodies_).empty()) return;
+      if (fault_in(bodies_).empty() || pass.row.kind == PassKind::input) continue;
       if (pass.row.kind == PassKind::motion && pass.place < own_motion_count) {
         const BodyState<Real> now = state_of(bodies_, diverged_);
-        if (is_finite(now.centre) && is_finite(now.top)) return;  // the kick of its sum is to come
+        if (is_finite(now.centre) && is_finite(now.top)) continue;  // the kick of it is to come
         const bool is_drift = pass.substep.kind == SubstepKind::drift;
-        sentence = reason(is_drift ? before : bodies_, step_time_of(pass, step_).time_step);
-      } else if (pass.row.kind != PassKind::input) {
-        const std::string what = fault_alone(pass, before);
-        if (what.empty()) return;
-        culprit = instance_of(pass, plan_).effect.get();
-        sentence = pass.row.kind == PassKind::rotor
-                       ? blame_of_rotor(pass, what)
-                       : joined({culprit->name(), " gives ", what, must_be_finite});
+        return reason(is_drift ? before : bodies_, step_time_of(pass, step_).time_step);
       }
-    });
-    return sentence.empty() ? reason(bodies_, step_.time_step) : sentence;
+      const std::string what = fault_alone(pass, before);
+      if (what.empty()) continue;
+      culprit = instance_of(pass, plan_).effect.get();
+      return pass.row.kind == PassKind::rotor
+                 ? blame_of_rotor(pass, what)
+                 : joined({culprit->name(), " gives ", what, must_be_finite});
+    }
+    return reason(bodies_, step_.time_step);
   }
 
  private:

@@ -15,16 +15,16 @@ class UndoBuffer {
   void remember(const Bodies<Real>& bodies, const StepPlan<Real>& plan) {
     centres_.clear();
     tops_.clear();
-    plan.moving.for_each([&](BodyIndex i) { centres_.push_back(motion_of(bodies.centres[i])); });
-    plan.turning.for_each([&](BodyIndex i) { tops_.push_back(motion_of(bodies.tops[i])); });
+    for (const BodyIndex i : plan.moving) centres_.push_back(motion_of(bodies.centres[i]));
+    for (const BodyIndex i : plan.turning) tops_.push_back(motion_of(bodies.tops[i]));
   }
 
   /// Puts it back, and empties the sums.
   void restore(Bodies<Real>& bodies, const StepPlan<Real>& plan) const {
     auto centre = centres_.begin();
-    for_each_of(plan.moving, bodies.centres, [&](auto& moved) { set_motion(moved, *centre++); });
+    for (const BodyIndex i : plan.moving) set_motion(bodies.centres[i], *centre++);
     auto top = tops_.begin();
-    for_each_of(plan.turning, bodies.tops, [&](auto& turned) { set_motion(turned, *top++); });
+    for (const BodyIndex i : plan.turning) set_motion(bodies.tops[i], *top++);
   }
 
  private:
@@ -54,13 +54,11 @@ auto is_finite(const Top<Real>& top) {
 template <class Real, class AnyBodies>
 std::optional<BodyIndex> first_diverged(const AnyBodies& bodies, const StepPlan<Real>& plan) {
   BodyIndex diverged = no_index;
-  plan.moving.for_each([&](BodyIndex i) {
+  for (const BodyIndex i : plan.moving)
     if (!is_finite(bodies.centres[i])) diverged = std::min(diverged, i);
-  });
   if (diverged != no_index) return diverged;
-  plan.turning.for_each([&](BodyIndex i) {
+  for (const BodyIndex i : plan.turning)
     if (!is_finite(bodies.tops[i])) diverged = std::min(diverged, bodies.body_of[i]);
-  });
   return diverged == no_index ? std::nullopt : std::optional(diverged);
 }
 

@@ -54,14 +54,22 @@ class IndexSet {
     if (i != last) set(i, is_member);
   }
 
-  /// Calls `visit` with the index of each member.
-  template <class Visit>
-  void for_each(const Visit& visit) const {
-    if (is_listed_)
-      for (const BodyIndex i : members_) visit(i);
-    else
-      for (BodyIndex i = 0; i < first_; ++i) visit(i);
-  }
+  class Iterator {
+   public:
+    Iterator(const BodyIndex* list, std::size_t place) : list_(list), place_(place) {}
+    BodyIndex operator*() const { return list_ ? list_[place_] : static_cast<BodyIndex>(place_); }
+    Iterator& operator++() {
+      ++place_;
+      return *this;
+    }
+    bool operator==(const Iterator& other) const { return place_ == other.place_; }
+
+   private:
+    const BodyIndex* list_;
+    std::size_t place_;
+  };
+  Iterator begin() const { return {is_listed_ ? members_.data() : nullptr, 0}; }
+  Iterator end() const { return {nullptr, size()}; }
   //! [index_set]
 
   /// True if it is a list; else it is the first so many.
@@ -98,12 +106,6 @@ class IndexSet {
   std::size_t first_ = 0;
   std::vector<BodyIndex> members_, places_;
 };
-
-/// Calls `change` with each element of `array` that the set names.
-template <class Element, class Change>
-void for_each_of(const IndexSet& indices, std::vector<Element>& array, const Change& change) {
-  indices.for_each([&](BodyIndex i) { change(array[i]); });
-}
 
 /// What an effect visits: centres, or tops if it sees tops, or pairs. Of one that finds its pairs:
 /// the bodies that it calls for.

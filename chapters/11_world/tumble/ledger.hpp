@@ -82,7 +82,7 @@ class Ledger {
     constexpr Quantities sums = quantity::force | quantity::torque;
     std::vector<Share> shares;  // of one kick
     Quantities spent;           // which sums it has used up
-    for_each_pass(plan, [&](const Pass<Real>& pass) {
+    for (const Pass<Real> pass : Passes(plan)) {
       const bool is_input = pass.row.kind == PassKind::input;
       const std::string name = is_input ? "input" : instance_of(pass, plan).effect->name();
       if (is_input || instance_of(pass, plan).effect->traits().writes.has_any(sums)) {
@@ -90,7 +90,7 @@ class Ledger {
         shares.push_back({name, pushes_of(pass, plan, bodies, step)});
         line_of(lines, name);  // lines stand in the order of the step
         run(pass, plan, members_of(pass, plan), bodies, step);
-        return;
+        continue;
       }
       const Bodies<Real> before = bodies;
       run(pass, plan, members_of(pass, plan), bodies, step);
@@ -100,7 +100,7 @@ class Ledger {
         book_kick(shares, acting, before, bodies, step_time_of(pass, step).time_step, lines);
       else
         line_of(lines, name) += gained_since(before, bodies);
-    });
+    }
     return holdings_of(bodies).energy;
   }
   //! [book_step]

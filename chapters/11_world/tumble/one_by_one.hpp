@@ -42,9 +42,8 @@ class OneByOne final : public BodyStore<Real> {
   std::optional<BodyIndex> step(const StepPlan<Real>& plan, const StepTime<Real>& at) {
     undo_.remember(bodies_, plan);
     try {
-      for_each_pass(plan, [&](const Pass<Real>& pass) {
+      for (const Pass<Real> pass : Passes(plan))
         run(pass, plan, members_of(pass, plan), bodies_, at);
-      });
     } catch (...) {  // an effect has thrown
       undo_.restore(bodies_, plan);
       throw;

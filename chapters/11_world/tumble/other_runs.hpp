@@ -13,27 +13,28 @@ namespace tumble {
 template <class Real, class DoesVisit, class IndexOf>
 void step_without_sets(Bodies<Real>& bodies, const StepPlan<Real>& plan, const StepTime<Real>& at,
                        const DoesVisit& does_visit, const IndexOf& index_of) {
-  for_each_pass_even_idle(plan, plan.substeps, [&](const Pass<Real>& pass) {
-    if (pass.row.kind == PassKind::input) return run(pass, plan, {}, bodies, at);
+  for (const Pass<Real>& pass : all_passes(plan, plan.substeps)) {
+    Members members;
+    if (pass.row.kind == PassKind::input) {
+      run(pass, plan, members, bodies, at);
+      continue;
+    }
     const EffectInstance<Real>& instance = instance_of(pass, plan);
     const EffectTraits<Real>& traits = instance.effect->traits();
-    if (traits.finds_pairs) return run(pass, plan, {}, bodies, at);
-    if (traits.joins_two()) {
-      for (std::size_t i = 0; i < instance.targets.size(); i += 2)
-        run(pass, plan, {{}, {{index_of(instance.targets[i]), index_of(instance.targets[i + 1])}}},
-            bodies, at);
-      return;
-    }
-    Members members;
     const auto ask = [&](BodyIndex body) {
       const BodyIndex member = traits.visits_tops() ? bodies.top_of[body] : body;
       if (member != no_index && does_visit(pass, body)) members.indices.insert(member);
     };
-    if (instance.everyone)
-      for (BodyIndex body = 0; body < bodies.centres.size(); ++body) ask(body);
-    for (const BodyHandle body : instance.targets) ask(index_of(body));
+    if (traits.joins_two()) {  // one that finds its pairs has no targets
+      for (std::size_t i = 0; i < instance.targets.size(); i += 2)
+        members.pairs.push_back({index_of(instance.targets[i]), index_of(instance.targets[i + 1])});
+    } else {
+      if (instance.everyone)
+        for (BodyIndex body = 0; body < bodies.centres.size(); ++body) ask(body);
+      for (const BodyHandle body : instance.targets) ask(index_of(body));
+    }
     run(pass, plan, members, bodies, at);
-  });
+  }
 }
 
 /// The reference run: each predicate is asked for each body, and what is known of the bodies is

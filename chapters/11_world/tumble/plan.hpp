@@ -112,12 +112,11 @@ template <class Real>
 std::vector<PlanRow> rows_of(const Planner<Real>& planner, const NamedBodies<Real>& bodies) {
   const StepPlan<Real>& plan = planner.step_plan();
   std::vector<PlanRow> rows;
-  for_each_pass_even_idle(
-      plan, substeps_of<Real>(Scheme::semi_implicit_euler), [&](const Pass<Real>& pass) {
-        const bool is_again = pass.row.kind == PassKind::rotor && pass.row.act != RotorAct::join;
-        if (pass.row.kind != PassKind::input && !is_again)
-          rows.push_back(row_of(instance_of(pass, plan), planner, bodies));
-      });
+  for (const Pass<Real>& pass : all_passes(plan, substeps_of<Real>(Scheme::semi_implicit_euler))) {
+    const bool is_again = pass.row.kind == PassKind::rotor && pass.row.act != RotorAct::join;
+    if (pass.row.kind != PassKind::input && !is_again)
+      rows.push_back(row_of(instance_of(pass, plan), planner, bodies));
+  }
   return rows;
 }
 

@@ -3,6 +3,7 @@
 /// measures it, go through this list.
 #pragma once
 
+#include <iterator>
 #include <tumble/motions.hpp>
 
 namespace tumble {
@@ -53,44 +54,80 @@ const EffectInstance<Real>& instance_of(const Pass<Real>& pass, const StepPlan<R
   return (pass.row.kind == PassKind::motion ? plan.motions : plan.effects)[pass.place];
 }
 
-/// Calls `visit` with one pass after another, for these substeps. `effects` and `motions` have the
-/// places of those that take part, by phase.
-template <class Real, class Visit>
-void for_each_pass(const StepPlan<Real>& plan, const std::vector<Substep<Real>>& substeps,
-                   const EffectsByPhase& effects, const EffectsByPhase& motions,
-                   const Visit& visit) {
-  for (const Substep<Real>& substep : substeps)
-    for (const OrderRow& row : step_order) {
-      if (row.in != substep.kind) continue;
-      if (row.kind == PassKind::input) {
-        if (!plan.inputs.empty()) visit(Pass<Real>{row, substep, 0});
-        continue;
-      }
-      const auto& places =
-          (row.kind == PassKind::motion ? motions : effects)[std::size_t(row.phase)];
+/// The passes of a step in its order, to be gone through with a range-for. It keeps none of them,
+/// and what it is made from must outlive it.
+template <class Real>
+class Passes {
+ public:
+  /// Those that visit anybody.
+  explicit Passes(const StepPlan<Real>& plan)
+      : Passes(plan, plan.substeps, plan.in_phase, plan.motions_in_phase) {}
+  /// For these substeps; `effects` and `motions` have the places of those that take part, by phase.
+  Passes(const StepPlan<Real>& plan, const std::vector<Substep<Real>>& substeps,
+         const EffectsByPhase& effects, const EffectsByPhase& motions)
+      : plan_(plan), substeps_(substeps), effects_(effects), motions_(motions) {}
+
+  class Iterator {
+   public:
+    explicit Iterator(const Passes& passes) : passes_(passes) { find(); }
+    Pass<Real> operator*() const {
+      const OrderRow& row = step_order[row_];
+      const Substep<Real>& substep = passes_.substeps_[substep_];
+      if (row.kind == PassKind::input) return {row, substep, 0};
       const bool backwards = row.kind == PassKind::rotor && row.act >= RotorAct::turn_after;
-      for (std::size_t n = 0; n < places.size(); ++n)
-        visit(Pass<Real>{row, substep, places[backwards ? places.size() - 1 - n : n]});
+      const std::vector<std::size_t>& places = passes_.places_of(row);
+      return {row, substep, places[backwards ? places.size() - 1 - n_ : n_]};
     }
-}
+    Iterator& operator++() {
+      ++n_;
+      find();
+      return *this;
+    }
+    bool operator==(std::default_sentinel_t) const { return substep_ == passes_.substeps_.size(); }
 
-/// The passes of a step that visit anybody.
-template <class Real, class Visit>
-void for_each_pass(const StepPlan<Real>& plan, const Visit& visit) {
-  for_each_pass(plan, plan.substeps, plan.in_phase, plan.motions_in_phase, visit);
-}
+   private:
+    /// Goes to the next row and the next substep until there is a pass.
+    void find() {
+      for (; substep_ < passes_.substeps_.size(); ++substep_, row_ = 0)
+        for (; row_ < step_order.size(); ++row_, n_ = 0)
+          if (step_order[row_].in == passes_.substeps_[substep_].kind &&
+              n_ < passes_.count_of(step_order[row_]))
+            return;
+    }
 
-/// All of them, those that visit nobody too.
-template <class Real, class Visit>
-void for_each_pass_even_idle(const StepPlan<Real>& plan, const std::vector<Substep<Real>>& substeps,
-                             const Visit& visit) {
+    const Passes& passes_;
+    std::size_t substep_ = 0, row_ = 0, n_ = 0;
+  };
+  Iterator begin() const { return Iterator(*this); }
+  static std::default_sentinel_t end() { return {}; }
+
+ private:
+  const std::vector<std::size_t>& places_of(const OrderRow& row) const {
+    return (row.kind == PassKind::motion ? motions_ : effects_)[std::size_t(row.phase)];
+  }
+  std::size_t count_of(const OrderRow& row) const {
+    return row.kind == PassKind::input ? !plan_.inputs.empty() : places_of(row).size();
+  }
+
+  const StepPlan<Real>& plan_;
+  const std::vector<Substep<Real>>& substeps_;
+  const EffectsByPhase &effects_, &motions_;
+};
+
+/// All passes, those that visit nobody too.
+template <class Real>
+std::vector<Pass<Real>> all_passes(const StepPlan<Real>& plan,
+                                   const std::vector<Substep<Real>>& substeps) {
   const auto by_phase = [](const std::vector<EffectInstance<Real>>& instances) {
     EffectsByPhase all;
     for (std::size_t i = 0; i < instances.size(); ++i)
       all[static_cast<std::size_t>(instances[i].effect->phase())].push_back(i);
     return all;
   };
-  for_each_pass(plan, substeps, by_phase(plan.effects), by_phase(plan.motions), visit);
+  const EffectsByPhase effects = by_phase(plan.effects), motions = by_phase(plan.motions);
+  std::vector<Pass<Real>> all;
+  for (const Pass<Real> pass : Passes(plan, substeps, effects, motions)) all.push_back(pass);
+  return all;
 }
 
 /// When a pass happens in a step. Rotors act with what they hold at their end of the drift.

@@ -50,8 +50,8 @@ struct PackedActs {
   /// The body that diverged. All are put back to where they were.
   std::optional<BodyIndex> roll_back(const StepPlan<Real>& plan) {
     const std::optional<BodyIndex> diverged = first_diverged<Real>(bodies, plan);
-    plan.moving.for_each([&](BodyIndex i) { undo.restore(bodies.centres, i); });
-    plan.turning.for_each([&](BodyIndex i) { undo.restore(bodies.tops, i); });
+    for (const BodyIndex i : plan.moving) undo.restore(bodies.centres, i);
+    for (const BodyIndex i : plan.turning) undo.restore(bodies.tops, i);
     return diverged;
   }
 

@@ -34,10 +34,10 @@ namespace detail {
 /// The members of a set in ascending order. A bit for each body is faster than to sort a list.
 inline std::vector<BodyIndex> sorted_members(const IndexSet& members) {
   std::vector<std::uint64_t> bits;
-  members.for_each([&](BodyIndex i) {
+  for (const BodyIndex i : members) {
     if (i / 64 >= bits.size()) bits.resize(i / 64 + 1);
     bits[i / 64] |= std::uint64_t{1} << i % 64;
-  });
+  }
   std::vector<BodyIndex> sorted;
   sorted.reserve(members.size());
   for (std::size_t n = 0; n < bits.size(); ++n)

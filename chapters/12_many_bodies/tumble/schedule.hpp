@@ -56,7 +56,7 @@ class Schedule {
   //! [schedule]
   explicit Schedule(const StepPlan<Real>& plan) : version(plan.version), stages(1) {
     on_all(Task::remember, plan);
-    for_each_pass(plan, [&](const Pass<Real>& pass) { add(pass, plan); });
+    for (const Pass<Real> pass : Passes(plan)) add(pass, plan);
     on_all(Task::guard, plan);
     for (Stage<Real, width>& stage : stages)
       for (Row<Real, width>* row : {&stage.on_centres, &stage.on_tops}) find_blocks(*row);
