@@ -50,6 +50,13 @@
       } else {
         this.input = make('input', {id, type: 'range', min: 0, max: steps, step: 1,
           oninput: () => changed(this.#value_of(Number(this.input.value) / steps))});
+        // A finger that comes by while it scrolls the page has changed nothing.
+        let before;
+        this.input.addEventListener('pointerdown', () => { before = this.input.value; });
+        this.input.addEventListener('pointercancel', () => {
+          this.input.value = before;
+          this.input.dispatchEvent(new Event('input'));
+        });
         this.element = make('div', {className: 'live-knob'}, {}, [name, this.output, this.input]);
       }
     }
@@ -136,13 +143,25 @@
       };
       if (this.press) canvas.addEventListener('click', event => figure.set(this.press(this.picture, place_of(event), figure.state) ?? {}));
       else {
+        // A finger that sets out upwards or downwards scrolls the page, and takes hold of nothing.
+        let held; // where a finger has come down that has not set out yet
+        const sets_out_upright = event => Math.abs(event.clientY - held.clientY) >= Math.abs(event.clientX - held.clientX);
         canvas.addEventListener('pointerdown', event => {
           canvas.setPointerCapture(event.pointerId);
-          act(event, true);
+          if (event.pointerType === 'touch') held = event;
+          else act(event, true);
         });
+        const take_hold = () => {
+          if (held) act(held, true);
+          held = undefined;
+        };
         canvas.addEventListener('pointermove', event => {
-          if (canvas.hasPointerCapture(event.pointerId)) act(event, false);
+          if (!canvas.hasPointerCapture(event.pointerId) || (held && sets_out_upright(event))) return;
+          take_hold();
+          act(event, false);
         });
+        canvas.addEventListener('pointerup', take_hold);
+        canvas.addEventListener('pointercancel', () => { held = undefined; });
       }
       canvas.addEventListener('keydown', event => {
         const way = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]}[event.key];

@@ -18,7 +18,7 @@
     return String(Number(value.toPrecision(digits))).replace('-', '−');
   }
 
-  const with_unit = (value, unit, digits) => `${shown(value, digits)}${unit ? `\u00a0${unit}` : ''}`;
+  const with_unit = (value, unit, digits) => `${shown(value, digits)}${unit && unit !== '°' ? '\u00a0' : ''}${unit ?? ''}`;
 
   /** Where the lines of the grid are, [[value, words]]: five or so, 1, 2 or 5 apart; or powers of ten. */
   function ticks_of({least: one, most: other, log}) {

@@ -45,6 +45,44 @@
     (code.closest('figure') ?? code.parentElement).append(button);
   }
 
+  // A formula that is wider than a phone is parted after a relation or a wide gap; between brackets it stays whole. Only a piece
+  // that is too wide itself is parted after a sum's sign too.
+  const ends_in = (base, kinds) => {
+    const last = [...base.children].findLast(child => !child.matches('.mspace'));
+    return Boolean(last && kinds.test(last.className) && !/[·⋅×∘]/.test(last.textContent));
+  };
+  const is_wide_gap = base => base.querySelector(':scope > .allowbreak'); // see formulas.mjs
+  function pieces_of(bases, may_part) {
+    const pieces = [[]];
+    let depth = 0;
+    for (const base of bases) {
+      pieces.at(-1).push(base);
+      for (const child of base.children) depth += child.matches('.mopen') - child.matches('.mclose');
+      if (depth === 0 && may_part(base)) pieces.push([]);
+    }
+    return pieces.filter(piece => piece.length);
+  }
+  const width_of = piece => piece.reduce((sum, base) => sum + base.getBoundingClientRect().width, 0);
+  for (const box of matchMedia('(max-width: 30rem)').matches ? document.querySelectorAll('.formula') : []) {
+    const line = box.querySelector('.katex-html');
+    if (!line || box.scrollWidth <= box.clientWidth) continue;
+    const room = box.clientWidth - 40;
+    const part = (bases, [kinds, ...finer]) => {
+      const pieces = pieces_of(bases, base => is_wide_gap(base) || ends_in(base, kinds));
+      return finer.length ? pieces.flatMap(piece => (width_of(piece) > room ? part(piece, finer) : [piece])) : pieces;
+    };
+    const pieces = part([...line.querySelectorAll(':scope > .base')], [/^none$/, /\bmrel\b/, /\bm(rel|bin)\b/]);
+    for (const piece of pieces) {
+      const whole = document.createElement('span');
+      whole.className = 'piece';
+      piece[0].before(whole);
+      whole.append(...piece);
+    }
+    box.classList.toggle('parted', pieces.length > 1);
+    const share = (box.clientWidth - 2) / box.scrollWidth; // of what still does not fit
+    if (share < 1 && share > 0.7) box.style.fontSize = `${share}em`;
+  }
+
   // What scrolls in its own box must scroll by keyboard too, and only that costs a stop of the Tab key.
   const boxes = document.querySelectorAll('.scroll, .fragment, pre');
   const mark_scrolling = () => {

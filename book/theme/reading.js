@@ -134,7 +134,8 @@
     link.href = `${last.file}${last.id ? `#${last.id}` : ''}`;
     link.textContent = last.section ? `${last.title} › ${last.section}` : last.title;
     line.append('Continue where you were: ', link);
-    (file === 'index.html' ? document.querySelector('main > h1') : document.querySelector('#search')).after(line);
+    const is_narrow = matchMedia('(max-width: 55rem)').matches; // there the search is in a bar of one line
+    document.querySelector(file === 'index.html' || is_narrow ? 'main > h1' : '#search').after(line);
   }
 
   function show(state) {

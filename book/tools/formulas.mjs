@@ -17,7 +17,8 @@ export class Formulas {
       try {
         this.#cache.set(
           key,
-          this.katex.renderToString(tex, {displayMode, throwOnError: true, strict: 'error', output: 'htmlAndMathml'}),
+          // A wide gap stands between formulas, so one that is too wide for a phone may go on in another line there.
+          this.katex.renderToString(displayMode ? tex.replace(/\\q?quad(?![a-zA-Z])/g, '$&\\allowbreak ') : tex, {displayMode, throwOnError: true, strict: 'error', output: 'htmlAndMathml'}).replaceAll('\\allowbreak ', ''),
         );
       } catch (error) {
         throw new BookError(`${place_of(tex, page)}: the formula ${tex.trim()} cannot be typeset: ${error.message}`);

@@ -29,6 +29,7 @@ function rows_of(html) {
 }
 
 const longest_before_given = 500; // letters of a description; of a longer one the first paragraph
+const longest_initial = 300; // letters of a variable's initial value; a longer one is looked up in the source
 const longest_default = 60; // letters; what is longer is shown where it stands
 
 /** Numbers, vectors, matrices, orientations and poses have units; a body or a text has none of its own. */
@@ -45,7 +46,7 @@ const with_own_names = doc =>
     .replace(/<a class="el" [^>]*>(\w+)<\/a>(?=['’]s\b| \(\d{4}\))/g, '$1');
 
 /** What Doxygen says of each member at length: id to {doc, line}; `line` is the address of its source. */
-function descriptions_in(html) {
+function descriptions_in(html, is_of_struct) {
   const found = new Map();
   for (const [, id, block] of html.matchAll(
     /<a id="(\w+)" name="\w+"><\/a>\n<h2 class="memtitle">([\s\S]*?)(?=<a id="\w+" name="\w+"><\/a>\n<h2 class="memtitle">|<h2 class="groupheader|$)/g,
@@ -55,7 +56,8 @@ function descriptions_in(html) {
     const parameters = [...block.matchAll(/<td class="paramtype">([\s\S]*?)<\/td>\s*<td class="paramname"><em>(\w+)<\/em>/g)]
       .filter(([, type]) => is_quantity(plain(type)))
       .map(([, , name]) => name);
-    const kept = with_own_names(doc).replace(/<p class="definition">[\s\S]*?<\/p>/g, '').replace(/<p>Implement(s|ed in) <a [\s\S]*?<\/p>/g, '');
+    const kept = with_own_names(doc).replace(/^\s*<b>Initial value:<\/b><div class="fragment">([\s\S]*?)<\/div><!-- fragment -->/, (whole, value) =>
+      is_of_struct || plain(value).length <= longest_initial ? whole : '').replace(/<p class="definition">[\s\S]*?<\/p>/g, '').replace(/<p>Implement(s|ed in) <a [\s\S]*?<\/p>/g, '');
     found.set(id, {doc: kept.trim(), line, parameters});
   }
   return found;
@@ -144,7 +146,7 @@ export class Reference {
       if (!/^(namespace|struct|class|union|concept)/.test(file) || /-members/.test(file)) continue;
       // Doxygen gives members of two structs that look alike one id, so the struct's is put before.
       const prefix = file.startsWith('namespace') ? '' : `${this.#id_of(file)}-`;
-      for (const [id, about] of descriptions_in(contents)) {
+      for (const [id, about] of descriptions_in(contents, prefix !== '')) {
         this.descriptions.set(prefix + id, about);
         const header = by_source.get(about.line?.replace(/#.*/, ''));
         const begins = header?.text.split('\n').slice(Number(/#l(\d+)/.exec(about.line)?.[1]) - 1).join('\n') ?? '';
@@ -322,7 +324,7 @@ export class Reference {
     const aliases = own.filter(row => !shown.includes(row));
     const members = this.#by_description(shown).map(group => {
       const [row] = group;
-      if (headings.at(-1)?.html !== escape(name_in(row.right))) headings.push({level: 2, id: row.id, html: escape(name_in(row.right))});
+      if (!headings.some(({html}) => html === escape(name_in(row.right)))) headings.push({level: 2, id: row.id, html: escape(name_in(row.right))});
       return this.#member(group, header.name, taken, 'h2');
     });
     const compounds_headings = [];

@@ -41,7 +41,7 @@ Witness slope(const Energy& energy, Witness h) {
 }
 
 /// Checks one force and torque against the slopes of `energy`, which takes a displaced body.
-/// `roundings_of_force` (N) and `roundings_of_torque` (N m) bound what the kernel rounds.
+/// `roundings_of_force` (N) and `roundings_of_torque` (N m) bound what the effect rounds.
 template <class Real, class Energy>
 void check_slopes(const Energy& energy, const RigidBody<Real>& body, const Vec3<Real>& force,
                   const Vec3<Real>& torque, Witness roundings_of_force,

@@ -101,8 +101,8 @@ struct OwnBlowBetween : Named {
                       const StepTime<Real>&) const {
     const Vec3<Real> parting = first.centre.velocity - second.centre.velocity;
     return {.impulse_on_first = (Vec3<Real>(1, 0, 0) - parting) / 64,
-            .turn_on_first = Vec3<Real>(0, 0, Real(0.125)),
-            .turn_on_second = Vec3<Real>(0, Real(0.125), 0)};
+            .angular_impulse_on_first = Vec3<Real>(0, 0, Real(0.125)),
+            .angular_impulse_on_second = Vec3<Real>(0, Real(0.125), 0)};
   }
 };
 /// Blows between all bodies that are near each other now.

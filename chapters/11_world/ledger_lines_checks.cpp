@@ -155,7 +155,7 @@ TEST_CASE("Plans and books are tables whose columns are in line") {
   CHECK(table_of(world.plan()) ==
         R"(effect               phase    bodies  reads                writes             why
 gravity              force    1 of 2  mass                 force              not 1: nothing can move them
-kick                 kick     1 of 2  force                velocity           not 1: nothing can move them
+kick                 kick     1 of 2  mass, force          velocity           not 1: nothing can move them
 drift                drift    1 of 2  velocity             position           not 1: nothing can move them
 kick of the spin     no pass  0 of 2  orientation, torque  spin               not 2: points do not turn
 steady turning       no pass  0 of 2  spin                 orientation        not 2: points do not turn

@@ -64,7 +64,9 @@ struct SpinOfBody : Named {
 template <class Real>
 struct Touch : Named {
   PairBlow<Real> blow(const BodyState<Real>&, const BodyState<Real>&, const StepTime<Real>&) const {
-    return {.impulse_on_first = {1, 2, 3}, .turn_on_first = {4, 5, 6}, .turn_on_second = {7, 8, 9}};
+    return {.impulse_on_first = {1, 2, 3},
+            .angular_impulse_on_first = {4, 5, 6},
+            .angular_impulse_on_second = {7, 8, 9}};
   }
   void find_pairs(const Bodies<Real>& bodies, std::vector<BodyPair>& pairs) const {
     for (BodyIndex b = 1; b < bodies.centres.size(); ++b)

@@ -144,6 +144,25 @@ TEST_CASE_TEMPLATE("A checkpoint of a point is refused where a body with a top h
   CHECK_THROWS_AS(world.restore(checkpoint), std::invalid_argument);
 }
 
+TEST_CASE("A checkpoint is refused by another world, and where a body has come for another") {
+  World<double> world, twin;
+  for (World<double>* each : {&world, &twin})
+    for (const char* name : {"one", "two", "three"}) each->add(name, make_particle(1.0));
+  const Checkpoint<double> checkpoint = world.checkpoint();
+  World<double> copy = world;
+  copy.set_position(copy.find("two"), {1, 0, 0});
+  copy.restore(checkpoint);
+  CHECK(copy.body(copy.find("two")).centre.position == Vec3d::Zero());
+  CHECK_THROWS_AS(twin.restore(checkpoint), std::invalid_argument);
+  for (World<double>* each : {&world, &copy}) {
+    each->remove(each->find("one"));
+    CHECK_THROWS_AS(each->restore(checkpoint), std::invalid_argument);
+    each->add("four", make_particle(1.0));
+    CHECK_THROWS_AS(each->restore(checkpoint), std::invalid_argument);
+  }
+  CHECK_THROWS_AS(copy.restore(world.checkpoint()), std::invalid_argument);  // each its own "four"
+}
+
 TEST_CASE_TEMPLATE("A checkpoint holds the place where an effect, since removed, has put a body",
                    Real, EVERY_PRECISION) {
   World<Real> world;

@@ -64,7 +64,7 @@ struct Shift {
 template <class Real, int axis>
 struct Wheel {
   static constexpr std::string_view name = axis == 0 ? "wheel along x" : "wheel along y";
-  Vec3<Real> rotor_momentum_body(Real time) const {
+  Vec3<Real> rotor_angular_momentum_body(Real time) const {
     return Vec3<Real>::Unit(axis) * (1 + time) / 8;
   }
 };
@@ -108,18 +108,18 @@ void drift_by_hand(RigidBody<Real>& body, const StepTime<Real>& at) {
   Conveyor{}(centre, h);
   const Wheel<Real, 0> first;
   const Wheel<Real, 1> second;
-  act_on(top, RotorAct::join, first.rotor_momentum_body(at.time), h);
-  act_on(top, RotorAct::join, second.rotor_momentum_body(at.time), h);
-  act_on(top, RotorAct::turn_before, first.rotor_momentum_body(at.time), h);
-  act_on(top, RotorAct::turn_before, second.rotor_momentum_body(at.time), h);
+  act_on(top, RotorAct::join, first.rotor_angular_momentum_body(at.time), h);
+  act_on(top, RotorAct::join, second.rotor_angular_momentum_body(at.time), h);
+  act_on(top, RotorAct::turn_before, first.rotor_angular_momentum_body(at.time), h);
+  act_on(top, RotorAct::turn_before, second.rotor_angular_momentum_body(at.time), h);
   if (is_gyroscopic(top))
     turn_by_splitting(top, h);
   else
     turn_steadily(top, h);
-  act_on(top, RotorAct::turn_after, second.rotor_momentum_body(end), h);
-  act_on(top, RotorAct::turn_after, first.rotor_momentum_body(end), h);
-  act_on(top, RotorAct::leave, second.rotor_momentum_body(end), h);
-  act_on(top, RotorAct::leave, first.rotor_momentum_body(end), h);
+  act_on(top, RotorAct::turn_after, second.rotor_angular_momentum_body(end), h);
+  act_on(top, RotorAct::turn_after, first.rotor_angular_momentum_body(end), h);
+  act_on(top, RotorAct::leave, second.rotor_angular_momentum_body(end), h);
+  act_on(top, RotorAct::leave, first.rotor_angular_momentum_body(end), h);
 }
 
 template <class Real>

@@ -54,7 +54,7 @@ template <class Real>
 Vec3<Real> wheels_in(const World<Real>& world, Real time) {
   Vec3<Real> sum = Vec3<Real>::Zero();
   for (const EffectInstance<Real>& entry : world.effects())
-    sum += entry.effect->rotor_momentum_body(time);
+    sum += entry.effect->rotor_angular_momentum_body(time);
   return sum;
 }
 
@@ -151,7 +151,7 @@ TEST_CASE_TEMPLATE(
         const Real h = torque * running;  // and its integral: while it runs, and after that
         const Real angle = (h * running / 2 + h * std::max(t - 3, Real(0))) / inertia;
         const Top<Real> top = top_in(world);
-        CHECK(distance<Real>(wheel.rotor_momentum_body(t), h * wheel.axis) <=
+        CHECK(distance<Real>(wheel.rotor_angular_momentum_body(t), h * wheel.axis) <=
               roundings<Real>(1, 1));
         CHECK(angle_between(top.orientation, quaternion_of_rotation_vector<Real>(-angle * axis)) <=
               roundings<Real>(n, 2));

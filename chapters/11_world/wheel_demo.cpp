@@ -40,7 +40,7 @@ void turn_telescope(support::Notebook& notebook) {
     if (n % 10 == 0) {
       double wheels = 0;
       for (const auto& instance : orbit.effects())
-        wheels += instance.effect->rotor_momentum_body(orbit.time()).y();
+        wheels += instance.effect->rotor_angular_momentum_body(orbit.time()).y();
       shares.row(orbit.time(), top.angular_momentum_body.y(), wheels);
     }
     orbit.step();

@@ -32,7 +32,7 @@ struct SwirlOfSpin {
 template <class Real, int axis>
 struct Wheels {
   static constexpr std::string_view name = "wheels";
-  Vec3<Real> rotor_momentum_body(Real time) const {
+  Vec3<Real> rotor_angular_momentum_body(Real time) const {
     return Vec3<Real>::Unit(axis) * (1 + time) / 16;
   }
 };
@@ -55,8 +55,8 @@ struct Rubbing : Neighbours<Real> {
   PairBlow<Real> blow(const BodyState<Real>& first, const BodyState<Real>& second,
                       const StepTime<Real>&) const {
     return {.impulse_on_first = (second.centre.velocity - first.centre.velocity) / 8,
-            .turn_on_first = {0, Real(0.125), 0},
-            .turn_on_second = {0, 0, Real(0.125)}};
+            .angular_impulse_on_first = {0, Real(0.125), 0},
+            .angular_impulse_on_second = {0, 0, Real(0.125)}};
   }
 };
 

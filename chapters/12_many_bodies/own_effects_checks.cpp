@@ -110,8 +110,8 @@ struct OwnBlowBetween {
                       const StepTime<Real>& moment) const {
     const Vec3<Real> way = second.centre.velocity - first.centre.velocity;
     return {.impulse_on_first = fuse(moment.time) * way / 8,
-            .turn_on_first = way / 16,
-            .turn_on_second = -way / 32};
+            .angular_impulse_on_first = way / 16,
+            .angular_impulse_on_second = -way / 32};
   }
 };
 

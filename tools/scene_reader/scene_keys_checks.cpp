@@ -431,7 +431,7 @@ TEST_CASE("A wheel has the axis of the file in body axes, and the momentum of it
   const std::string more = R"("bodies": ["odd"], "axis": [8, 0, 0], "momentum": 2, "torque": 3)";
   const auto momentum_at = [](const Scene<double>& scene, double time) -> Vec3d {
     return rotate<double>(scene.world.body(scene.world.handle_at(0)).top.orientation,
-                          only_effect(scene).effect->rotor_momentum_body(time));
+                          only_effect(scene).effect->rotor_angular_momentum_body(time));
   };
   const Scene<double> scene = odd_with("reaction_wheel", more + R"(, "from": 1, "until": 5)");
   for (const auto& [time, momentum] :

@@ -33,7 +33,8 @@ Real mass_of(const Particle<Real>& particle) {
   return select(is_static(particle), Real(0), 1 / particle.inverse_mass);
 }
 
-/// A particle of `mass` kg at `position` m, moving with `velocity` m/s.
+/// A particle of `mass` kg at `position` m, moving with `velocity` m/s. The type of the mass is
+/// that of all its numbers, so write 2.0 and not 2.
 ///
 /// @throws std::invalid_argument if the mass is zero, negative, NaN or infinite, if it is so small
 /// or so large that the mass or its inverse leaves the range that `Real` stores with full

@@ -36,6 +36,7 @@ struct Box {
   Vec3<Real> size;  ///< whole edges, not halves, m
 };
 
+/// m³.
 template <class Real>
 Real volume(const Box<Real>& box) {
   return box.size.prod();
@@ -58,6 +59,7 @@ struct Ellipsoid {
   Vec3<Real> semi_axes;  ///< from the centre to the surface, m
 };
 
+/// m³.
 template <class Real>
 Real volume(const Ellipsoid<Real>& ellipsoid) {
   return ellipsoid.semi_axes.prod() * (4 * std::numbers::pi_v<Real> / 3);
@@ -79,6 +81,7 @@ struct Cylinder {
   Real height;  ///< m
 };
 
+/// m³.
 template <class Real>
 Real volume(const Cylinder<Real>& cylinder) {
   return std::numbers::pi_v<Real> * cylinder.radius * cylinder.radius * cylinder.height;
@@ -101,6 +104,7 @@ struct Cone {
   Real height;  ///< m
 };
 
+/// m³.
 template <class Real>
 Real volume(const Cone<Real>& cone) {
   return std::numbers::pi_v<Real> * cone.radius * cone.radius * cone.height / 3;

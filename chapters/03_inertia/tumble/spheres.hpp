@@ -13,6 +13,7 @@ struct Sphere {
   Real radius;  ///< m
 };
 
+/// m³.
 template <class Real>
 Real volume(const Sphere<Real>& sphere) {
   return 4 * std::numbers::pi_v<Real> / 3 * sphere.radius * sphere.radius * sphere.radius;
@@ -48,6 +49,7 @@ struct SphericalShell {
   Real outer_radius;  ///< m
 };
 
+/// m³.
 template <class Real>
 Real volume(const SphericalShell<Real>& shell) {
   const auto [a, b] = shell;
@@ -77,6 +79,7 @@ struct Capsule {
   Real length;  ///< of the cylinder alone, m; 0 makes it a ball
 };
 
+/// m³.
 template <class Real>
 Real volume(const Capsule<Real>& capsule) {
   const auto [r, l] = capsule;

@@ -22,14 +22,14 @@ class AnyEffect {
   /// Runs the effect's function on bodies one by one, or on pairs. A rotor does what `act` says.
   virtual void run(Bodies<Real>& bodies, const Members& members, const StepTime<Real>& at,
                    RotorAct act) const = 0;
-  /// Empty if the body needs the effect, else why it does not. Of an effect on two: if any pair
-  /// does.
+  /// Empty if the body needs the effect, else why it does not. One on two asks no flags: empty if
+  /// any pair needs it.
   virtual std::string_view skip_reason(const BodyFlags& flags) const = 0;
   /// The energy (J) that the effect stores for a body, or for two, where it knows one.
   virtual Real potential_energy(const BodyState<Real>& first,
                                 const BodyState<Real>& second) const = 0;
   /// The momentum of a rotor at `time` (s), kg m²/s, body axes; of other effects 0.
-  virtual Vec3<Real> rotor_momentum_body(Real time) const = 0;
+  virtual Vec3<Real> rotor_angular_momentum_body(Real time) const = 0;
   /// How it answers what the body does, or the two; empty if it does not say.
   virtual Response<Real> response(const BodyState<Real>& first,
                                   const BodyState<Real>& second) const = 0;
@@ -79,7 +79,7 @@ class EffectOf : public AnyEffect<Real> {
   void run(Bodies<Real>& bodies, const Members& members, const StepTime<Real>& at,
            [[maybe_unused]] RotorAct act) const override {
     if constexpr (HoldsRotor<Effect, Real>) {
-      const Vec3<Real> H = effect_.rotor_momentum_body(at.time);
+      const Vec3<Real> H = effect_.rotor_angular_momentum_body(at.time);
       for (const BodyIndex i : members.indices) act_on<Real>(bodies.tops[i], act, H, at.time_step);
     } else if constexpr (form.sees == Sees::centre) {
       for (const BodyIndex i : members.indices)
@@ -121,9 +121,9 @@ class EffectOf : public AnyEffect<Real> {
       return 0;
   }
 
-  Vec3<Real> rotor_momentum_body([[maybe_unused]] Real time) const override {
+  Vec3<Real> rotor_angular_momentum_body([[maybe_unused]] Real time) const override {
     if constexpr (HoldsRotor<Effect, Real>)
-      return effect_.rotor_momentum_body(time);
+      return effect_.rotor_angular_momentum_body(time);
     else
       return Vec3<Real>::Zero();
   }

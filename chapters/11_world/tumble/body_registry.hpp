@@ -23,6 +23,7 @@ class BodyRegistry {
     return names_[index].empty() ? "body " + std::to_string(handle_at(index).slot) : names_[index];
   }
   std::uint64_t family() const { return slots_.family(); }
+  std::uint64_t arrangement() const { return slots_.arrangement(); }
 
   /// @throws std::invalid_argument if no body has that name.
   BodyHandle find(const std::string& name) const {

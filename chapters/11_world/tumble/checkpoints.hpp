@@ -20,6 +20,7 @@ struct BodyMotion {
 /// those that may have moved since it was made.
 template <class Real>
 struct Checkpoint : WorldTime<Real> {
+  std::uint64_t arrangement = 0;                             ///< of the bodies, see Slots
   std::size_t top_count = 0;                                 ///< bodies that are not points
   std::shared_ptr<const std::vector<BodyMotion<Real>>> all;  ///< in the order of the world
   std::vector<BodyIndex> moved;                              ///< in no order
@@ -39,7 +40,7 @@ class Checkpoints {
   //! [make_checkpoint]
   Checkpoint<Real> make(const WorldTime<Real>& time, const NamedBodies<Real>& bodies,
                         Planner<Real>& planner) {
-    Checkpoint<Real> now{time, bodies.top_count(), all_, {}, {}};
+    Checkpoint<Real> now{time, bodies.registry.arrangement(), bodies.top_count(), all_, {}, {}};
     if (all_) {
       now.moved = may_have_moved(bodies, planner);
       now.motions.reserve(now.moved.size());
@@ -57,10 +58,14 @@ class Checkpoints {
   //! [make_checkpoint]
 
   /// Lets all bodies move as they did then.
-  /// @throws std::invalid_argument if there are more bodies or tops than then, or fewer.
+  /// @throws std::invalid_argument if it is of another world, or a body has come or gone since.
   void restore(const Checkpoint<Real>& then, const NamedBodies<Real>& bodies,
                BodyStore<Real>& store, Planner<Real>& planner) {
     require_as_many("checkpoint", then.all ? then.all->size() : 0, then.top_count, bodies);
+    if (bodies.size() > 0 && then.arrangement != bodies.registry.arrangement())
+      throw std::invalid_argument(
+          "the checkpoint is of another world, or other bodies have come in the place of some; a "
+          "copy of the world outlasts bodies that come and go");
     planner.end_inputs(bodies);
     std::vector<BodyIndex> others;
     if (all_ && then.all == all_) {

@@ -4,7 +4,7 @@
 
 #include <optional>
 #include <string>
-#include <tumble/kernel.hpp>
+#include <tumble/give_to.hpp>
 #include <type_traits>
 #include <utility>
 

@@ -27,9 +27,9 @@ class SimulationError : public std::runtime_error {
 /// sine_cosine().
 template <class Real>
 std::string turn_too_far(const Top<Real>& top, Same<Real> time_step) {
-  const Vec3<Real> spin = angular_velocity_body(top);
+  const Vec3<Real> omega = angular_velocity_body(top);
   const Real angle =
-      std::abs(time_step) * std::hypot(spin[0], spin[1], spin[2]);  // no square overflows
+      std::abs(time_step) * std::hypot(omega[0], omega[1], omega[2]);  // no square overflows
   return joined({text_of(angle), " rad in this step, and no finite orientation was found; at most ",
                  text_of(2 * SineCosineConstants<Real>::limit), " rad can be turned"});
 }
@@ -74,7 +74,7 @@ class Replay {
       if (fault_in(bodies_).empty() || pass.row.kind == PassKind::input) continue;
       if (pass.row.kind == PassKind::motion && pass.place < own_motion_count) {
         const BodyState<Real> now = state_of(bodies_, diverged_);
-        if (is_finite(now.centre) && is_finite(now.top)) continue;  // the kick of it is to come
+        if (is_finite(now.centre) && is_finite(now.top)) continue;  // its kick is to come
         const bool is_drift = pass.substep.kind == SubstepKind::drift;
         return reason(is_drift ? before : bodies_, step_time_of(pass, step_).time_step);
       }
@@ -109,7 +109,7 @@ class Replay {
     const StepTime<Real> at = step_time_of(pass, step_);
     Top<Real> turned =
         state_of(bodies_, diverged_).top;  // with the spin that the rotor turns it by
-    const Vec3<Real> H = turned.angular_momentum_body = effect.rotor_momentum_body(at.time);
+    const Vec3<Real> H = turned.angular_momentum_body = effect.rotor_angular_momentum_body(at.time);
     if (!is_finite(H))
       return joined(
           {effect.name(), " holds a momentum of ", text_of(H), " kg m^2/s", must_be_finite});

@@ -76,13 +76,14 @@ concept BlowBetween = requires(const Effect& effect, const BodyState<Real>& body
   { effect.blow(body, body, at) } -> std::same_as<PairBlow<Real>>;
 };
 
-/// The momentum (kg m²/s, body axes) of what spins inside the body, relative to it: of a rotor.
+/// The angular momentum (kg m²/s, body axes) of what spins inside the body, relative to it: of a
+/// rotor.
 template <class Effect, class Real>
 concept HoldsRotor = requires(const Effect& effect, const Real& time) {
-  { effect.rotor_momentum_body(time) } -> std::convertible_to<Vec3<Real>>;
+  { effect.rotor_angular_momentum_body(time) } -> std::convertible_to<Vec3<Real>>;
 };
 
-/// Such an effect may itself find which bodies meet, in each step: a contact would.
+/// An effect on two may itself find which bodies meet, in each step, as a contact would.
 template <class Effect, class Real>
 concept FindsPairs = requires(const Effect& effect, const Bodies<Real>& bodies,
                               std::vector<BodyPair>& pairs) {

@@ -44,6 +44,7 @@ class Slots {
     free_.pop_back();
     slots_[slot].index = index;
     slot_of_.push_back(slot);
+    arrangement_ = next_number();
     return {slot, slots_[slot].generation, family_};
   }
 
@@ -55,6 +56,7 @@ class Slots {
     slots_[slot_of_.back()].index = slot.index;
     slot_of_.pop_back();
     slot.index = no_index;
+    arrangement_ = next_number();
     if (++slot.generation != 0) free_.push_back(body.slot);
   }
 
@@ -65,6 +67,9 @@ class Slots {
 
   /// What the handles of this world, and of its copies, have in common.
   std::uint64_t family() const { return family_; }
+  /// Another number after each body that came or went. Two worlds have the same one only if each is
+  /// a copy of the other, or both of a third, and no body has come or gone since.
+  std::uint64_t arrangement() const { return arrangement_; }
 
   /// @throws std::out_of_range if the handle is stale, or another world's, or nobody's.
   BodyIndex index_of(BodyHandle body) const {
@@ -88,11 +93,11 @@ class Slots {
     BodyIndex index;
     std::uint32_t generation;
   };
-  static std::uint64_t next_family() {
-    static std::atomic<std::uint64_t> families = 0;
-    return ++families;
+  static std::uint64_t next_number() {
+    static std::atomic<std::uint64_t> numbers = 0;
+    return ++numbers;
   }
-  std::uint64_t family_ = next_family();
+  std::uint64_t family_ = next_number(), arrangement_ = family_;
   std::uint32_t first_;
   std::vector<Slot> slots_;
   std::vector<std::uint32_t> slot_of_;  // for each array element

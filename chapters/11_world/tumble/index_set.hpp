@@ -7,8 +7,8 @@
 
 namespace tumble {
 
-/// A set of array elements. As long as it holds the first so many of them, which is what an effect
-/// for everyone visits, it is a number alone; else a list in no order.
+/// A set of array elements. It is a number n alone, for the elements 0 to n − 1, which is what an
+/// effect for everyone visits, until it holds others for the first time; then a list in no order.
 //! [index_set]
 class IndexSet {
  public:
@@ -72,7 +72,7 @@ class IndexSet {
   Iterator end() const { return {nullptr, size()}; }
   //! [index_set]
 
-  /// True if it is a list; else it is the first so many.
+  /// True if it is a list; else it holds 0 to size() − 1.
   bool is_listed() const { return is_listed_; }
 
  private:

@@ -105,7 +105,8 @@ class Ledger {
   }
   //! [book_step]
 
-  /// Books each share of a kick of `time_step` seconds, which those of the sums make that act.
+  /// Books each share of a kick of `time_step` seconds. `acting` says which sum made it: that of
+  /// the forces, of the torques, or both.
   static void book_kick(const std::vector<Share>& shares, Quantities acting,
                         const Bodies<Real>& before, const Bodies<Real>& after, Real time_step,
                         Lines& lines) {

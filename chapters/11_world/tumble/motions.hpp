@@ -15,7 +15,7 @@ namespace tumble {
 struct Kick {
   static constexpr std::string_view name = "kick";
   static constexpr Phase phase = Phase::kick;
-  static constexpr Quantities reads = quantity::force, writes = quantity::velocity;
+  static constexpr Quantities reads = quantity::mass | quantity::force, writes = quantity::velocity;
   template <class Real>
   void operator()(Particle<Real>& centre, const Real& time_step) const {
     kick(centre, time_step);
@@ -75,7 +75,7 @@ struct SteadyTurning {
   }
 };
 
-/// How the name of that begins which turns those whose moments differ; the rule's name follows.
+/// What the name of every Tumbling begins with; that of its rule follows.
 inline constexpr std::string_view tumbling_prefix = "tumbling: ";
 
 /// Turns a top whose moments differ, by one of the rules of turning_methods.hpp or by a user's own.

@@ -93,7 +93,7 @@ void step_exhaustively(Bodies<Real>& bodies, const StepPlan<Real>& plan, const S
         if (traits.needs_top && is_point(bodies, body)) return false;
         const bool only_its_velocity = traits.writes == quantity::velocity;
         const bool only_its_force = traits.writes == quantity::force;
-        // What has no mass to push keeps the velocity that its user gave it.
+        // What nothing can move keeps the velocity that its user gave it.
         return !(is_static(bodies.centres[body]) && (only_its_velocity || only_its_force));
       },
       index_of);

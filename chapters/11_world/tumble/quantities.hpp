@@ -23,7 +23,7 @@ struct Quantities {
 namespace quantity {
 inline constexpr Quantities none{0}, time{1}, mass{2}, position{4}, velocity{8}, orientation{16},
     spin{32}, force{64}, torque{128};
-// What a kernel can read of a centre, of a top, and of both; the time is for all to read.
+// What an effect can read of a centre, of a top, and of both; the time is for all to read.
 inline constexpr Quantities of_centre = time | mass | position | velocity;
 inline constexpr Quantities of_top = time | orientation | spin;
 inline constexpr Quantities of_body = of_centre | of_top;

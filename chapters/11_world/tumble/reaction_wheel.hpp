@@ -24,7 +24,7 @@ struct ReactionWheel {
 
   /// What the wheel holds at `time` (s), kg m²/s, body axes.
   //! [reaction_wheel]
-  Vec3<Real> rotor_momentum_body(Real time) const {
+  Vec3<Real> rotor_angular_momentum_body(Real time) const {
     return (momentum + torque * (std::clamp(time, from, until) - from)) * axis;
   }
   //! [reaction_wheel]

@@ -31,7 +31,7 @@ Vec3<Real> nutating_momentum(const StepPlan<Real>& plan, BodyIndex index, const 
   Vec3<Real> sum = Vec3<Real>::Zero();
   for (const std::size_t i : plan.in_phase[static_cast<std::size_t>(Phase::turn)])
     if (plan.effects[i].members.indices.contains(index))
-      sum += plan.effects[i].effect->rotor_momentum_body(time);
+      sum += plan.effects[i].effect->rotor_angular_momentum_body(time);
   const Vec3<Real>& J = top.inverse_moments;
   for (int axis = 0; axis < 3; ++axis)
     if (J[(axis + 1) % 3] == 0 || J[(axis + 2) % 3] == 0) sum[axis] = 0;

@@ -15,7 +15,7 @@ enum class RotorAct {
   leave         ///< L ← L − H: the rotor keeps what it holds by then
 };
 
-/// Does it. H (`momentum`) in kg m²/s, body axes, `time_step` in s, of the whole drift.
+/// Does `act` to a top. H (`momentum`) in kg m²/s, body axes, `time_step` in s, of the whole drift.
 ///
 /// With Π = L + H the energy of the body is ½ (Π − H)·I⁻¹(Π − H) = ½ Π·I⁻¹Π − Π·I⁻¹H + a constant.
 /// The first part alone is that of a free top with the momentum Π, and the second turns the body
@@ -30,12 +30,12 @@ enum class RotorAct {
 //! [rotor_act]
 template <class Real>
 void act_on(Top<Real>& top, RotorAct act, const Vec3<Same<Real>>& momentum, Same<Real> time_step) {
-  const Vec3<Real>& J = top.inverse_moments;
+  const Vec3<Real>& inverse = top.inverse_moments;
   Vec3<Real>& L = top.angular_momentum_body;
-  const auto is_free = J.x() != 0 && J.y() != 0 && J.z() != 0;
+  const auto is_free = inverse.x() != 0 && inverse.y() != 0 && inverse.z() != 0;
   if (act == RotorAct::turn_before || act == RotorAct::turn_after) {
     const Vec3<Real> H = free_part<Real>(top, momentum);
-    const Vec3<Real> turn = -(time_step / 2) * J.cwiseProduct(H);
+    const Vec3<Real> turn = -(time_step / 2) * inverse.cwiseProduct(H);
     const Quaternion<Real> q = quaternion_of_rotation_vector(turn);
     const Vec3<Real> carried = with_length_of<Real>(L, rotate_back(q, L));
     const Vec3<Real> shared = act == RotorAct::turn_before ? Vec3<Real>(L + H) : Vec3<Real>(L - H);
@@ -45,9 +45,10 @@ void act_on(Top<Real>& top, RotorAct act, const Vec3<Same<Real>>& momentum, Same
   }
   const Vec3<Real> H = select(is_free, Real(1), Real(0)) * momentum;
   const Vec3<Real> c = select(is_free, Real(0), time_step / 2) * momentum;
-  const Real d =
-      c.x() * c.x() * J.y() * J.z() + c.y() * c.y() * J.z() * J.x() + c.z() * c.z() * J.x() * J.y();
-  L += free_part<Real>(top, c.cross(J.cwiseProduct(L)));
+  const Real d = c.x() * c.x() * inverse.y() * inverse.z() +
+                 c.y() * c.y() * inverse.z() * inverse.x() +
+                 c.z() * c.z() * inverse.x() * inverse.y();
+  L += free_part<Real>(top, c.cross(inverse.cwiseProduct(L)));
   if (act == RotorAct::join)
     L = L / (1 + d) + H;
   else
@@ -55,7 +56,7 @@ void act_on(Top<Real>& top, RotorAct act, const Vec3<Same<Real>>& momentum, Same
 }
 //! [rotor_act]
 
-/// When it is done in a drift that begins at its `time` and may lead back, s.
+/// When it is done, s: where the drift begins, or where it ends, which may be before that.
 template <class Real>
 Real time_of(RotorAct act, const StepTime<Real>& drift) {
   return act < RotorAct::turn_after ? drift.time : drift.time + drift.time_step;

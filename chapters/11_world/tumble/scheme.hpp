@@ -38,8 +38,8 @@ enum class SubstepKind { kick, whole, drift, end };
 /// A part of a step; its times are parts of the whole step.
 template <class Real>
 struct Substep {
-  SubstepKind kind;  ///< a kick or a drift
-  Real begins;       ///< the drifts before it have led so far
+  SubstepKind kind;  ///< which of the four
+  Real begins;       ///< of a kick or a drift: where the drifts before it have led to; else 0
   Real lasts;        ///< negative: backwards
 };
 

@@ -8,7 +8,8 @@
 
 namespace tumble {
 
-/// The motion of all bodies after so many steps. What acts on them is not part of it.
+/// The motion of all bodies after so many steps, by their places. What acts on them is not part of
+/// it, nor are their names and handles.
 template <class Real>
 struct Snapshot : WorldTime<Real> {
   std::vector<CentreMotion<Real>> centres;  ///< of the bodies, in the order of the world

@@ -20,7 +20,7 @@ struct Spring {
 /// length pulls towards nowhere.
 //! [spring_force]
 template <class Real>
-Vec3<Real> spring_force(const Spring<Real>& spring, const Vec3<Real>& extent,
+Vec3<Real> spring_force(const Spring<Real>& spring, const Vec3<Same<Real>>& extent,
                         const Vec3<Same<Real>>& rate) {
   const Real length = extent.norm();
   const Vec3<Real> n = extent / select(length == 0, Real(1), length);
@@ -34,7 +34,7 @@ Vec3<Real> spring_force(const Spring<Real>& spring, const Vec3<Real>& extent,
 
 /// ½ k (l − l₀)², J.
 template <class Real>
-Real spring_energy(const Spring<Real>& spring, const Vec3<Real>& extent) {
+Real spring_energy(const Spring<Real>& spring, const Vec3<Same<Real>>& extent) {
   const Real stretch = extent.norm() - spring.rest_length;
   return spring.only_pulls && stretch < 0 ? 0 : spring.stiffness * stretch * stretch / 2;
 }

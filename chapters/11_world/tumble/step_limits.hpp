@@ -10,7 +10,9 @@
 
 namespace tumble {
 
-/// The bound of a scene, as its bodies are now: for small motions about an equilibrium.
+/// The bound of a scene, as its bodies are now: for small motions about an equilibrium. It is
+/// proved for Euler's scheme and Verlet's, and tried for Scheme::suzuki; infinite if nothing limits
+/// the step.
 ///
 /// What holds a body in several places is stiffer there. By chapter 6's limit nothing grows while
 /// all holds, each of the strength s = h² k + 2 h c, pull back by less than 4 in every direction of

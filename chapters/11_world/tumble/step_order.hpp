@@ -1,6 +1,6 @@
 /// @file
-/// The order of a step. It stands here and nowhere else: the step, and all that explains, judges or
-/// measures it, go through this list.
+/// The order of the passes in each substep; scheme.hpp has that of the substeps. The step, and all
+/// that explains, judges or measures it, go through this list, and no other has the order.
 #pragma once
 
 #include <iterator>
@@ -44,8 +44,7 @@ template <class Real>
 struct Pass {
   OrderRow row = step_order[0];  ///< in which row it stands
   Substep<Real> substep = {};    ///< and of which substep it is a part
-  std::size_t place = 0;  ///< an index into the effects of the plan, or into its motions, so that a
-                          ///< copied world may keep what it has made of its passes
+  std::size_t place = 0;         ///< in the plan's effects or motions, of a copied plan too
 };
 
 /// What runs in a pass, and on whom. The inputs have none.

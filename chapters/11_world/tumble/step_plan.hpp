@@ -14,8 +14,8 @@ namespace tumble {
 template <class Real>
 struct EffectInstance {
   EffectHandle handle = {};                       ///< 0 of a motion
-  std::shared_ptr<const AnyEffect<Real>> effect;  ///< as it was added
-  bool everyone = true;                           ///< every body is meant, those of later too
+  std::shared_ptr<const AnyEffect<Real>> effect;  ///< as it is now
+  bool everyone = true;                           ///< every body is meant, also those added later
   std::vector<BodyHandle> targets = {};  ///< or else these; for pairs, first and second in turn
   Members members = {};                  ///< whom it visits
 
@@ -46,7 +46,7 @@ struct StepPlan {
   IndexSet moving;                              ///< the centres that a step may change
   IndexSet turning;                             ///< the tops that it may change
   Scheme scheme = Scheme::semi_implicit_euler;  ///< see scheme.hpp
-  std::vector<Substep<Real>> substeps = substeps_of<Real>(scheme);  ///< kicks and drifts of a step
+  std::vector<Substep<Real>> substeps = substeps_of<Real>(scheme);  ///< of a step, in their order
   std::uint64_t version = 0;  ///< a new number after each change
 };
 

@@ -7,7 +7,7 @@
 
 namespace tumble {
 
-/// The parts of a step, in their order.
+/// The parts of a step, in which effects act; step_order.hpp has their order.
 enum class Phase {
   force,    ///< forces and torques are summed; nothing moves
   kick,     ///< the sums change the momenta
@@ -54,14 +54,14 @@ struct PairPush {
 template <class Real>
 struct PairBlow {
   Vec3<Real> impulse_on_first = Vec3<Real>::Zero();
-  Vec3<Real> turn_on_first = Vec3<Real>::Zero();
-  Vec3<Real> turn_on_second = Vec3<Real>::Zero();
+  Vec3<Real> angular_impulse_on_first = Vec3<Real>::Zero();
+  Vec3<Real> angular_impulse_on_second = Vec3<Real>::Zero();
 };
 
 /// How an effect answers small changes of where a body is, which way it faces and how fast it moves
 /// and turns: what limits the time step. An effect that has response() for a body, or for two, is
 /// taken into account. The matrices are symmetric, in world axes, and drive nothing: no eigenvalue
-/// is negative. Of two bodies they answer the turn and the spin of the first relative to the
+/// is negative. Of two bodies they answer how the first has turned and turns relative to the
 /// second.
 //! [response]
 template <class Real>
@@ -84,12 +84,14 @@ struct BodyPair {
   BodyIndex first, second;
 };
 
-/// When a step happens and how long it lasts. To an effect of the phases force and kick: when its
-/// kick happens, and how long that is; by Scheme::suzuki one of them lasts a negative time.
+/// When something acts in a step, and for how long. In the phases force and kick: when its kick
+/// happens, and how long that is; in the phase turn: when the rotor acts, and how long the drift
+/// is; else when the step begins, and how long that is. By Scheme::suzuki some of them are
+/// negative.
 template <class Real>
 struct StepTime {
-  Real time = 0;       ///< s, at the start of the step
-  Real time_step = 0;  ///< s
+  Real time = 0;       ///< s
+  Real time_step = 0;  ///< s; negative: backwards
 };
 
 /// When step number `tick` happens: at n h, with one rounding of the product, and one of n where it

@@ -82,6 +82,7 @@ class World {
   std::size_t body_count() const { return registry_.size(); }
   /// How many of them are not points.
   std::size_t top_count() const { return named_bodies().top_count(); }
+  /// The body with that name.
   /// @throws std::invalid_argument if no body has that name.
   BodyHandle find(const std::string& name) const { return registry_.find(name); }
   /// Its name, or "body 7" of one without.
@@ -192,7 +193,8 @@ class World {
 
   // --- Effects ----------------------------------------------------------------------------------
 
-  /// Adds an effect for every body, including those that are added later.
+  /// Adds an effect for every body, including those that are added later. An effect is a value with
+  /// one of the functions of forms.hpp, and with those members of effect_members.hpp that it needs.
   /// @throws whatever the effect's check() throws.
   template <class Effect>
   EffectHandle add(Effect effect) {
@@ -269,7 +271,8 @@ class World {
     planner_.turn_by(Backend::erased(Tumbling<Rule>{.rule = rule}));
   }
 
-  /// From now on all bodies are stepped by `scheme`.
+  /// From now on all bodies are stepped by `scheme`; until then by Scheme::semi_implicit_euler, of
+  /// order 1. Drag, damping and blows leave a scheme a lower order: plan() says which, and why.
   void step_by(Scheme scheme) {
     require_between_steps("the scheme can't be changed");
     change_log_.note({"the scheme ", tumble::name_of(scheme), " was chosen"});
@@ -334,11 +337,14 @@ class World {
       planner_.replace_effect(number, std::move(effect), named_bodies());
   }
 
-  /// How all bodies move now: with restore() a step, or a thousand, can be taken back.
+  /// How all bodies move now, and the time: with restore() a step, or a thousand, can be taken
+  /// back. Effects, masses, names, the length of a step and pushes for the next one are not in it.
   Snapshot<Real> save() const { return snapshot_of(named_bodies(), planner_, time_); }
   /// All bodies move as they did when the snapshot was saved, and the steps from there on have the
   /// same bits, unless the scene has been changed since, or a push for one step was to come then:
-  /// such pushes are dropped. The bodies are taken in the order of the world.
+  /// such pushes are dropped. The first body moves as the first one did, and so on: a snapshot,
+  /// which may come from a file, knows no names. Where a body has gone and another has come since,
+  /// go back to a copy of the world instead.
   /// @throws std::invalid_argument if there are more bodies or tops than then, or fewer.
   void restore(const Snapshot<Real>& then) {
     require_between_steps("a snapshot can't be restored");
@@ -349,13 +355,13 @@ class World {
 
   /// The same as save(), for each frame of a game that may have to go back: after the first
   /// checkpoint, and until a body comes or goes, it costs what can move and what was changed, and
-  /// not what rests. A checkpoint is for this world, or a copy of it, alone.
+  /// not what rests. It is for this world, or a copy of it.
   Checkpoint<Real> checkpoint() {
     require_between_steps("a checkpoint can't be made");
     return checkpoints_.make(time_, named_bodies(), planner_);
   }
   /// See restore() of a Snapshot; it costs what can move now, or could then, and what was changed.
-  /// @throws std::invalid_argument if there are more bodies or tops than then, or fewer.
+  /// @throws std::invalid_argument if it is another world's, or if a body has come or gone since.
   void restore(const Checkpoint<Real>& then) {
     require_between_steps("a checkpoint can't be restored");
     checkpoints_.restore(then, named_bodies(), backend_, planner_);
@@ -374,7 +380,8 @@ class World {
     return tumble::warnings(step_plan(), named_bodies(), step_time());
   }
 
-  /// Up to which step no effect that has a response() can feed on itself, as the bodies are now.
+  /// Up to which step no effect that has a response() can feed on itself, as the bodies are now;
+  /// infinite if none has one that limits it.
   StepLimit<Real> step_limit() const {
     return tumble::step_limit(step_plan(), named_bodies(), time());
   }

@@ -8,7 +8,7 @@
 // NOLINTBEGIN(bugprone-macro-parentheses): a kind of declaration and a type can stand in none
 #define TUMBLE_MANY_BODIES(how, Real)                                             \
   how template class Schedule<Real, natural_width<Real>>;                         \
-  how template struct PackedActs<Real, natural_width<Real>>;                      \
+  how template struct PackedState<Real, natural_width<Real>>;                     \
   how template std::vector<EffectInstance<Real>> motions_of<Real, InPacks<Real>>( \
       const Splitting&);                                                          \
   how template class InPacks<Real>;                                               \

@@ -18,20 +18,20 @@ class InPacks final : public BodyStore<Real> {
   /// work.
   static constexpr std::size_t smallest_share = 512;
 
-  Bodies<Real> bodies() const { return unpacked(acts_.bodies); }
+  Bodies<Real> bodies() const { return unpacked(state_.bodies); }
   /// The same as they lie, for whoever reads them without a copy.
-  const PackedBodies<Real, width>& packed_bodies() const { return acts_.bodies; }
-  void set_bodies(const Bodies<Real>& bodies) { acts_.bodies = packed<Real, width>(bodies); }
+  const PackedBodies<Real, width>& packed_bodies() const { return state_.bodies; }
+  void set_bodies(const Bodies<Real>& bodies) { state_.bodies = packed<Real, width>(bodies); }
 
-  const BodyMap& map() const override { return acts_.bodies; }
-  RigidBody<Real> body(BodyIndex body) const override { return body_at(acts_.bodies, body); }
+  const BodyMap& map() const override { return state_.bodies; }
+  RigidBody<Real> body(BodyIndex body) const override { return body_at(state_.bodies, body); }
   void set_body(BodyIndex body, const RigidBody<Real>& state) override {
-    set_body_at(acts_.bodies, body, state);
+    set_body_at(state_.bodies, body, state);
   }
   void append(const Particle<Real>& centre, const Top<Real>* top) override {
-    tumble::append(acts_.bodies, centre, top);
+    tumble::append(state_.bodies, centre, top);
   }
-  void take_out(BodyIndex body) override { tumble::take_out(acts_.bodies, body); }
+  void take_out(BodyIndex body) override { tumble::take_out(state_.bodies, body); }
 
   /// The form in which its steps run an effect or a motion.
   template <class Effect>
@@ -55,22 +55,25 @@ class InPacks final : public BodyStore<Real> {
     try {
       for (const Stage<Real, width>& stage : schedule_.stages) {
         for (const PackedPass<Real, width>& pass : stage.on_both)
-          on_both_.run(acts_, plan, pass, at, pool_);
+          on_both_.run(state_, plan, pass, at, pool_);
         pool_.parallel_for(!is_small(stage), [&](int thread, int threads) {
           std::exception_ptr thrown;
-          const bool centres =
-              run_row(plan, stage.on_centres, acts_.bodies.centres, at, thread, threads, thrown);
+          const bool centres = run_blocks(plan, stage.on_centres, state_.bodies.centres, at, thread,
+                                          threads, thrown);
           const bool tops =
-              run_row(plan, stage.on_tops, acts_.bodies.tops, at, thread, threads, thrown);
+              run_blocks(plan, stage.on_tops, state_.bodies.tops, at, thread, threads, thrown);
           if (thrown) std::rethrow_exception(thrown);
           if (centres || tops) diverged = true;
         });
       }
     } catch (...) {  // an effect has thrown
-      (void)acts_.roll_back(plan);
+      state_.restore(plan);
       throw;
     }
-    return diverged ? acts_.roll_back(plan) : std::nullopt;
+    if (!diverged) return std::nullopt;
+    const std::optional<BodyIndex> body = first_diverged<Real>(state_.bodies, plan);
+    state_.restore(plan);
+    return body;
   }
   //! [step]
 
@@ -89,11 +92,11 @@ class InPacks final : public BodyStore<Real> {
                             const Stage<Real, width>& stage) {
       if (n++ != part) return;
       if (!stage.on_both.empty() && &pass == &stage.on_both[0])
-        acts_.run_on_both(plan, pass, at);
+        state_.run_on_both(plan, pass, at);
       else if (of_tops)
-        acts_.act(plan, pass, acts_.bodies.tops, 0, no_index, at);
+        state_.run_task(plan, pass, state_.bodies.tops, 0, no_index, at);
       else
-        acts_.act(plan, pass, acts_.bodies.centres, 0, no_index, at);
+        state_.run_task(plan, pass, state_.bodies.centres, 0, no_index, at);
     });
   }
 
@@ -103,26 +106,26 @@ class InPacks final : public BodyStore<Real> {
   void prepare(const StepPlan<Real>& plan) {
     if (schedule_.version == plan.version) return;
     schedule_ = Schedule<Real, width>(plan);
-    if (pool_.size() > 1) schedule_.keep_threads_apart(acts_.bodies);
-    acts_.undo.resize(acts_.bodies.centres.packs().size(), acts_.bodies.tops.packs().size());
+    if (pool_.size() > 1) schedule_.keep_threads_apart(state_.bodies);
+    state_.undo.resize(state_.bodies.centres.packs().size(), state_.bodies.tops.packs().size());
   }
 
   bool is_small(const Stage<Real, width>& stage) const {
     const auto bodies_in = [](const auto& row, const auto& array) {
       return std::min(row.blocks.size() * packs_in_block * width, array.size());
     };
-    return std::max(bodies_in(stage.on_centres, acts_.bodies.centres),
-                    bodies_in(stage.on_tops, acts_.bodies.tops)) <
+    return std::max(bodies_in(stage.on_centres, state_.bodies.centres),
+                    bodies_in(stage.on_tops, state_.bodies.tops)) <
            smallest_share * static_cast<std::size_t>(pool_.size());
   }
 
   /// One thread's share of the blocks of a row. Once an effect has `thrown`, the blocks to come are
   /// remembered and not stepped, so that all can be put back. @return whether a
   /// body diverged
-  //! [run_row]
+  //! [run_blocks]
   template <class Array>
-  bool run_row(const StepPlan<Real>& plan, const Row<Real, width>& row, Array& array,
-               const StepTime<Real>& at, int thread, int threads, std::exception_ptr& thrown) {
+  bool run_blocks(const StepPlan<Real>& plan, const BlockedPasses<Real, width>& row, Array& array,
+                  const StepTime<Real>& at, int thread, int threads, std::exception_ptr& thrown) {
     const std::size_t end = share_of(row.blocks.size(), thread + 1, threads);
     bool diverged = false;
     for (std::size_t n = share_of(row.blocks.size(), thread, threads); n < end; ++n)
@@ -130,14 +133,14 @@ class InPacks final : public BodyStore<Real> {
         if (thrown && pass.task != Task::remember) continue;
         const std::uint32_t begin = row.blocks[n];
         try {
-          diverged |= acts_.act(plan, pass, array, begin, begin + packs_in_block, at);
+          diverged |= state_.run_task(plan, pass, array, begin, begin + packs_in_block, at);
         } catch (...) {
           thrown = std::current_exception();
         }
       }
     return diverged;
   }
-  //! [run_row]
+  //! [run_blocks]
 
   template <class Visit>
   void for_each_pass(const StepPlan<Real>& plan, const Visit& visit) {
@@ -149,7 +152,7 @@ class InPacks final : public BodyStore<Real> {
     }
   }
 
-  PackedActs<Real, width> acts_;
+  PackedState<Real, width> state_;
   OnBoth<Real, width> on_both_;
   Schedule<Real, width> schedule_;
   ThreadPool pool_;

@@ -2,7 +2,7 @@
 /// Effects that see centre and top, or join two bodies, on several threads.
 #pragma once
 
-#include <tumble/packed_acts.hpp>
+#include <tumble/packed_state.hpp>
 #include <tumble/thread_pool.hpp>
 
 namespace tumble {
@@ -52,36 +52,36 @@ class OnBoth {
   /// Forces between pairs are found first, each by some thread, and then added, each body's by one
   /// thread. A blow meets the speeds that the blows before it have left: one thread deals them all.
   //! [on_both]
-  void run(PackedActs<Real, width>& acts, const StepPlan<Real>& plan,
+  void run(PackedState<Real, width>& state, const StepPlan<Real>& plan,
            const PackedPass<Real, width>& pass, const StepTime<Real>& step, ThreadPool& pool) {
-    if (pool.size() == 1 || !pass.effect) return acts.run_on_both(plan, pass, step);
+    if (pool.size() == 1 || !pass.effect) return state.run_on_both(plan, pass, step);
     const EffectInstance<Real>& instance = instance_of(pass, plan);
     const StepTime<Real> at = step_time_of(pass, step);
     const auto threads = static_cast<std::size_t>(pool.size());
     if (!instance.effect->traits().joins_two()) {
       for (const std::vector<std::uint32_t>& packs : pass.apart)
-        pool.parallel_for(packs.size() * width >= smallest_share_of_pairs * threads,
-                          [&](int thread, int of) {
-                            const std::size_t end = share_of(packs.size(), thread + 1, of);
-                            for (std::size_t n = share_of(packs.size(), thread, of); n < end; ++n)
-                              pass.effect->run_on_packs(acts.bodies, instance.members, pass.indices,
-                                                        packs[n], packs[n] + 1, at, {});
-                          });
+        pool.parallel_for(
+            packs.size() * width >= smallest_share_of_pairs * threads, [&](int thread, int of) {
+              const std::size_t end = share_of(packs.size(), thread + 1, of);
+              for (std::size_t n = share_of(packs.size(), thread, of); n < end; ++n)
+                pass.effect->run_on_packs(state.bodies, instance.members, pass.indices, packs[n],
+                                          packs[n] + 1, at, {});
+            });
     } else if (instance.effect->phase() != Phase::force) {
-      acts.run_on_both(plan, pass, step);
+      state.run_on_both(plan, pass, step);
     } else {
       const std::span<const BodyPair> pairs =
-          pass.effect->pairs(acts.bodies, instance.members, found_);
+          pass.effect->pairs(state.bodies, instance.members, found_);
       const bool worth_it = pairs.size() >= smallest_share_of_pairs * threads;
       pushes_.resize(pairs.size());
       pool.parallel_for(worth_it, [&](int thread, int of) {
         const std::size_t begin = share_of(pairs.size(), thread, of);
         const std::size_t count = share_of(pairs.size(), thread + 1, of) - begin;
-        pass.effect->find_pushes(acts.bodies, pairs.subspan(begin, count),
+        pass.effect->find_pushes(state.bodies, pairs.subspan(begin, count),
                                  std::span(pushes_).subspan(begin, count), at.time);
       });
       pool.parallel_for(worth_it, [&](int thread, int of) {
-        add_pushes<Real, width>(acts.bodies, pairs, pushes_, thread, of);
+        add_pushes<Real, width>(state.bodies, pairs, pushes_, thread, of);
       });
     }
   }

@@ -46,22 +46,23 @@ auto broadcast(const Effect& effect) {
 template <class Real, int width, class Effect>
 class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<Real, width> {
   using Packed = Pack<Real, width>;
-  using Kernel = decltype(broadcast<Real, width>(std::declval<const Effect&>()));
-  static constexpr bool takes_packs = !std::is_same_v<Kernel, Effect> ||
+  using Broadcast = decltype(broadcast<Real, width>(std::declval<const Effect&>()));
+  static constexpr bool takes_packs = !std::is_same_v<Broadcast, Effect> ||
                                       MovesInPlace<Effect, Particle<Packed>, Packed> ||
                                       MovesInPlace<Effect, Top<Packed>, Packed>;
   static constexpr Sees sees = form_of<Effect, Real>().sees;
 
  public:
   explicit PackedEffectOf(const Effect& effect)
-      : EffectOf<Real, Effect>(effect), kernel_(broadcast<Real, width>(effect)) {}
+      : EffectOf<Real, Effect>(effect), broadcast_(broadcast<Real, width>(effect)) {}
 
   void run_on_packs(PackedBodies<Real, width>& bodies, const Members& members,
                     const PackedIndexSet<Real, width>& packs, std::uint32_t begin,
                     std::uint32_t end, const StepTime<Real>& at,
                     [[maybe_unused]] RotorAct act) const override {
     if constexpr (HoldsRotor<Effect, Real>) {
-      const Vec3<Packed> H = this->effect().rotor_momentum_body(at.time).template cast<Packed>();
+      const Vec3<Packed> H =
+          this->effect().rotor_angular_momentum_body(at.time).template cast<Packed>();
       visit_packs(bodies.tops, packs, begin, end, [H, act, h = Packed(at.time_step)](auto& top) {
         act_on<Packed>(top, act, H, h);
       });
@@ -75,7 +76,7 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
           bodies, packs, begin, end, changes_tops,
           [&](Particle<Packed>& centre, Top<Packed>& top, [[maybe_unused]] const auto& mask) {
             if constexpr (takes_packs)
-              give_to_both(centre, top, kernel_, StepTime<Packed>{at.time, at.time_step});
+              give_to_both(centre, top, broadcast_, StepTime<Packed>{at.time, at.time_step});
             else
               visit_lanes(centre, top, mask, at);
           });
@@ -89,11 +90,11 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
       ();
       if constexpr (takes_packs)
         visit_packs(array, packs, begin, end,
-                    [kernel = kernel_, wide = StepTime<Packed>{at.time, at.time_step}](
-                        auto& element) { give_to(element, kernel, element, wide); });
+                    [own = broadcast_, wide = StepTime<Packed>{at.time, at.time_step}](
+                        auto& element) { give_to(element, own, element, wide); });
       else
         visit_lanes_of(array, packs, begin, end,
-                       [&](auto& element) { give_to(element, kernel_, element, at); });
+                       [&](auto& element) { give_to(element, broadcast_, element, at); });
     }
   }
 
@@ -149,7 +150,7 @@ class PackedEffectOf final : public EffectOf<Real, Effect>, public PackedEffect<
     set_body_at(bodies, pair.second, second);
   }
 
-  Kernel kernel_;
+  Broadcast broadcast_;
 };
 
 /// @endcond

@@ -104,7 +104,8 @@ void for_each_whole(const PackedIndexSet<Real, width>& indices, std::uint32_t be
     visit(std::max(run->begin, begin), std::min(run->end, end));
 }
 
-/// Calls `visit` with each other pack that has members, and with their mask.
+/// Calls `visit` with each pack between `begin` and `end` of which only some bodies are members,
+/// and with their mask.
 template <class Real, int width, class Visit>
 void for_each_part(const PackedIndexSet<Real, width>& indices, std::uint32_t begin,
                    std::uint32_t end, const Visit& visit) {

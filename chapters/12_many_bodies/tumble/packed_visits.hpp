@@ -33,14 +33,15 @@ void take_over(Top<Pack<Real, width>>& pack, const Top<Pack<Real, width>>& chang
 
 /// The loop in which nearly all of the time is spent. The kernel and all that it calls must be
 /// inlined here: a function of its own would be handed its vectors through memory.
-//! [visit_row]
+//! [visit_whole]
 template <class Packs, class Kernel>
-[[gnu::flatten]] void visit_row(const Kernel& kernel, Packs* begin, const Packs* end) {
-  // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): see what stands behind it
+[[gnu::flatten]] void visit_whole(const Kernel& kernel, Packs* begin, const Packs* end) {
+  // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): the copy is wanted, see the next
+  // line
   const Kernel own_kernel = kernel;  // nobody else can change it meanwhile: it stays in registers
   for (Packs* packs = begin; packs != end; ++packs) own_kernel(*packs);
 }
-//! [visit_row]
+//! [visit_whole]
 
 /// The same for a pack of which some are members.
 template <class Packed, class Kernel, class Members>
@@ -56,7 +57,7 @@ template <class Array, class Real, int width, class Kernel>
 void visit_packs(Array& array, const PackedIndexSet<Real, width>& indices, std::uint32_t begin,
                  std::uint32_t end, const Kernel& kernel) {
   for_each_whole(indices, begin, end, [&](std::uint32_t first, std::uint32_t last) {
-    visit_row(kernel, array.packs().data() + first, array.packs().data() + last);
+    visit_whole(kernel, array.packs().data() + first, array.packs().data() + last);
   });
   for_each_part(indices, begin, end, [&](std::uint32_t pack, const auto& members) {
     visit_part(kernel, array.packs()[pack], members);

@@ -12,19 +12,21 @@ namespace tumble {
 /// What is done to each block.
 enum class Task { remember, run, guard };
 
-/// A pass, or what guards it, with those that it visits sorted into packs.
+/// A pass of the step, or what comes before and after all of them (see Task), with those that it
+/// visits sorted into packs.
 template <class Real, int width>
 struct PackedPass : Pass<Real> {
-  Task task = Task::run;                              ///< what is to be done
-  PackedIndexSet<Real, width> indices = {};           ///< for whom
-  const PackedEffect<Real, width>* effect = nullptr;  ///< its form for packs; null for the inputs
+  Task task = Task::run;                     ///< what is to be done
+  PackedIndexSet<Real, width> indices = {};  ///< for whom
+  const PackedEffect<Real, width>* effect =
+      nullptr;  ///< its form for packs; null of the inputs and of another task than run
   PackColouring apart = {};  ///< for more threads than one, of an effect that sees centre and top
 };
 
 /// Passes that each block of one array can go through from first to last, and the blocks in which
 /// any of them has members: by the number of their first pack.
 template <class Real, int width>
-struct Row {
+struct BlockedPasses {
   std::vector<PackedPass<Real, width>> passes;
   std::vector<std::uint32_t> blocks;
 };
@@ -36,7 +38,7 @@ struct Row {
 template <class Real, int width>
 struct Stage {
   std::vector<PackedPass<Real, width>> on_both;  ///< one or none
-  Row<Real, width> on_centres, on_tops;
+  BlockedPasses<Real, width> on_centres, on_tops;
 };
 //! [stage]
 
@@ -59,7 +61,7 @@ class Schedule {
     for (const Pass<Real> pass : Passes(plan)) add(pass, plan);
     on_all(Task::guard, plan);
     for (Stage<Real, width>& stage : stages)
-      for (Row<Real, width>* row : {&stage.on_centres, &stage.on_tops}) find_blocks(*row);
+      for (BlockedPasses<Real, width>* row : {&stage.on_centres, &stage.on_tops}) find_blocks(*row);
   }
   //! [schedule]
 
@@ -97,7 +99,7 @@ class Schedule {
       stages.emplace_back().on_both.push_back(std::move(packed));
   }
 
-  static void find_blocks(Row<Real, width>& row) {
+  static void find_blocks(BlockedPasses<Real, width>& row) {
     std::vector<std::uint32_t>& blocks = row.blocks;
     for (const PackedPass<Real, width>& pass : row.passes) {
       const std::size_t known = blocks.size();
@@ -115,22 +117,5 @@ class Schedule {
     blocks.erase(std::unique(blocks.begin(), blocks.end()), blocks.end());
   }
 };
-
-/// True if a member in the packs from `begin` to before `end` is no longer finite.
-template <class Real, int width, class Packed>
-bool any_diverged(const std::vector<Packed>& array, const PackedIndexSet<Real, width>& indices,
-                  std::uint32_t begin, std::uint32_t end) {
-  typename PackMask<Real, width>::Lanes diverged{};
-  for_each_whole(indices, begin, end, [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t pack = first; pack < last; ++pack)
-      diverged |= (!is_finite(array[pack])).lanes;
-  });
-  for_each_part(indices, begin, end, [&](std::uint32_t pack, const auto& members) {
-    diverged |= (members && !is_finite(array[pack])).lanes;
-  });
-  for (int lane = 0; lane < width; ++lane)
-    if (diverged[lane]) return true;
-  return false;
-}
 
 }  // namespace tumble

@@ -1,5 +1,5 @@
 /// @file
-/// From what an effect gives to what it changes, for one body.
+/// From what an effect gives to what it changes, for a body or for two.
 #pragma once
 
 #include <tumble/effect.hpp>
@@ -8,7 +8,7 @@
 
 namespace tumble {
 
-/// True, for each body of a pack, where the top can't turn at all.
+/// True where the top can't turn at all; of packs, a mask.
 template <class Real>
 auto is_locked(const Top<Real>& top) {
   return top.inverse_moments.x() == 0 && top.inverse_moments.y() == 0 &&
@@ -86,8 +86,8 @@ void give_to_pair(const BodyInPlace<Real>& first, const BodyInPlace<Real>& secon
     const PairBlow<Real> blow = effect.blow(a, b, at);
     first.centre.velocity += first.centre.inverse_mass * blow.impulse_on_first;
     second.centre.velocity -= second.centre.inverse_mass * blow.impulse_on_first;
-    add_angular_momentum<Real>(first.top, blow.turn_on_first);
-    add_angular_momentum<Real>(second.top, blow.turn_on_second);
+    add_angular_momentum<Real>(first.top, blow.angular_impulse_on_first);
+    add_angular_momentum<Real>(second.top, blow.angular_impulse_on_second);
   }
 }
 

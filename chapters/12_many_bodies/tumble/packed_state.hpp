@@ -1,5 +1,5 @@
 /// @file
-/// What a step does to packs.
+/// The state of bodies in packs, and what a step does to it.
 #pragma once
 
 #include <optional>
@@ -8,18 +8,35 @@
 
 namespace tumble {
 
+/// True if a member in the packs from `begin` to before `end` is no longer finite.
+template <class Real, int width, class Packed>
+bool any_diverged(const std::vector<Packed>& array, const PackedIndexSet<Real, width>& indices,
+                  std::uint32_t begin, std::uint32_t end) {
+  typename PackMask<Real, width>::Lanes diverged{};
+  for_each_whole(indices, begin, end, [&](std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t pack = first; pack < last; ++pack)
+      diverged |= (!is_finite(array[pack])).lanes;
+  });
+  for_each_part(indices, begin, end, [&](std::uint32_t pack, const auto& members) {
+    diverged |= (members && !is_finite(array[pack])).lanes;
+  });
+  for (int lane = 0; lane < width; ++lane)
+    if (diverged[lane]) return true;
+  return false;
+}
+
 /// Bodies in packs, with what they were before the step, and what the passes of a Schedule do to
 /// them.
 template <class Real, int width>
-struct PackedActs {
+struct PackedState {
   PackedBodies<Real, width> bodies;
   PackedUndoBuffer<Real, width> undo;
 
-  /// What a pass does to the packs of an array from `begin` to before `end`.
-  /// @return whether a member has diverged, if the pass is the guard
+  /// Does the task of a pass for the packs of an array from `begin` to before `end`.
+  /// @return whether a member has diverged, if the task is to guard
   template <class Array>
-  bool act(const StepPlan<Real>& plan, const PackedPass<Real, width>& pass, Array& array,
-           std::uint32_t begin, std::uint32_t end, const StepTime<Real>& step) {
+  bool run_task(const StepPlan<Real>& plan, const PackedPass<Real, width>& pass, Array& array,
+                std::uint32_t begin, std::uint32_t end, const StepTime<Real>& step) {
     switch (pass.task) {
       case Task::remember:
         for_each_whole(pass.indices, begin, end, [&](std::uint32_t first, std::uint32_t last) {
@@ -31,9 +48,10 @@ struct PackedActs {
       case Task::run:
         run(plan, pass, begin, end, step);
         return false;
-      default:
+      case Task::guard:
         return any_diverged(array.packs(), pass.indices, begin, end);
     }
+    return false;
   }
 
   /// The same for a pass on centre and top together, or on pairs, or for the inputs.
@@ -47,12 +65,10 @@ struct PackedActs {
     }
   }
 
-  /// The body that diverged. All are put back to where they were.
-  std::optional<BodyIndex> roll_back(const StepPlan<Real>& plan) {
-    const std::optional<BodyIndex> diverged = first_diverged<Real>(bodies, plan);
+  /// Puts all bodies back to where they were before the step.
+  void restore(const StepPlan<Real>& plan) {
     for (const BodyIndex i : plan.moving) undo.restore(bodies.centres, i);
     for (const BodyIndex i : plan.turning) undo.restore(bodies.tops, i);
-    return diverged;
   }
 
  private:
