@@ -5,7 +5,7 @@ import {escape} from './text.mjs';
 export function prediction(name, question, choices, answer) {
   const [, unit] = /^number ?(.*)$/.exec(choices.join(';')) ?? [];
   const inputs = unit !== undefined
-    ? [`<label><input type="number" inputmode="decimal" step="any" data-unit="${escape(unit)}"> ${escape(unit)}</label>`]
+    ? [`<label><input type="number" inputmode="decimal" step="any" data-unit="${escape(unit)}"> ${escape(unit)} <button>Answer</button></label>`]
     : choices.map(choice => `<label><input type="radio" name="${name}" value="${escape(choice)}"> ${escape(choice)}</label>`);
   return `<form class="prediction unindexed" id="predict_${name}" data-prediction="${name}">` +
     `<fieldset><legend>${escape(question)}</legend>${inputs.join('')}</fieldset>` +

@@ -42,10 +42,12 @@
     const {painter, palette, size, view} = picture;
     const {columns} = state;
     const {right, up, back} = player.picture_axes(view);
-    const scale = Math.min(size.width, size.height) * 0.4;
-    const place = p => [size.width / 2 + scale * player.dot(p, right), size.height / 2 - scale * player.dot(p, up)];
+    // Words stand above it and below.
+    const above = 22, below = 42;
+    const scale = Math.min(size.width * 0.4, (size.height - above - below) / 2.24), middle = (above + size.height - below) / 2;
+    const place = p => [size.width / 2 + scale * player.dot(p, right), middle - scale * player.dot(p, up)];
     painter.line(Array.from({length: 91}, (_, n) => [size.width / 2 + scale * Math.cos((n * Math.PI) / 45),
-      size.height / 2 - scale * Math.sin((n * Math.PI) / 45)]), palette.ink, 1, 0.8);
+      middle - scale * Math.sin((n * Math.PI) / 45)]), palette.ink, 1, 0.8);
     /** What lies at the back first, and faint. */
     const draw = (name, colour, width, dash, last = Infinity) => {
       const [xs, ys, zs] = ['x', 'y', 'z'].map(letter => columns[`${name} ${letter}`]);
@@ -61,7 +63,7 @@
         }
         if (now !== undefined)
           part.push([size.width / 2 + scale * (x * right[0] + y * right[1] + z * right[2]),
-            size.height / 2 - scale * (x * up[0] + y * up[1] + z * up[2])]);
+            middle - scale * (x * up[0] + y * up[1] + z * up[2])]);
       }
       if (part.length > 1) parts[side].push(part);
       parts.forEach((lines, in_front) => lines.forEach(line => painter.line(line, colour, width, in_front ? 1 : 0.25, dash)));
