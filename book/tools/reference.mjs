@@ -91,8 +91,8 @@ function members_of_effects(source) {
   for (const line of existsSync(page) ? readFileSync(page, 'utf8').split('\n') : []) {
     const [names, first, second, third] = line.replace(/^\| | \|$/g, '').split(' | ');
     if (third === undefined) continue;
-    const what = escape(names.includes('(seen') ? `gives ${second}, and that is ${third}`.replace(/that is (?=changes|replaces)/, 'that ') : first).replace(/`([^`]*)`/g, '<code>$1</code>');
-    for (const [, name] of names.matchAll(/(\w+)(?:(?:<\w+>)?\(|`$)/g)) told.set(name, what);
+    const what = escape(/^`\w+\((seen|first)/.test(names) ? `gives ${second}, and that is ${third}`.replace(/that is (?=changes|replaces)/, 'that ') : first).replace(/`([^`]*)`/g, '<code>$1</code>');
+    for (const [, name] of names.matchAll(/(\w+)(?:(?:<\w+>)?\(|`$)/g)) told.set(name + (names.startsWith(`\`${name}(first`) ? '/2' : ''), what);
   }
   return told.set('name', 'what plans and errors call it');
 }
@@ -228,7 +228,7 @@ export class Reference {
       return is_new ? ` id="${row.id}"` : '';
     };
     // What a function is given stands beside its declaration, before a derivation of many lines.
-    const doc = (about ? about.doc : brief && `<p>${brief}</p>`) || this.#asked(name, level);
+    const doc = (about ? about.doc : brief && `<p>${brief}</p>`) || '';
     const given = this.#given(owner, name, about?.parameters ?? []);
     const [, begin, rest] = /^([\s\S]*?<\/p>)([\s\S]*)$/.exec(plain(doc).length > longest_before_given ? doc : '') ?? [, doc, ''];
     return (
@@ -237,10 +237,19 @@ export class Reference {
     );
   }
 
-  /** Of a member that an effect has because the world asks for it. */
-  #asked(name, level) {
-    const what = level === 'h3' && this.asked_of_effects.get(name);
-    return what ? `<p>${what[0].toUpperCase()}${what.slice(1)}: <a href="effects.html#effects_members">a member of an effect</a>.</p>` : '';
+  /** What a member is for that an effect has because the world asks for it. */
+  #asked({id, right, brief}) {
+    if (brief || this.descriptions.get(id)?.doc) return undefined;
+    const name = name_in(right);
+    return (/\bfirst\b/.test(plain(right)) && this.asked_of_effects.get(`${name}/2`)) || this.asked_of_effects.get(name);
+  }
+
+  /** Those members of a class, in one table. */
+  #table_of_asked(rows) {
+    if (!rows.length) return '';
+    const line = row => `<tr id="${row.id}"><td>${this.#declaration(row)}</td><td class="what">${this.#asked(row)}</td></tr>`;
+    return `<div class="scroll"><table class="fields asked"><thead><tr><th scope="col"><a href="effects.html#effects_members">member of an effect</a></th>` +
+      `<th scope="col">what</th></tr></thead><tbody>${rows.map(line).join('')}</tbody></table></div>`;
   }
 
   #fields(rows, are_of_effect) {
@@ -292,7 +301,9 @@ export class Reference {
       .filter(({kind}) => !/^(pri|pro)-|inherit/.test(kind))
       .map(row => ({...row, id: `${id}-${row.id}`}));
     const fields = rows.filter(({kind}) => /attribs/.test(kind));
-    const members = rows.filter(({kind}) => !/attribs|nested/.test(kind) && kind !== 'friends');
+    const functions = rows.filter(({kind}) => !/attribs|nested/.test(kind) && kind !== 'friends');
+    const asked = functions.filter(row => this.#asked(row) && (fields.length || functions.length > 1));
+    const members = functions.filter(row => !asked.includes(row));
     const parts = parts_of(header.text);
     let part;
     const told = this.#by_description(members).map(group => {
@@ -307,7 +318,7 @@ export class Reference {
     });
     return (
       `<h2 id="${id}">${escape(name)}</h2>` +
-      `${definition ?? this.#begun(head, header, name, source)}${doc}${fields.length ? this.#fields(fields, members.some(({right}) => this.asked_of_effects.has(name_in(right)))) : ''}${told.join('')}`
+      `${definition ?? this.#begun(head, header, name, source)}${doc}${fields.length ? this.#fields(fields, asked.length > 0) : ''}${this.#table_of_asked(asked)}${told.join('')}`
     );
   }
 
