@@ -66,7 +66,7 @@
   for (const box of matchMedia('(max-width: 30rem)').matches ? document.querySelectorAll('.formula') : []) {
     const line = box.querySelector('.katex-html');
     if (!line || box.scrollWidth <= box.clientWidth) continue;
-    const room = box.clientWidth - 40;
+    const room = box.clientWidth - 40; // px; the lines that follow are set in
     const part = (bases, [kinds, ...finer]) => {
       const pieces = pieces_of(bases, base => is_wide_gap(base) || ends_in(base, kinds));
       return finer.length ? pieces.flatMap(piece => (width_of(piece) > room ? part(piece, finer) : [piece])) : pieces;
@@ -80,7 +80,7 @@
     }
     box.classList.toggle('parted', pieces.length > 1);
     const share = (box.clientWidth - 2) / box.scrollWidth; // of what still does not fit
-    if (share < 1 && share > 0.7) box.style.fontSize = `${share}em`;
+    if (share < 1 && share > 0.7) box.style.fontSize = `${share}em`; // smaller, its indices could not be read: that one scrolls
   }
 
   // What scrolls in its own box must scroll by keyboard too, and only that costs a stop of the Tab key.

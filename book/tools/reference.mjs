@@ -302,7 +302,7 @@ export class Reference {
       .map(row => ({...row, id: `${id}-${row.id}`}));
     const fields = rows.filter(({kind}) => /attribs/.test(kind));
     const functions = rows.filter(({kind}) => !/attribs|nested/.test(kind) && kind !== 'friends');
-    const asked = functions.filter(row => this.#asked(row) && (fields.length || functions.length > 1));
+    const asked = functions.filter(row => this.#asked(row));
     const members = functions.filter(row => !asked.includes(row));
     const parts = parts_of(header.text);
     let part;

@@ -257,6 +257,34 @@ test('On a phone the first picture stays in view while one turns the knobs below
   }
 });
 
+test('A finger that scrolls over a picture or a slider changes nothing; one that sets out sideways draws.', async () => {
+  const {page, figure} = await open_figure('throw', {viewport: narrow, hasTouch: true, isMobile: true});
+  const session = await page.context().newCDPSession(page);
+  const touch = (type, ...touchPoints) => session.send('Input.dispatchTouchEvent', {type, touchPoints});
+  const swipe = async ({x, y, width, height}, dx, dy) => {
+    const from = {x: x + 0.6 * width, y: y + 0.6 * height};
+    await touch('touchStart', from);
+    for (let n = 1; n <= 8; ++n) await touch('touchMove', {x: from.x + (dx * n) / 8, y: from.y + (dy * n) / 8});
+    await touch('touchEnd');
+  };
+  const scrolled = () => page.evaluate(() => window.scrollY);
+  const values = () => ask(figure, 'JSON.stringify(live.values)');
+  const before = await values();
+  for (const place of ['canvas.draws', 'input[type="range"]']) {
+    const element = figure.locator(place).first();
+    await element.scrollIntoViewIfNeeded();
+    const top = await scrolled();
+    await swipe(await element.boundingBox(), 3, -120);
+    await page.waitForFunction(then => window.scrollY > then + 50, top);
+    assert.equal(await values(), before, place);
+  }
+  const canvas = figure.locator('canvas.draws').first();
+  await canvas.scrollIntoViewIfNeeded();
+  await swipe(await canvas.boundingBox(), -80, 10);
+  assert.notEqual(await values(), before);
+  await page.context().close();
+});
+
 test('A symbol stands in italics beside its knob and in the picture, and bare in a list of choices.', async () => {
   const {page, figure} = await open_figure('damping');
   assert.deepEqual(await figure.locator('.live-knob label i').allTextContents(), ['k', 'h']);
