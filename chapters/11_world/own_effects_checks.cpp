@@ -281,20 +281,20 @@ TEST_CASE_TEMPLATE("A body that is given the velocity towards a path is there af
 TEST_CASE_TEMPLATE(
     "No member of an effect goes unheard: another form of it, or nearly its name, is none", Real,
     float, double) {
-  CHECK(unheard_member<Real, Plain<Real>>().empty());
-  CHECK(unheard_member<Real, Heard<Real>>().empty());
-  CHECK(unheard_member<Real, SpringBetween<Real>>().empty());
-  CHECK(unheard_member<Real, OfACentre<Real>>() == "potential_energy");
-  CHECK(unheard_member<Real, NumberOf_skip_reason<Real>>() == "skip_reason");
-  CHECK(unheard_member<Real, NumberOf_check<Real>>() == "check");
-  CHECK(unheard_member<Real, NumberOf_prepare<Real>>() == "prepare");
-  CHECK(unheard_member<Real, NumberOf_response<Real>>() == "response");
-  CHECK(unheard_member<Real, NumberOf_gives_torque<Real>>() == "gives_torque");
-  CHECK(unheard_member<Real, NumberOf_needs_top<Real>>() == "needs_top");
-  CHECK(unheard_member<Real, NumberOf_needs_second_top<Real>>() == "needs_second_top");
-  CHECK(unheard_member<Real, NumberOf_depends_on_speed<Real>>() == "depends_on_speed");
-  CHECK(unheard_member<Real, NumberOf_smoothness<Real>>() == "smoothness");
-  CHECK(unheard_member<Real, NumberOf_find_pairs<Real>>() == "find_pairs");
-  CHECK(unheard_member<Real, NumberOf_broadcast<Real>>() == "broadcast");
-  CHECK(unheard_member<Real, Misspelt<Real>>() == "nearly");
+  static_assert(HeardMembers<Real, Plain<Real>>::value);
+  static_assert(HeardMembers<Real, Heard<Real>>::value);
+  static_assert(HeardMembers<Real, SpringBetween<Real>>::value);
+  CHECK_FALSE(IsHeard<Real, OfACentre<Real>>::potential_energy);
+  CHECK_FALSE(IsHeard<Real, NumberOf_skip_reason<Real>>::skip_reason);
+  CHECK_FALSE(IsHeard<Real, NumberOf_check<Real>>::check);
+  CHECK_FALSE(IsHeard<Real, NumberOf_prepare<Real>>::prepare);
+  CHECK_FALSE(IsHeard<Real, NumberOf_response<Real>>::response);
+  CHECK_FALSE(IsHeard<Real, NumberOf_gives_torque<Real>>::gives_torque);
+  CHECK_FALSE(IsHeard<Real, NumberOf_needs_top<Real>>::needs_top);
+  CHECK_FALSE(IsHeard<Real, NumberOf_needs_second_top<Real>>::needs_second_top);
+  CHECK_FALSE(IsHeard<Real, NumberOf_depends_on_speed<Real>>::depends_on_speed);
+  CHECK_FALSE(IsHeard<Real, NumberOf_smoothness<Real>>::smoothness);
+  CHECK_FALSE(IsHeard<Real, NumberOf_find_pairs<Real>>::find_pairs);
+  CHECK_FALSE(IsHeard<Real, NumberOf_broadcast<Real>>::broadcast);
+  CHECK_FALSE(IsHeard<Real, Misspelt<Real>>::others);
 }

@@ -96,6 +96,8 @@ TEST_CASE_TEMPLATE("A stale handle says so, and its slot's next body is another 
   CHECK(world.body(fourth).centre.position.x() == 4);
   CHECK(world.find("third") == third);
   CHECK(world.name_of(second) == "second");
+  CHECK(world.handle_at(2) == fourth);
+  CHECK(complaint_of_any([&] { (void)world.handle_at(3); }) == "there is no body at place 3 of 3");
 }
 
 TEST_CASE_TEMPLATE(

@@ -157,7 +157,7 @@ struct SevenNumbers {
     end = combine<RowOfStep<DormandPrinceFifth>>(start, h, rates);
     rates[6] = rates_of(end, inverse);
     double square = 0;
-    for (const double off : weighed<RowOfError<DormandPrince54, 0>>(rates)) square += off * off;
+    for (const double off : weighed<RowOf<DormandPrince54::errors, 0>>(rates)) square += off * off;
     return square / (tolerance * tolerance);
   }
   //! [seven]

@@ -77,7 +77,8 @@ class Bill {
     double looking = 0;
     World<Real, Backend> world = world_, measured = world_;
     for (std::int64_t step = 0; step < steps_in_round_; ++step) {
-      const StepTime<Real> moment = step_time_of(world_.ticks() + step, world_.time_step());
+      const Real h = world_.time_step();
+      const StepTime<Real> moment{world_.time() + static_cast<Real>(step) * h, h};
       for (std::size_t i = 0; i < passes_; ++i) {
         const Clock::time_point before = Clock::now();
         measured.backend().run_part(measured.step_plan(), i, moment);

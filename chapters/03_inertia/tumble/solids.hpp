@@ -5,6 +5,9 @@
 /// these axes, so three second moments of mass about its centre say it all: S_x = ∫x² dm, and
 /// likewise S_y and S_z. The tensor is then diag(S_y + S_z, S_x + S_z, S_x + S_y). The solids below
 /// differ in those three numbers only, and the cone, which has no third mirror, in its centre too.
+///
+/// Each mass_properties() returns them for so many kg, and throws std::invalid_argument unless the
+/// mass and every length are finite and greater than 0.
 #pragma once
 
 #include <numbers>

@@ -18,6 +18,7 @@ namespace tumble {
 struct StepLength {
   std::int64_t numerator = 50'000'000;
   std::int64_t denominator = 3;
+  friend bool operator==(const StepLength&, const StepLength&) = default;
 };
 //! [step_length]
 

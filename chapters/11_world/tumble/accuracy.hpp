@@ -17,7 +17,7 @@ struct Accuracy {
   std::vector<std::string> limits = {};         ///< why it is less than the scheme's, a clause each
 };
 
-/// The order that an effect leaves to a scheme, as a clause if that is less than the scheme's.
+/// Why an effect leaves any scheme only the first order, as a clause; empty if it does not.
 ///
 /// A kick takes the velocities and spins that it is about to change as those of its whole length,
 /// which is right to first order. Blows, damping and what acts at the end of a step act for

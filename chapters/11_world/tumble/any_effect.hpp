@@ -19,18 +19,20 @@ class AnyEffect {
   const EffectTraits<Real>& traits() const { return traits_; }
   const std::string& name() const { return traits_.name; }
   Phase phase() const { return traits_.phase; }
-  /// Runs the effect's function on bodies one by one, or on pairs. A rotor does what `act` says.
+  /// Runs the effect's function on bodies one by one, or on pairs. `act` says which part of its
+  /// work a rotor does.
   virtual void run(Bodies<Real>& bodies, const Members& members, const StepTime<Real>& at,
                    RotorAct act) const = 0;
-  /// Empty if the body needs the effect, else why it does not. One on two asks no flags: empty if
-  /// any pair needs it.
+  /// Empty if the body needs the effect, else why it does not. One on two is asked without flags:
+  /// empty if any pair needs it.
   virtual std::string_view skip_reason(const BodyFlags& flags) const = 0;
   /// The energy (J) that the effect stores for a body, or for two, where it knows one.
   virtual Real potential_energy(const BodyState<Real>& first,
                                 const BodyState<Real>& second) const = 0;
-  /// The momentum of a rotor at `time` (s), kg m²/s, body axes; of other effects 0.
+  /// The angular momentum of a rotor at `time` (s), kg m²/s, body axes; of other effects 0.
   virtual Vec3<Real> rotor_angular_momentum_body(Real time) const = 0;
-  /// How it answers what the body does, or the two; empty if it does not say.
+  /// How it answers what the body does, or the two; all zero if it does not say, or can't feed on
+  /// itself.
   virtual Response<Real> response(const BodyState<Real>& first,
                                   const BodyState<Real>& second) const = 0;
   //! [any_effect]

@@ -2,6 +2,7 @@
 /// What has changed the plan, in sentences.
 #pragma once
 
+#include <map>
 #include <tumble/step_plan.hpp>
 
 namespace tumble {
@@ -24,13 +25,12 @@ class ChangeLog {
   /// fewer.
   template <class Real>
   void tell(const StepPlan<Real>& plan, std::size_t bodies, std::int64_t tick) {
-    std::vector<Visited> now;
-    auto then = visited_.begin();  // both lists are in the order of their keys
+    std::map<std::uint64_t, std::size_t> now;
     const auto count = [&](const EffectInstance<Real>& instance, std::uint64_t key) {
-      while (then != visited_.end() && then->key < key) ++then;
-      const std::size_t before = then != visited_.end() && then->key == key ? then->count : 0;
+      const auto then = visited_.find(key);
+      const std::size_t before = then == visited_.end() ? 0 : then->second;
       const std::size_t visited = instance.members.size();
-      now.push_back({key, visited});
+      now.emplace(key, visited);
       if (visited_.empty() || visited == before) return;  // the first plan is no change
       const std::size_t of = instance.meant_for(bodies);
       sentences_.push_back(joined({"step ", std::to_string(tick), ": ", instance.effect->name(),
@@ -50,11 +50,6 @@ class ChangeLog {
   const std::vector<std::string>& sentences() const { return sentences_; }
 
  private:
-  /// How many bodies or pairs an effect visited, or a motion, whose keys are smaller.
-  struct Visited {
-    std::uint64_t key;
-    std::size_t count;
-  };
   static constexpr std::uint64_t first_effect = std::uint64_t{1} << 32;
 
   /// "'a' came, 'b' came, 'c' came and 4 more"
@@ -68,7 +63,7 @@ class ChangeLog {
 
   std::vector<std::string> causes_;  // the first three
   std::size_t cause_count_ = 0;
-  std::vector<Visited> visited_;
+  std::map<std::uint64_t, std::size_t> visited_;  // bodies or pairs, by motion or effect
   std::vector<std::string> sentences_;
 };
 

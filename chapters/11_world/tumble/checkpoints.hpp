@@ -21,7 +21,6 @@ struct BodyMotion {
 template <class Real>
 struct Checkpoint : WorldTime<Real> {
   std::uint64_t arrangement = 0;                             ///< of the bodies, see Slots
-  std::size_t top_count = 0;                                 ///< bodies that are not points
   std::shared_ptr<const std::vector<BodyMotion<Real>>> all;  ///< in the order of the world
   std::vector<BodyIndex> moved;                              ///< in no order
   std::vector<BodyMotion<Real>> motions;                     ///< of these
@@ -40,7 +39,7 @@ class Checkpoints {
   //! [make_checkpoint]
   Checkpoint<Real> make(const WorldTime<Real>& time, const NamedBodies<Real>& bodies,
                         Planner<Real>& planner) {
-    Checkpoint<Real> now{time, bodies.registry.arrangement(), bodies.top_count(), all_, {}, {}};
+    Checkpoint<Real> now{time, bodies.registry.arrangement(), all_, {}, {}};
     if (all_) {
       now.moved = may_have_moved(bodies, planner);
       now.motions.reserve(now.moved.size());
@@ -61,11 +60,10 @@ class Checkpoints {
   /// @throws std::invalid_argument if it is of another world, or a body has come or gone since.
   void restore(const Checkpoint<Real>& then, const NamedBodies<Real>& bodies,
                BodyStore<Real>& store, Planner<Real>& planner) {
-    require_as_many("checkpoint", then.all ? then.all->size() : 0, then.top_count, bodies);
-    if (bodies.size() > 0 && then.arrangement != bodies.registry.arrangement())
+    if (then.arrangement != bodies.registry.arrangement())
       throw std::invalid_argument(
-          "the checkpoint is of another world, or other bodies have come in the place of some; a "
-          "copy of the world outlasts bodies that come and go");
+          "the checkpoint is of another world, or a body has come or gone since; a copy of the "
+          "world outlasts bodies that come and go");
     planner.end_inputs(bodies);
     std::vector<BodyIndex> others;
     if (all_ && then.all == all_) {
@@ -110,7 +108,7 @@ class Checkpoints {
   static BodyMotion<Real> motion_of(BodyIndex index, const NamedBodies<Real>& bodies,
                                     const Planner<Real>& planner) {
     const RigidBody<Real> body = bodies.body(index);
-    const BodyFlags& alone = planner.alone()[index];
+    const BodyFlags& alone = planner.own_flags()[index];
     return {tumble::motion_of(body.centre), tumble::motion_of(body.top), alone.moves, alone.turns};
   }
 

@@ -12,7 +12,7 @@ struct Reach {
   bool centre, top;
 };
 
-/// The same of one that writes `writes`.
+/// What an effect that writes `writes` can change of a body with these flags.
 //! [reach_of]
 inline Reach reach_of(Quantities writes, const BodyFlags& flags) {
   const bool pushes = writes.has_any(quantity::force | quantity::velocity) && !flags.is_static;

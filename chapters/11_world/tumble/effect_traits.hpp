@@ -38,11 +38,10 @@ namespace detail {
 
 /// Which of the quantities of its form the effect writes: a spring at the centre gives no torque.
 template <class Real, class Effect>
-Quantities writes_of(const Effect& effect) {
+Quantities writes_of([[maybe_unused]] const Effect& effect) {
   const Quantities all = form_of<Effect, Real>().writes;
   if constexpr (requires { effect.gives_torque(); })
     if (!effect.gives_torque()) return all - quantity::torque;
-  (void)effect;
   return all;
 }
 

@@ -128,6 +128,7 @@ constexpr Form form_seeing(Sees sees) {
 
 }  // namespace detail
 
+/// What an effect sees and writes, and how many of the functions of this header it has.
 template <class Effect, class Real>
 constexpr Form form_of() {
   const Form centre = detail::form_seeing<Effect, Particle<Real>, Real>(Sees::centre);
@@ -148,26 +149,21 @@ constexpr Form form_of() {
   return form;
 }
 
-/// @cond the concepts below say what they mean
+/// An effect that visits two bodies at a time.
 template <class Effect, class Real>
-constexpr bool visits_two = form_of<Effect, Real>().sees == Sees::pair;
-template <class Effect, class Real>
-constexpr bool visits_one = !visits_two<Effect, Real> && form_of<Effect, Real>().count > 0;
-/// @endcond
+concept EffectOnTwo = form_of<Effect, Real>()
+.sees == Sees::pair;
 
 /// An effect that visits bodies one by one.
 template <class Effect, class Real>
-concept EffectOnOne = visits_one<Effect, Real>;
-
-/// An effect that visits two bodies at a time.
-template <class Effect, class Real>
-concept EffectOnTwo = visits_two<Effect, Real>;
+concept EffectOnOne = form_of<Effect, Real>()
+.count > 0 && !EffectOnTwo<Effect, Real>;
 
 /// An effect that can be given its bodies. One that finds its pairs can't: it would reach bodies of
 /// which the plan does not know that something acts on them.
 template <class Effect, class Real>
-concept EffectForSome = (EffectOnOne<Effect, Real> ||
-                         EffectOnTwo<Effect, Real>)&&!FindsPairs<Effect, Real>;
+concept EffectForSome = form_of<Effect, Real>()
+.count > 0 && !FindsPairs<Effect, Real>;
 
 /// An effect that names the phase in which it acts.
 template <class Effect>

@@ -32,8 +32,9 @@ class UndoBuffer {
   std::vector<TopMotion<Real>> tops_;
 };
 
-/// True if every number of how it moves is finite; of packs, a mask. Zero times a finite number is
-/// zero; times an infinite one or NaN it is NaN, which equals nothing.
+/// Whether position and velocity, or orientation and angular momentum, are finite; of packs, a
+/// mask. Zero times a finite number is zero; times an infinite one or NaN it is NaN, which equals
+/// nothing.
 //! [is_finite]
 template <class Real>
 auto is_finite(const Particle<Real>& centre) {

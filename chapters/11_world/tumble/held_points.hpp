@@ -12,8 +12,8 @@
 
 namespace tumble {
 
-/// How easily a force moves the point that it acts at, in whatever direction it acts, at most:
-/// 1/kg. `arm` leads there from the centre of mass, m, body axes.
+/// The largest inverse mass (1/kg) that a force meets at a point of the body, over all directions
+/// of the force. `arm` leads there from the centre of mass, m, body axes.
 ///
 /// A force F at r gives the point the acceleration F/m + (J (r × F)) × r, where J is the inverse
 /// tensor, so F meets the inverse mass 1/m + J(r × n, r × n) in its own direction n. The vectors
@@ -97,8 +97,6 @@ Real yielding(Real angle) {
 }
 //! [yielding]
 
-namespace detail {
-
 /// What resists the turns of one body: all its holds together.
 template <class Real>
 struct HeldTurn {
@@ -108,19 +106,19 @@ struct HeldTurn {
   std::size_t hold = 0;                 ///< which has it
 };
 
-}  // namespace detail
-
 /// What resists the turns of each body, and which of the holds has the most part in it.
 template <class Real>
 struct HeldTurns {
-  std::vector<detail::HeldTurn<Real>> turns;  ///< by body; no more than up to the last that is held
+  std::vector<HeldTurn<Real>> turns;  ///< by body; no more than up to the last that is held
 
   /// A hold gives this to a body. `part` is how large that is, and not 0.
   void add(BodyIndex body, const Mat3<Real>& strength, Real part, std::size_t of_hold) {
     if (turns.size() <= body) turns.resize(body + 1);
-    detail::HeldTurn<Real>& turn = turns[body];
+    HeldTurn<Real>& turn = turns[body];
     turn.sum += strength;
-    if (!(part <= turn.most)) turn.most = part, turn.hold = of_hold;
+    if (part <= turn.most) return;  // but a NaN counts
+    turn.most = part;
+    turn.hold = of_hold;
   }
 
   /// Once all has been added.

@@ -3,16 +3,16 @@
 #pragma once
 
 #include <tumble/body_flags.hpp>
+#include <tumble/body_registry.hpp>
 #include <tumble/step_order.hpp>
 
 namespace tumble {
 
 /// A step that keeps no sets: in each pass `does_visit(pass, body)` is asked again of each body
-/// that the pass is meant for. An effect that joins two always visits its pairs. `index_of` gives
-/// the place of a handle.
-template <class Real, class DoesVisit, class IndexOf>
+/// that the pass is meant for. An effect that joins two always visits its pairs.
+template <class Real, class DoesVisit>
 void step_without_sets(Bodies<Real>& bodies, const StepPlan<Real>& plan, const StepTime<Real>& at,
-                       const DoesVisit& does_visit, const IndexOf& index_of) {
+                       const DoesVisit& does_visit, const BodyRegistry& registry) {
   for (const Pass<Real>& pass : all_passes(plan, plan.substeps)) {
     Members members;
     if (pass.row.kind == PassKind::input) {
@@ -27,11 +27,12 @@ void step_without_sets(Bodies<Real>& bodies, const StepPlan<Real>& plan, const S
     };
     if (traits.joins_two()) {  // one that finds its pairs has no targets
       for (std::size_t i = 0; i < instance.targets.size(); i += 2)
-        members.pairs.push_back({index_of(instance.targets[i]), index_of(instance.targets[i + 1])});
+        members.pairs.push_back(
+            {registry.index_of(instance.targets[i]), registry.index_of(instance.targets[i + 1])});
     } else {
       if (instance.everyone)
         for (BodyIndex body = 0; body < bodies.centres.size(); ++body) ask(body);
-      for (const BodyHandle body : instance.targets) ask(index_of(body));
+      for (const BodyHandle body : instance.targets) ask(registry.index_of(body));
     }
     run(pass, plan, members, bodies, at);
   }
@@ -40,10 +41,10 @@ void step_without_sets(Bodies<Real>& bodies, const StepPlan<Real>& plan, const S
 /// The reference run: each predicate is asked for each body, and what is known of the bodies is
 /// found anew in each step, from what they are alone.
 //! [step_by_reference]
-template <class Real, class IndexOf>
+template <class Real>
 void step_by_reference(Bodies<Real>& bodies, const StepPlan<Real>& plan,
                        const std::vector<BodyFlags>& alone, const StepTime<Real>& at,
-                       const IndexOf& index_of) {
+                       const BodyRegistry& registry) {
   std::vector<std::vector<const AnyEffect<Real>*>> meant(alone.size());
   for (std::size_t i = own_motion_count; i < plan.motions.size(); ++i)
     for (auto& effects : meant) effects.push_back(plan.motions[i].effect.get());
@@ -51,7 +52,7 @@ void step_by_reference(Bodies<Real>& bodies, const StepPlan<Real>& plan,
     if (instance.everyone)
       for (auto& effects : meant) effects.push_back(instance.effect.get());
     for (const BodyHandle target : instance.targets)
-      meant[index_of(target)].push_back(instance.effect.get());
+      meant[registry.index_of(target)].push_back(instance.effect.get());
   }
   std::vector<BodyFlags> flags;
   for (std::size_t body = 0; body < alone.size(); ++body)
@@ -63,7 +64,7 @@ void step_by_reference(Bodies<Real>& bodies, const StepPlan<Real>& plan,
       [&](const Pass<Real>& pass, BodyIndex body) {
         return instance_of(pass, plan).effect->skip_reason(flags[body]).empty();
       },
-      index_of);
+      registry);
 }
 //! [step_by_reference]
 
@@ -72,9 +73,9 @@ void step_by_reference(Bodies<Real>& bodies, const StepPlan<Real>& plan,
 /// a body that everything pushes and turns, so that each is kicked, drifts and turns: by the rule
 /// if its moments differ, else steadily, for that is chapter 8's choice and no plan's.
 //! [step_exhaustively]
-template <class Real, class IndexOf>
+template <class Real>
 void step_exhaustively(Bodies<Real>& bodies, const StepPlan<Real>& plan, const StepTime<Real>& at,
-                       const IndexOf& index_of) {
+                       const BodyRegistry& registry) {
   step_without_sets(
       bodies, plan, at,
       [&](const Pass<Real>& pass, BodyIndex body) {
@@ -96,7 +97,7 @@ void step_exhaustively(Bodies<Real>& bodies, const StepPlan<Real>& plan, const S
         // What nothing can move keeps the velocity that its user gave it.
         return !(is_static(bodies.centres[body]) && (only_its_velocity || only_its_force));
       },
-      index_of);
+      registry);
 }
 //! [step_exhaustively]
 

@@ -21,7 +21,7 @@ struct PlanRow {
   std::string effect;          ///< its name
   Phase phase = Phase::force;  ///< in which part of a step it acts
   std::size_t visited = 0;     ///< bodies that the effect visits in each step; or pairs
-  std::size_t of = 0;          ///< bodies that it was meant for
+  std::size_t of = 0;          ///< bodies, or pairs, that it was meant for
   std::string reads;           ///< the quantities that it looks at, "position, velocity"
   std::string writes;          ///< and those that it changes
   std::string reason;          ///< why it visits those bodies and no others
@@ -42,7 +42,7 @@ struct Plan {
 
 namespace detail {
 
-/// Counts why bodies are skipped, and makes the sentence of a row of it.
+/// Counts why bodies are skipped, and makes a row's sentence of them.
 class Reasons {
  public:
   void add(std::string_view reason) {
@@ -131,15 +131,14 @@ inline std::string table_of(const Plan& plan) {
         table.push_back({row.effect, runs ? std::string(name_of(row.phase)) : "no pass",
                          std::to_string(row.visited) + " of " + std::to_string(row.of), row.reads,
                          row.writes, row.reason});
-  Row::size_type column = 0;
   std::array<std::size_t, 6> widths{};
   for (const Row& row : table)
-    for (column = 0; column < row.size(); ++column)
+    for (std::size_t column = 0; column < row.size(); ++column)
       widths[column] = std::max(widths[column], row[column].size());
   std::string text;
   for (const Row& row : table) {
     std::string line;
-    for (column = 0; column < row.size(); ++column) {
+    for (std::size_t column = 0; column < row.size(); ++column) {
       line += row[column];
       if (column + 1 < row.size()) line.append(widths[column] + 2 - row[column].size(), ' ');
     }

@@ -22,7 +22,7 @@ class Planner {
   const StepPlan<Real>& step_plan() const { return plan_; }
   const std::vector<BodyFlags>& flags() const { return flags_; }
   /// What of the flags is the bodies' own, without the effects.
-  const std::vector<BodyFlags>& alone() const { return own_flags_; }
+  const std::vector<BodyFlags>& own_flags() const { return own_flags_; }
 
   /// `tumbling` is a Tumbling by another rule.
   void turn_by(std::shared_ptr<const AnyEffect<Real>> tumbling) {
@@ -168,6 +168,7 @@ class Planner {
     touched_.insert(body);
     const BodyIndex top = bodies.top_of(body);
     own_flags_[body] = bodies.flags_of(body, own_flags_[body]);
+    // The step's own motions raise no flag: each visits only bodies whose flag is already up.
     const BodyFlags flags = flags_[body] =
         flags_under<Real>(own_flags_[body], [&](const auto& ask) {
           for_each_instance_of(
@@ -233,8 +234,7 @@ class Planner {
     if (found != effects_of_[body].end()) effects_of_[body].erase(found);
   }
 
-  /// The motions from `first` on, then the effects meant for the body. The step's own motions raise
-  /// no flag: each visits only bodies whose flag is already up.
+  /// The motions from `first` on, then the effects meant for the body.
   template <class Visit>
   void for_each_instance_of(BodyIndex body, const Visit& visit, std::size_t first = 0) {
     for (std::size_t i = first; i < plan_.motions.size(); ++i) visit(plan_.motions[i]);

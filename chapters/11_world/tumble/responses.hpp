@@ -23,8 +23,8 @@ struct StepLimit {
   Real nutation_rate = 0;         ///< of that, rad/s
 };
 
-/// What of all rotors of a top can make it nutate at `time` (s), kg m²/s, body axes: nothing about
-/// an axis beside which it can't turn about both others.
+/// The part of its rotors' angular momentum at `time` (s) that can make a top nutate, kg m²/s, body
+/// axes. A component counts only if the top can turn about both other axes.
 template <class Real>
 Vec3<Real> nutating_momentum(const StepPlan<Real>& plan, BodyIndex index, const Top<Real>& top,
                              Real time) {
@@ -79,9 +79,9 @@ class Responses {
     for (HeldTurns<Real>* turnings : {&stiff_, &damped_}) turnings->find_strengths(all);
   }
 
-  /// The limit of a scheme that bears what pulls back by 4 `times`² in a step, and by which a body
-  /// that nutates by an angle (rad) yields `yielding_at` the angle as easily as at rest, as long as
-  /// that is below `largest_angle`: see step_limit().
+  /// The limit of a scheme that bears, at rest, a step `times` as long as Euler's. By it a body
+  /// whose nutation turns by θ (rad) in a step yields yielding_at(θ) times as easily as at rest,
+  /// and that is finite below `largest_angle`.
   template <class Yielding>
   StepLimit<Real> limit(Real times, Real largest_angle, const Yielding& yielding_at) const {
     std::vector<Real> yields(nutations_.size(), Real(1));
@@ -171,7 +171,8 @@ class Responses {
     Found limit;
     const auto [stiff, stiff_hold] = stiff_.largest(yields);
     const auto [damped, damped_hold] = damped_.largest(yields);
-    const std::vector<Real> stiffness = rows(1, 1, 0, yields), damping = rows(0, 0, 1, yields);
+    const std::vector<Real> stiffness = row_sums(1, 1, 0, yields),
+                            damping = row_sums(0, 0, 1, yields);
     const Real most = std::numeric_limits<Real>::max();  // in place of infinite and NaN
     const auto bounded = [most](Real value) { return value <= most ? value : most; };
     for (std::size_t i = 0; i < holds_.size(); ++i) {
@@ -180,13 +181,13 @@ class Responses {
       if (largest < limit.time_step) limit = {largest, i};
     }
     if (limit.hold == none) return limit;
-    // What resists turns pulls back so hard in a step, in units of the inverse moments, at most.
+    // The most by which what resists turns pulls back in a step h, in units of inverse moments.
     const auto turning_pull = [stiff = stiff, damped = damped](Real h) {
       return h * stiff * h + 2 * h * damped;
     };
     const Real h = limit.time_step;
     if (is_damped_) {
-      const std::vector<Real> together = rows(h, h, 2 * h, yields);
+      const std::vector<Real> together = row_sums(h, h, 2 * h, yields);
       std::size_t hardest = 0;
       for (std::size_t i = 1; i < together.size(); ++i)
         if (together[i] > together[hardest]) hardest = i;
@@ -200,7 +201,7 @@ class Responses {
   }
 
   /// √s (w_a Σ_a √s + w_b Σ_b √s) of each hold, for the strengths s = a k b + d c of its ends.
-  std::vector<Real> rows(Real a, Real b, Real d, const std::vector<Real>& yields) const {
+  std::vector<Real> row_sums(Real a, Real b, Real d, const std::vector<Real>& yields) const {
     std::vector<Real> roots, sums(yields.size(), Real(0)), result;
     for (const End& end : ends_) {
       roots.push_back(std::sqrt(a * end.stiffness * b + d * end.damping));

@@ -1,5 +1,6 @@
 /// @file
-/// Rotors inside bodies: how what spins inside shares its momentum with what it is built into.
+/// Rotors inside bodies: how what spins inside shares its angular momentum with what it is
+/// built into.
 #pragma once
 
 #include <tumble/splitting.hpp>
@@ -25,8 +26,9 @@ enum class RotorAct {
 /// Where an axis is locked, L turns with the body, and what locks the axis bears all of Π × ω but
 /// A L, the part of H × I⁻¹L about the free axes. There a drift turns by the mean M of L before and
 /// after it: M − h/2 A M is the L before, and M + h/2 A M that after. As A² is −1 times a number,
-/// (h/2 A)² = −d, the first makes M = (L + h/2 A L)/(1 + d). The half turns take and give H's part
-/// about the free axes, since no L with that may come under another rotor's A.
+/// (h/2 A)² = −d, the first makes M = (L + h/2 A L)/(1 + d). H's part about the free axes is
+/// added and taken away by the half turns, and not by join and leave: if L held it there, the A of
+/// another rotor would act on it.
 //! [rotor_act]
 template <class Real>
 void act_on(Top<Real>& top, RotorAct act, const Vec3<Same<Real>>& momentum, Same<Real> time_step) {
@@ -56,7 +58,8 @@ void act_on(Top<Real>& top, RotorAct act, const Vec3<Same<Real>>& momentum, Same
 }
 //! [rotor_act]
 
-/// When it is done, s: where the drift begins, or where it ends, which may be before that.
+/// The time (s) at which `act` is done: the beginning of the drift or its end, which of a drift
+/// backwards is the earlier one.
 template <class Real>
 Real time_of(RotorAct act, const StepTime<Real>& drift) {
   return act < RotorAct::turn_after ? drift.time : drift.time + drift.time_step;

@@ -31,8 +31,8 @@ inline int order_of(Scheme scheme) {
   return scheme == Scheme::semi_implicit_euler ? 1 : scheme == Scheme::verlet ? 2 : 4;
 }
 
-/// What a substep is: a kick or a drift; `whole` is what blows and damping act for, the step as a
-/// whole; and the end is where its time has passed.
+/// What a substep is: a kick; a drift; `whole`, in which blows and damping act once for the whole
+/// step; or `end`, when the step's time has passed.
 enum class SubstepKind { kick, whole, drift, end };
 
 /// A part of a step; its times are parts of the whole step.

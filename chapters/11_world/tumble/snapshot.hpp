@@ -27,28 +27,22 @@ Snapshot<Real> snapshot_of(const NamedBodies<Real>& bodies, const Planner<Real>&
     const RigidBody<Real> body = bodies.body(index);
     now.centres.push_back(motion_of(body.centre));
     if (!bodies.is_point(index)) now.tops.push_back(motion_of(body.top));
-    now.has_moved.push_back(planner.alone()[index].moves);
-    now.has_turned.push_back(planner.alone()[index].turns);
+    now.has_moved.push_back(planner.own_flags()[index].moves);
+    now.has_turned.push_back(planner.own_flags()[index].turns);
   }
   return now;
-}
-
-/// Throws unless there are as many bodies and tops as `what` has.
-template <class Real>
-void require_as_many(const std::string& what, std::size_t bodies, std::size_t tops,
-                     const NamedBodies<Real>& now) {
-  if (bodies == now.size() && tops == now.top_count()) return;
-  throw std::invalid_argument(
-      "the " + what + " has " + std::to_string(bodies) + " bodies, " + std::to_string(tops) +
-      " of them with a top; the world has " + std::to_string(now.size()) + " and " +
-      std::to_string(now.top_count()) + "; a copy of the world outlasts bodies that come and go");
 }
 
 /// Lets all bodies, which lie in `store`, move as they did then.
 template <class Real>
 void restore(const Snapshot<Real>& then, const NamedBodies<Real>& bodies, BodyStore<Real>& store,
              Planner<Real>& planner) {
-  require_as_many("snapshot", then.centres.size(), then.tops.size(), bodies);
+  if (then.centres.size() != bodies.size() || then.tops.size() != bodies.top_count())
+    throw std::invalid_argument(
+        joined({"the snapshot has ", std::to_string(then.centres.size()), " bodies, ",
+                std::to_string(then.tops.size()), " of them with a top; the world has ",
+                std::to_string(bodies.size()), " and ", std::to_string(bodies.top_count()),
+                "; a copy of the world outlasts bodies that come and go"}));
   planner.end_inputs(bodies);
   for (BodyIndex index = 0, top = 0; index < bodies.size(); ++index) {
     RigidBody<Real> body = bodies.body(index);

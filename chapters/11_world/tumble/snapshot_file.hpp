@@ -32,7 +32,7 @@ void for_each_number(AnySnapshot& snapshot, const Visit& visit) {
 
 }  // namespace detail
 
-/// Adds bytes to a checksum: Fowler, Noll and Vo's, which sees every single changed letter.
+/// The checksum of a text, by Fowler, Noll and Vo: no change of a single letter goes unseen.
 inline std::uint64_t checksum_of(std::string_view text) {
   std::uint64_t sum = 14695981039346656037ull;
   for (const char letter : text)

@@ -9,7 +9,7 @@
 namespace tumble {
 
 /// What a pass is: an effect of the scene, the pushes of this step alone, a motion of the step's
-/// own, or a rotor, which shares its momentum about the turning.
+/// own, or a rotor, which shares its angular momentum about the turning.
 enum class PassKind { effect, input, motion, rotor };
 
 /// In which substeps, and of which phase, passes of a kind are run.

@@ -13,7 +13,7 @@ namespace tumble {
 /// those that it visits.
 template <class Real>
 struct EffectInstance {
-  EffectHandle handle = {};                       ///< 0 of a motion
+  EffectHandle handle = {};                       ///< number 0 of a motion
   std::shared_ptr<const AnyEffect<Real>> effect;  ///< as it is now
   bool everyone = true;                           ///< every body is meant, also those added later
   std::vector<BodyHandle> targets = {};  ///< or else these; for pairs, first and second in turn

@@ -13,7 +13,7 @@ enum class Phase {
   kick,     ///< the sums change the momenta
   impulse,  ///< blows meet the new velocities
   damping,  ///< speeds fade
-  turn,     ///< rotors inside bodies share their momentum, at either end of each drift
+  turn,     ///< rotors inside bodies share their angular momentum, at either end of each drift
   drift     ///< positions and orientations follow
 };
 
@@ -25,8 +25,8 @@ struct BodyFlags {
   bool is_point = false;       ///< it has no top
   bool can_turn = false;       ///< it has a top that is not locked about all axes
   bool is_gyroscopic = false;  ///< its moments differ, and no axis is locked
-  bool is_pushed = false;      ///< an effect gives it a force
-  bool is_torqued = false;     ///< an effect gives it a torque
+  bool is_pushed = false;      ///< an effect, or a push, gives it a force
+  bool is_torqued = false;     ///< an effect, or a push, gives it a torque
   bool moves = false;          ///< it has had a velocity, or something can give it one
   bool turns = false;          ///< it has had a spin, or something can give it one
   friend bool operator==(const BodyFlags&, const BodyFlags&) = default;
@@ -86,19 +86,12 @@ struct BodyPair {
 
 /// When something acts in a step, and for how long. In the phases force and kick: when its kick
 /// happens, and how long that is; in the phase turn: when the rotor acts, and how long the drift
-/// is; else when the step begins, and how long that is. By Scheme::suzuki some of them are
+/// is; else when the step begins, and how long that is. By Scheme::suzuki some of these lengths are
 /// negative.
 template <class Real>
 struct StepTime {
   Real time = 0;       ///< s
   Real time_step = 0;  ///< s; negative: backwards
 };
-
-/// When step number `tick` happens: at n h, with one rounding of the product, and one of n where it
-/// has more digits than Real, however many steps there were.
-template <class Real>
-StepTime<Real> step_time_of(std::int64_t tick, Real time_step) {
-  return {static_cast<Real>(tick) * time_step, time_step};
-}
 
 }  // namespace tumble

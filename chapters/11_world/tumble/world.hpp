@@ -1,5 +1,8 @@
 /// @file
 /// A world: bodies, the effects that a scene calls for, and a step that does what they need.
+///
+/// What works on one stands in other headers: energy_of() and Ledger for its energy, Drawing for
+/// what is drawn between two steps, write_snapshot() for a file, and ManyBodies for many bodies.
 #pragma once
 
 #include <cstdio>
@@ -19,8 +22,8 @@ namespace tumble {
 /// Bodies and effects with a fixed time step. Every function that could change the plan tells the
 /// planner, so that the plan stays right. A copy of a world is another world in the same state, and
 /// knows the handles of the first. So it is a way back even after bodies and effects have come and
-/// gone: `world = copy` brings back those that went, with their names and handles, and the others
-/// have never been. A handle that was given out since may then be given out once more.
+/// gone: `world = copy` brings back those that went, with their names and handles, and takes away
+/// those that have come since. A handle that was given out since may then be given out once more.
 ///
 /// `Backend` keeps the bodies in arrays and steps them, and changes no bit of how they move.
 ///
@@ -45,8 +48,8 @@ class World {
 
   // --- Bodies -----------------------------------------------------------------------------------
 
-  /// Adds a point, or a body, which should come from make_rigid_body() or make_static_body(): here
-  /// each number is checked by itself, and not whether a body can have such moments.
+  /// Adds a point, or a body: the `body` of what make_rigid_body() returns, or make_static_body().
+  /// Here each number is checked by itself, and not whether a body can have such moments.
   /// @throws std::invalid_argument if the name is empty or taken, if a number is not finite, if an
   /// inverse mass or moment is negative, if the orientation is not nearly of norm 1, or if there is
   /// angular momentum about a locked axis.
@@ -59,6 +62,7 @@ class World {
     return append_body(name, body.centre, &body.top);
   }
   /// The same without a name, for many of a kind: a sentence calls it "body 7", after its slot.
+  /// @throws std::invalid_argument as above.
   BodyHandle add(const Particle<Real>& point) { return append_body({}, point, nullptr); }
   BodyHandle add(const RigidBody<Real>& body) { return append_body({}, body.centre, &body.top); }
 
@@ -95,7 +99,13 @@ class World {
     return handles;
   }
   /// The body with that place in the arrays.
-  BodyHandle handle_at(BodyIndex index) const { return registry_.handle_at(index); }
+  /// @throws std::out_of_range if there are not so many.
+  BodyHandle handle_at(BodyIndex index) const {
+    if (index >= registry_.size())
+      throw std::out_of_range(joined({"there is no body at place ", std::to_string(index), " of ",
+                                      std::to_string(registry_.size())}));
+    return registry_.handle_at(index);
+  }
   /// The place of a body in the arrays. It may change when another body is removed.
   BodyIndex index_of(BodyHandle body) const { return registry_.index_of(body); }
   /// Whether it has no orientation.
@@ -194,7 +204,8 @@ class World {
   // --- Effects ----------------------------------------------------------------------------------
 
   /// Adds an effect for every body, including those that are added later. An effect is a value with
-  /// one of the functions of forms.hpp, and with those members of effect_members.hpp that it needs.
+  /// one of the functions of forms.hpp, and with those members that it needs of the table on the
+  /// page \ref effects.
   /// @throws whatever the effect's check() throws.
   template <class Effect>
   EffectHandle add(Effect effect) {
@@ -262,8 +273,8 @@ class World {
     planner_.replace_effect(handle.number, std::move(erased), named_bodies());
   }
 
-  /// From now on the bodies whose moments differ turn by `rule`: one of turning_methods.hpp, or one
-  /// of the user's own.
+  /// From now on the bodies whose moments differ turn by `rule`: one of turning_methods.hpp or of
+  /// turning_rungs.hpp, or one of the user's own.
   template <TurningRule<Real> Rule>
   void turn_by(const Rule& rule) {
     require_between_steps("the method of turning can't be changed");
@@ -414,18 +425,17 @@ class World {
     planner_.end_inputs(named_bodies());
   }
 
-  /// The same step without members: each effect is asked about each body anew. See
-  /// step_by_reference() in other_runs.hpp.
+  /// The same step without members: each effect is asked about each body anew. See other_runs.hpp.
   void step_by_reference() {
-    step_on_copy([&](Bodies<Real>& bodies, const auto& index_of) {
-      tumble::step_by_reference(bodies, step_plan(), planner_.alone(), step_time(), index_of);
+    step_on_copy([&](Bodies<Real>& bodies) {
+      tumble::step_by_reference(bodies, step_plan(), planner_.own_flags(), step_time(), registry_);
     });
   }
 
-  /// The same step with nothing known of any body: see step_exhaustively() in other_runs.hpp.
+  /// The same step with nothing known of any body: see other_runs.hpp.
   void step_exhaustively() {
-    step_on_copy([&](Bodies<Real>& bodies, const auto& index_of) {
-      tumble::step_exhaustively(bodies, step_plan(), step_time(), index_of);
+    step_on_copy([&](Bodies<Real>& bodies) {
+      tumble::step_exhaustively(bodies, step_plan(), step_time(), registry_);
     });
   }
 
@@ -478,7 +488,8 @@ class World {
   /// A first velocity or spin changes what the scene calls for.
   BodyHandle note_motion(BodyHandle body) {
     const BodyIndex index = registry_.index_of(body);
-    const BodyFlags before = planner_.alone()[index], now = named_bodies().flags_of(index, before);
+    const BodyFlags before = planner_.own_flags()[index],
+                    now = named_bodies().flags_of(index, before);
     if (now.moves != before.moves)
       change_log_.note({"'", name_of(body), "' got its first velocity"});
     if (now.turns != before.turns) change_log_.note({"'", name_of(body), "' got its first spin"});
@@ -555,7 +566,7 @@ class World {
     require_between_steps("another step can't be taken");
     const InsideStep inside(inside_);
     Bodies<Real> bodies = backend_.bodies();
-    step(bodies, [this](BodyHandle body) { return registry_.index_of(body); });
+    step(bodies);
     if (const std::optional<BodyIndex> diverged = first_diverged(bodies, step_plan()))
       throw_failure(*diverged);
     backend_.set_bodies(std::move(bodies));
@@ -597,7 +608,7 @@ class World {
   bool limit_changed_ = false;
   std::function<void(const std::string&)> tell_;
   /// warnings(), once there is an effect that can limit the step: a program without one is spared
-  /// to compile them, a seventh of what a small world takes.
+  /// compiling them, a seventh of the time that a small world takes.
   decltype(&tumble::warnings<Real>) find_warnings_ = nullptr;
 };
 

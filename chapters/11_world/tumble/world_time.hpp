@@ -18,7 +18,8 @@ struct WorldTime {
   /// With the time step in s: when the next step begins, s. As long as the step is the first one,
   /// it is n h, with one rounding of the product, and one of n where it has more digits than Real.
   Real time(Real time_step) const {
-    return start + step_time_of(ticks - first_tick, time_step).time;
+    const Real since = static_cast<Real>(ticks - first_tick) * time_step;
+    return start + since;  // in a statement of its own: clang would fuse product and sum
   }
 };
 
@@ -26,9 +27,7 @@ struct WorldTime {
 template <class Real>
 WorldTime<Real> continued(const WorldTime<Real>& then, const StepLength& step) {
   const bool is_known = then.step.denominator != 0;
-  if (!is_known ||
-      (then.step.numerator == step.numerator && then.step.denominator == step.denominator))
-    return {then.ticks, step, then.first_tick, then.start};
+  if (!is_known || then.step == step) return {then.ticks, step, then.first_tick, then.start};
   return {then.ticks, step, then.ticks, then.time(time_step_of<Real>(then.step))};
 }
 

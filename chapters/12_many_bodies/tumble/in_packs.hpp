@@ -18,9 +18,11 @@ class InPacks final : public BodyStore<Real> {
   /// work.
   static constexpr std::size_t smallest_share = 512;
 
+  /// All bodies, copied out of the packs.
   Bodies<Real> bodies() const { return unpacked(state_.bodies); }
   /// The same as they lie, for whoever reads them without a copy.
   const PackedBodies<Real, width>& packed_bodies() const { return state_.bodies; }
+  /// Other bodies in their place.
   void set_bodies(const Bodies<Real>& bodies) { state_.bodies = packed<Real, width>(bodies); }
 
   const BodyMap& map() const override { return state_.bodies; }
@@ -40,7 +42,9 @@ class InPacks final : public BodyStore<Real> {
   }
 
   /// So many threads take part in each step from now on; without a call, one.
-  /// @throws std::invalid_argument if it is not from 1 to 1024; as many as before then do.
+  /// Where each thread has fewer than `smallest_share` bodies, one does all.
+  /// @throws std::invalid_argument if it is not from 1 to 1024, and std::system_error if the system
+  /// has no more; as many as before then take part.
   void use_threads(int count) {
     pool_ = ThreadPool(count);
     schedule_ = {};  // for several threads it knows more than for one

@@ -19,7 +19,7 @@ PackColouring pack_colouring(const PackedIndexSet<Real, width>& group,
                              const PackedBodies<Real, width>& bodies) {
   PackColouring parts;
   std::vector<std::vector<bool>> has_tops;  // of each part, for each pack of tops
-  const auto add = [&](std::uint32_t pack) {
+  for_each_pack(group, 0, no_index, [&](std::uint32_t pack, const auto&) {
     std::vector<std::size_t> tops;
     const std::size_t first = std::size_t{pack} * width;
     for (std::size_t body = first; body < std::min(first + width, bodies.centres.size()); ++body)
@@ -33,11 +33,7 @@ PackColouring pack_colouring(const PackedIndexSet<Real, width>& group,
     }
     parts[part].push_back(pack);
     for (const std::size_t top : tops) has_tops[part][top] = true;
-  };
-  for_each_whole(group, 0, no_index, [&](std::uint32_t begin, std::uint32_t end) {
-    for (std::uint32_t pack = begin; pack < end; ++pack) add(pack);
   });
-  for_each_part(group, 0, no_index, [&](std::uint32_t pack, const auto&) { add(pack); });
   return parts;
 }
 //! [pack_colouring]

@@ -2,14 +2,12 @@
 /// The bodies of a world in packs: the particles of several bodies side by side, and their tops.
 #pragma once
 
-#include <bit>
 #include <tumble/bodies.hpp>
 #include <tumble/pack.hpp>
 
 namespace tumble {
 
-/// How many numbers the processor works on at once: 16 floats or 8 doubles with AVX-512, half as
-/// many with AVX, and a quarter with neither.
+/// The bytes of a vector register: 64 with AVX-512, 32 with AVX, 16 with neither.
 //! [width]
 #if defined(__AVX512F__)
 constexpr std::size_t vector_bytes = 64;

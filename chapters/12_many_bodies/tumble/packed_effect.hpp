@@ -15,7 +15,7 @@ class PackedEffect {
  public:
   virtual ~PackedEffect() = default;
   /// Runs the effect's function on those bodies of `packs` that lie in the packs from `begin` to
-  /// before `end`; on all pairs if it joins two. A rotor does what `act` says.
+  /// before `end`; on all pairs if it joins two. `act` says which part of its work a rotor does.
   virtual void run_on_packs(PackedBodies<Real, width>& bodies, const Members& members,
                             const PackedIndexSet<Real, width>& packs, std::uint32_t begin,
                             std::uint32_t end, const StepTime<Real>& at, RotorAct act) const = 0;

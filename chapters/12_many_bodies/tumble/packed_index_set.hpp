@@ -114,4 +114,15 @@ void for_each_part(const PackedIndexSet<Real, width>& indices, std::uint32_t beg
   for (; part != indices.parts.end() && part->pack < end; ++part) visit(part->pack, part->members);
 }
 
+/// Calls `visit` with each pack between `begin` and `end` that has members, and with their mask.
+template <class Real, int width, class Visit>
+void for_each_pack(const PackedIndexSet<Real, width>& indices, std::uint32_t begin,
+                   std::uint32_t end, const Visit& visit) {
+  constexpr PackMask<Real, width> all{~typename PackMask<Real, width>::Lanes{}};
+  for_each_whole(indices, begin, end, [&](std::uint32_t first, std::uint32_t last) {
+    for (std::uint32_t pack = first; pack < last; ++pack) visit(pack, all);
+  });
+  for_each_part(indices, begin, end, visit);
+}
+
 }  // namespace tumble

@@ -13,11 +13,7 @@ template <class Real, int width, class Packed>
 bool any_diverged(const std::vector<Packed>& array, const PackedIndexSet<Real, width>& indices,
                   std::uint32_t begin, std::uint32_t end) {
   typename PackMask<Real, width>::Lanes diverged{};
-  for_each_whole(indices, begin, end, [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t pack = first; pack < last; ++pack)
-      diverged |= (!is_finite(array[pack])).lanes;
-  });
-  for_each_part(indices, begin, end, [&](std::uint32_t pack, const auto& members) {
+  for_each_pack(indices, begin, end, [&](std::uint32_t pack, const auto& members) {
     diverged |= (members && !is_finite(array[pack])).lanes;
   });
   for (int lane = 0; lane < width; ++lane)
@@ -39,10 +35,7 @@ struct PackedState {
                 std::uint32_t begin, std::uint32_t end, const StepTime<Real>& step) {
     switch (pass.task) {
       case Task::remember:
-        for_each_whole(pass.indices, begin, end, [&](std::uint32_t first, std::uint32_t last) {
-          for (std::uint32_t pack = first; pack < last; ++pack) undo.remember(array, pack);
-        });
-        for_each_part(pass.indices, begin, end,
+        for_each_pack(pass.indices, begin, end,
                       [&](std::uint32_t pack, const auto&) { undo.remember(array, pack); });
         return false;
       case Task::run:

@@ -30,7 +30,7 @@ class PackedUndoBuffer {
   }
   //! [remember]
 
-  /// Puts back one element of an array, and empties its sum.
+  /// Puts back one element of an array, and clears its force or torque.
   void restore(PackedArray<Particle, Real, width>& array, BodyIndex i) const {
     const int lane = static_cast<int>(i % width);
     const auto& [position, velocity] = centres_[i / width];

@@ -69,22 +69,17 @@ void visit_packs(Array& array, const PackedIndexSet<Real, width>& indices, std::
 template <class Array, class Real, int width, class Kernel>
 void visit_lanes_of(Array& array, const PackedIndexSet<Real, width>& indices, std::uint32_t begin,
                     std::uint32_t end, const Kernel& kernel) {
-  const auto visit_lane = [&](std::uint32_t pack, int lane) {
-    auto element = lane_of(array.packs()[pack], lane);
-    kernel(element);
-    set_lane(array.packs()[pack], lane, element);
-  };
-  for_each_whole(indices, begin, end, [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t pack = first; pack < last; ++pack)
-      for (int lane = 0; lane < width; ++lane) visit_lane(pack, lane);
-  });
-  for_each_part(indices, begin, end, [&](std::uint32_t pack, const auto& members) {
-    for (int lane = 0; lane < width; ++lane)
-      if (members[lane]) visit_lane(pack, lane);
+  for_each_pack(indices, begin, end, [&](std::uint32_t pack, const auto& members) {
+    for (int lane = 0; lane < width; ++lane) {
+      if (!members[lane]) continue;
+      auto element = lane_of(array.packs()[pack], lane);
+      kernel(element);
+      set_lane(array.packs()[pack], lane, element);
+    }
   });
 }
 
-/// The tops of the bodies of a pack, side by side; a point shows one that can't turn.
+/// The tops of the bodies of a pack, side by side; of a point, one locked about every axis.
 template <class Real, int width>
 Top<Pack<Real, width>> tops_of(const PackedBodies<Real, width>& bodies, std::uint32_t pack) {
   const std::size_t first = std::size_t{pack} * width;
@@ -105,7 +100,7 @@ Top<Pack<Real, width>> tops_of(const PackedBodies<Real, width>& bodies, std::uin
 template <class Real, int width, class Kernel>
 void visit_bodies(PackedBodies<Real, width>& bodies, const PackedIndexSet<Real, width>& indices,
                   std::uint32_t begin, std::uint32_t end, bool changes_tops, const Kernel& kernel) {
-  const auto visit_pack = [&](std::uint32_t pack, const PackMask<Real, width>& members) {
+  for_each_pack(indices, begin, end, [&](std::uint32_t pack, const auto& members) {
     auto changed = bodies.centres.packs()[pack];
     auto tops = tops_of(bodies, pack);
     kernel(changed, tops, members);
@@ -116,12 +111,7 @@ void visit_bodies(PackedBodies<Real, width>& bodies, const PackedIndexSet<Real, 
       const BodyIndex top = bodies.top_of[pack * width + static_cast<BodyIndex>(lane)];
       if (top != no_index) bodies.tops.set(top, lane_of(tops, lane));
     }
-  };
-  constexpr PackMask<Real, width> all{~typename PackMask<Real, width>::Lanes{}};
-  for_each_whole(indices, begin, end, [&](std::uint32_t first, std::uint32_t last) {
-    for (std::uint32_t pack = first; pack < last; ++pack) visit_pack(pack, all);
   });
-  for_each_part(indices, begin, end, visit_pack);
 }
 
 }  // namespace tumble

@@ -22,8 +22,8 @@ inline std::size_t share_of(std::size_t count, int member, int members) {
 
 /// Some threads, the caller's among them, that do the same piece of work on different bodies. To
 /// start a thread costs more than a small world's step, so they are started once. A copy is another
-/// pool of the same size; it starts its threads when they are first called, and what is assigned to
-/// keeps its own if there are as many.
+/// pool of the same size, whose threads start with its first task. A pool that is assigned one of
+/// its own size keeps its threads.
 //! [pool]
 class ThreadPool {
  public:
@@ -126,7 +126,7 @@ class ThreadPool {
       }
     }
 
-    /// Task comes back within microseconds: to fall asleep at once would take longer than to look
+    /// The next task comes within microseconds: falling asleep would take longer than looking
     /// again.
     static void wait_while(const std::atomic<unsigned>& number, unsigned old) {
       for (int look = 0; look < 4096; ++look)

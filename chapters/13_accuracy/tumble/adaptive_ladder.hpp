@@ -2,10 +2,9 @@
 /// The ladder's rungs that choose their own steps: what each is called, its order and what it
 /// claims to keep.
 ///
-/// Their Claims are those of the other rungs. Only the order needs a time step to speak of, and it
-/// is the mean one: the time divided by the number of steps that were made. As the tolerance gets
-/// smaller, the error falls as this mean to the power of the order. An integration lands where it
-/// is told to, for which it cuts its last step, so that none retraces its steps.
+/// Their Claims mean what those of the other rungs mean, with the mean step (the time divided by
+/// the number of steps) for the time step. Each integration cuts its last step to end on time, so
+/// none retraces its steps.
 #pragma once
 
 #include <tumble/ladder.hpp>
@@ -58,37 +57,37 @@ constexpr std::array<FreeTopRung<Real>, 7> free_top_rungs = {{
      Given::tolerance,
      4,
      {.order = 5},
-     integrate_without_torque<DormandPrince54, Real>},
+     integrate_without_torque<DormandPrince54>},
     {"8(5,3), own steps",
      Given::tolerance,
      7,
      {.order = 8},
-     integrate_without_torque<DormandPrince853, Real>},
+     integrate_without_torque<DormandPrince853>},
     {"L apart, 5(4), own steps",
      Given::tolerance,
      4,
      {.order = 5, .momentum = true},
-     integrate_free_top<DormandPrince54, Real>},
+     integrate_free_top<DormandPrince54>},
     {"L apart, 8(5,3), own steps",
      Given::tolerance,
      7,
      {.order = 8, .momentum = true},
-     integrate_free_top<DormandPrince853, Real>},
+     integrate_free_top<DormandPrince853>},
     {"splitting, own steps",
      Given::angle,
      1,
      {.order = 2, .momentum = true},
-     integrate_paced_without_torque<Verlet, Real>},
+     integrate_paced_without_torque<Verlet>},
     {"splitting, Suzuki, own steps",
      Given::angle,
      1,
      {.order = 4, .momentum = true},
-     integrate_paced_without_torque<Suzuki, Real>},
+     integrate_paced_without_torque<Suzuki>},
     {"splitting, Kahan-Li 8, own steps",
      Given::angle,
      1,
      {.order = 8, .momentum = true},
-     integrate_paced_without_torque<KahanLiEighth, Real>},
+     integrate_paced_without_torque<KahanLiEighth>},
 }};
 //! [free_top_rungs]
 
@@ -105,22 +104,20 @@ struct AdaptiveRung {
 /// Those for a body under any force or torque.
 template <class Body, class Real, class Forces>
 constexpr std::array<AdaptiveRung<Body, Real, Forces>, 2> adaptive_rungs = {{
-    {"5(4), own steps", {.order = 5}, integrate<DormandPrince54, Body, Forces, Real>},
-    {"8(5,3), own steps", {.order = 8}, integrate<DormandPrince853, Body, Forces, Real>},
+    {"5(4), own steps", {.order = 5}, integrate<DormandPrince54>},
+    {"8(5,3), own steps", {.order = 8}, integrate<DormandPrince853>},
 }};
 
 /// That for a particle where the force depends on time and place alone.
 template <class Real, class Forces>
 constexpr AdaptiveRung<Particle<Real>, Real, Forces> nystrom_rung = {
-    "Nystrom 8(6), own steps",
-    {.order = 8},
-    integrate_by_nystrom<DormandPrinceNystrom86, Forces, Real>};
+    "Nystrom 8(6), own steps", {.order = 8}, integrate_by_nystrom<DormandPrinceNystrom86>};
 
 /// Those for a symmetric top whose torque depends on time and on where its axis points.
 template <class Real, class Forces>
 constexpr std::array<AdaptiveRung<Top<Real>, Real, Forces>, 2> axis_rungs = {{
-    {"axis apart, 5(4), own steps", {.order = 5}, integrate_axis<DormandPrince54, Forces, Real>},
-    {"axis apart, 8(5,3), own steps", {.order = 8}, integrate_axis<DormandPrince853, Forces, Real>},
+    {"axis apart, 5(4), own steps", {.order = 5}, integrate_axis<DormandPrince54>},
+    {"axis apart, 8(5,3), own steps", {.order = 8}, integrate_axis<DormandPrince853>},
 }};
 
 }  // namespace tumble

@@ -8,19 +8,11 @@
 
 namespace tumble {
 
-/// The rows of a pair: that of error i, of stage i beyond the step, and of the i-th part of the
-/// state within it.
-template <class Pair, std::size_t i>
-struct RowOfError {
-  static constexpr auto& row = Pair::errors[i];
-};
-template <class Pair, std::size_t i>
-struct RowOfMoreStages {
-  static constexpr auto& row = Pair::more_coefficients[i];
-};
-template <class Pair, std::size_t i>
-struct RowWithin {
-  static constexpr auto& row = Pair::dense[i];
+/// One of a pair's rows of weights: of its errors, of the stages beyond the step, or of the parts
+/// of the state within it.
+template <const auto& rows, std::size_t i>
+struct RowOf {
+  static constexpr auto& row = rows[i];
 };
 
 namespace detail {
@@ -99,6 +91,7 @@ class EmbeddedSteps {
     rates_[0] = rates_under(evaluate_forces_, start_, time_, there_);
   }
 
+  /// Makes a step of h seconds. @return the square of its error, with 1 allowed
   //! [attempt]
   [[gnu::flatten]] Real attempt(Real h) {
     step_ = h;
@@ -113,13 +106,11 @@ class EmbeddedSteps {
       end_ = each<Real, count>([&](auto n) { return n < 4 ? factor * end_[n] : end_[n]; });
     }
     if constexpr (error_sees_end) evaluate_end();
-    return [&]<std::size_t... i>(std::index_sequence<i...>) {
-      return together(std::array{error<i>()...});
-    }
-    (std::make_index_sequence<Pair::errors.size()>());
+    return together(each<Real, Pair::errors.size()>([&](auto i) { return error<i>(); }));
   }
   //! [attempt]
 
+  /// What was attempted last counts as a step.
   void accept() {
     if constexpr (!error_sees_end) evaluate_end();
     time_ += step_;
@@ -141,12 +132,7 @@ class EmbeddedSteps {
   }
 
   /// The body where the last step that was accepted ends.
-  Body body() const {
-    Body body = there_;
-    set_state(body, start_);
-    if constexpr (requires { body.orientation; }) body.orientation = normalized(body.orientation);
-    return body;
-  }
+  Body body() const { return in_state(start_); }
 
   /// The body within the step just attempted, at a `part` of it from 0 to 1: a cubic through both
   /// ends with their rates, and what the stages know beyond it. Stages that the step itself did not
@@ -156,10 +142,8 @@ class EmbeddedSteps {
     if constexpr (!error_sees_end) evaluate_end();
     evaluate_more_stages();
     const Real rest = 1 - part;
-    const auto beyond = [&]<std::size_t... i>(std::index_sequence<i...>) {
-      return std::array<State, Pair::dense.size()>{weighed<RowWithin<Pair, i>>(rates_)...};
-    }
-    (std::make_index_sequence<Pair::dense.size()>());
+    const auto beyond = each<State, Pair::dense.size()>(
+        [&](auto i) { return weighed<RowOf<Pair::dense, i>>(rates_); });
     State state;
     for (std::size_t n = 0; n < state.size(); ++n) {
       Real more = 0;  // d₀ + p (d₁ + (1 − p) (d₂ + p d₃)), from the last on
@@ -170,10 +154,7 @@ class EmbeddedSteps {
       state[n] =
           start_[n] + part * (change + rest * (first + part * (last + rest * (step_ * more))));
     }
-    Body body = there_;
-    set_state(body, state);
-    if constexpr (requires { body.orientation; }) body.orientation = normalized(body.orientation);
-    return body;
+    return in_state(state);
   }
   //! [within]
 
@@ -184,26 +165,29 @@ class EmbeddedSteps {
                                count = std::tuple_size_v<State>;
   static constexpr bool error_sees_end = Pair::errors[0][stage_count] != 0;
 
+  Body in_state(const State& state) const {
+    Body body = there_;
+    set_state(body, state);
+    if constexpr (requires { body.orientation; }) body.orientation = normalized(body.orientation);
+    return body;
+  }
+
   void evaluate_end() {
     rates_[stage_count] = rates_under(evaluate_forces_, end_, time_ + step_, there_);
   }
 
   void evaluate_more_stages() {
-    const auto one = [&]<std::size_t i>() {
-      const auto state = combine<RowOfMoreStages<Pair, i>>(start_, step_, rates_);
+    for_each_index<Pair::more_nodes.size()>([&](auto i) {
+      const auto state = combine<RowOf<Pair::more_coefficients, i>>(start_, step_, rates_);
       const Real ahead = static_cast<Real>(Pair::more_nodes[i]) * step_;
       rates_[stage_count + 1 + i] = rates_under(evaluate_forces_, state, time_ + ahead, there_);
-    };
-    [&]<std::size_t... i>(std::index_sequence<i...>) {
-      (one.template operator()<i>(), ...);
-    }
-    (std::make_index_sequence<Pair::more_nodes.size()>());
+    });
   }
 
   template <std::size_t i>
   [[gnu::always_inline]] Real error() const {
     const State off = each<Real, count>(
-        [&](auto n) { return step_ * weighed_number<RowOfError<Pair, i>, n>(rates_); });
+        [&](auto n) { return step_ * weighed_number<RowOf<Pair::errors, i>, n>(rates_); });
     return square_of_error(off, start_, end_, tolerance_, step_);
   }
 
@@ -215,13 +199,14 @@ class EmbeddedSteps {
   std::array<State, stage_count + 1 + Pair::more_nodes.size()> rates_ = {};
 };
 
-/// Takes a particle or a top from `time` (s) through `seconds`. `evaluate_forces` as in
-/// kicked_steps.hpp. `tolerance` is what may be lost in a second: of a particle {m, m/s}; of a top
+/// Takes a particle or a top from `time` (s) through `seconds`. `evaluate_forces(body,
+/// time)` leaves in the body the sum of what acts on it at that time, particle.force or top.torque.
+/// `tolerance` is what may be lost in a second: of a particle {m, m/s}; of a top
 /// rad, and as large a part of |L|. The squares of |L| and of the part of it that may be lost must
 /// be normal numbers: of a smaller error the choice of the step sees nothing, and a larger |L| has
 /// no such part. No step passes over one of the `stops`.
-/// @throws std::invalid_argument unless the time is 0 or more and the tolerance more than 0, both
-/// finite, and as require_stops(). @throws StepError if no step meets the tolerance.
+/// @throws std::invalid_argument unless the seconds are 0 or more and the tolerance more than 0,
+/// both finite, and as require_stops(). @throws StepError if no step meets the tolerance.
 template <class Pair, class Body, class Forces, class Real>
 StepCounts integrate(Body& body, const Forces& evaluate_forces, Real time, Same<Real> seconds,
                      ToleranceOf<Body> tolerance, const Stops<Same<Real>>& stops = {}) {

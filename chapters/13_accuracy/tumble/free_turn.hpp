@@ -40,7 +40,7 @@ class FreeTurn {
             differences_[2] * (l[0] * l[1])};
   }
 
-  /// ψ', rad/s. Written with what l has along e.
+  /// ψ', rad/s, by the component of l along e.
   [[gnu::always_inline]] Real twist_rate(const StateVector<Real, 3>& l) const {
     const Real along = side_ * l[axis_];
     return (twice_energy_ + inverse_along_ * along) / (1 + along);

@@ -35,9 +35,9 @@ void step_by_kick_and_drift(Body& body, const Forces& evaluate_forces, Real time
 ///
 /// For a particle, or for a symmetric top, whose drift is exact, the order is that of the row. Any
 /// other top drifts by a rule of second order that is symmetric in time: then it is that of the row
-/// if the row is made of whole steps, see composed().
+/// if the row is made of whole steps, see alternation.hpp.
 ///
-/// A `evaluate_forces` that has a drift(body, h) of its own drifts by that: in thick air, say,
+/// An `evaluate_forces` that has a drift(body, h) of its own drifts by that: in thick air, say,
 /// where coasting to a stop is an exact motion too.
 ///
 /// Where force depends on velocity, the order falls to 1: the last kick of a step uses what

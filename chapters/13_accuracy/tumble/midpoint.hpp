@@ -8,8 +8,8 @@
 
 namespace tumble {
 
-/// Newton's method: `vector` is improved by `correction_of(vector)` until a correction is so small
-/// that the next, which is smaller by as much again, must be the last.
+/// Newton's method: `vector` is improved by `correction_of(vector)` until a correction is below the
+/// root of a rounding: the next, about its square, is the last.
 ///
 /// It squares a small error in each round. A start from which it does not get there, at angles of
 /// several radians a step, is left after 20.

@@ -8,10 +8,6 @@
 namespace tumble {
 
 /// The rows of a Nyström pair.
-template <class Pair, std::size_t i>
-struct RowOfPlace {
-  static constexpr auto& row = Pair::rule.coefficients[i];
-};
 template <class Pair>
 struct RowOfVelocities {
   static constexpr auto& row = Pair::rule.velocities;
@@ -42,23 +38,22 @@ class NystromSteps {
     rates_[0] = acceleration_at(place_, 0);
   }
 
+  /// Makes a step of h seconds. @return the square of its error, with 1 allowed
   //! [attempt_nystrom]
   [[gnu::flatten]] Real attempt(Real h) {
     step_ = h;
-    const auto one = [&]<std::size_t i>() {
+    for_each_index<stage_count - 1>([&](auto before) {
+      constexpr StageNumber<before + 1> i;
       const Real ahead = static_cast<Real>(Pair::rule.nodes[i]) * h;
-      end_place_ = place_by<RowOfPlace<Pair, i>>(ahead);  // the last one is the end of the step
+      end_place_ = place_by<RowOfStage<Pair, i>>(ahead);  // the last one is the end of the step
       rates_[i] = acceleration_at(end_place_, ahead);
-    };
-    [&]<std::size_t... i>(std::index_sequence<i...>) {
-      (one.template operator()<i + 1>(), ...);
-    }
-    (std::make_index_sequence<stage_count - 1>());
+    });
     end_velocity_ = combine<RowOfVelocities<Pair>>(velocity_, h, rates_);
     return error();
   }
   //! [attempt_nystrom]
 
+  /// What was attempted last counts as a step.
   void accept() {
     time_ += step_;
     place_ = end_place_;
@@ -66,6 +61,7 @@ class NystromSteps {
     rates_[0] = rates_[stage_count - 1];
   }
 
+  /// See first_step_of().
   [[gnu::flatten]] Real first_step(Real seconds) {
     const Real ahead = seconds / 10000;
     Three there = place_;
@@ -122,7 +118,7 @@ class NystromSteps {
   }
 
   const Forces& evaluate_forces_;
-  Particle<Real> there_;  // to ask for its force or torque
+  Particle<Real> there_;  // to ask for its force
   Real time_, step_ = 0;
   ParticleTolerance<Real> tolerance_;
   Three place_ = {}, velocity_ = {}, end_place_ = {}, end_velocity_ = {};

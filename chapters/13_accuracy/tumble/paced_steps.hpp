@@ -7,24 +7,13 @@
 
 namespace tumble {
 
-/// Steps of h = angle/ρ, where ρ (1/s) follows the pace P of the top, P² = |ω|² + least². So each
-/// step turns the top by about the same angle.
+/// Steps of h = angle/ρ, where ρ (1/s) follows the pace P of the top, P² = |ω|² + least². To be
+/// symmetric in time, ρ is carried along like a part of the state, by dρ/ds = ω · ω'/P² in a time s
+/// with dt = ds/ρ: half of its change before the motion, and half after (Hairer and Söderlind
+/// 2005).
 ///
-/// If each step were chosen from the pace at its start, the way back would take other steps than
-/// the way there. Therefore ρ is carried along like a part of the state. In a time s in which steps
-/// have the length `angle`, dt = ds/ρ and
-///
-///     dρ/ds = (dP/dt)/P = ω · ω'/P²,
-///
-/// so that ρ = P stays true but for the errors of the steps. One step is half of this change at its
-/// start, the motion, and half of the change at its end: read backwards, the same (Hairer and
-/// Söderlind 2005). Nothing has to be solved, and no evaluation is added.
-///
-/// Where a swing turns back, |ω| is small and ρ about to grow again, but half a step before that it
-/// is still falling, by no more than a fifth of itself if least² is at least angle · |ω'|: see
-/// own_steps.md. A step is refused where P² is less than angle · |ω'|, so that ω would change by
-/// more than P in it, or where ρ is less than P/2 nevertheless. So each is positive, and no longer
-/// than 2 angle/P.
+/// A step is refused where P² is less than angle · |ω'|, or ρ less than P/2: own_steps.md says why.
+/// So each is positive, and no longer than 2 angle/P.
 //! [paced_steps]
 template <class Row, class Forces, class Real>
 class PacedSteps {

@@ -33,10 +33,7 @@ class ReducedSteps {
                           });
     end_ = combine<RowOfStep<Rule>>(start_, h, rates_);
     if constexpr (error_sees_end) evaluate_end();
-    return [&]<std::size_t... i>(std::index_sequence<i...>) {
-      return together(std::array{square<i>()...});
-    }
-    (std::make_index_sequence<Pair::errors.size()>());
+    return together(each<Real, Pair::errors.size()>([&](auto i) { return square<i>(); }));
   }
 
   void accept() {
@@ -92,8 +89,8 @@ class ReducedSteps {
 
   template <std::size_t i>
   [[gnu::always_inline]] Real square() const {
-    const State off = weighed<RowOfError<Pair, i>>(rates_);
-    const Real twist = weighed_number<RowOfError<Pair, i>, 0>(twists_);
+    const State off = weighed<RowOf<Pair::errors, i>>(rates_);
+    const Real twist = weighed_number<RowOf<Pair::errors, i>, 0>(twists_);
     const Real allowed = tolerance_ * step_ + 4 * std::numeric_limits<Real>::epsilon();
     return step_ * step_ * (twist * twist + motion_.square(off, start_)) / (allowed * allowed);
   }
@@ -116,16 +113,14 @@ StepCounts integrate_reduced(Top<Real>& top, const Motion& motion, Same<Real> ti
 
 /// Takes a free top through `seconds`. `tolerance`: rad that may be lost in a second. A top that
 /// turns steadily, locked axes and all, is turned at once, which is exact.
-/// @throws std::invalid_argument unless the time is 0 or more and the tolerance more than 0, both
-/// finite. @throws StepError if no step meets the tolerance.
+/// @throws std::invalid_argument unless the seconds are 0 or more and the tolerance more than 0,
+/// both finite. @throws StepError if no step meets the tolerance.
 template <class Pair, class Real>
 StepCounts integrate_free_top(Top<Real>& top, Same<Real> seconds, Same<Real> tolerance) {
   require_tolerance<Real>(seconds, tolerance);
-  const auto is_zero = [](Real number) { return number == 0; };
   if (is_gyroscopic(top) && !top.angular_momentum_body.isZero(0)) {
     const FreeTurn<Real> motion(top);
-    const auto rates = motion.rates(motion.state());
-    if (!std::all_of(rates.begin(), rates.end(), is_zero))
+    if (motion.rates(motion.state()) != StateVector<Real, 3>{})
       return integrate_reduced<Pair, Real>(top, motion, 0, seconds, tolerance);
   }
   turn_steadily(top, seconds);
@@ -152,7 +147,7 @@ StepCounts integrate_axis(Top<Real>& top, const Forces& evaluate_forces, Real ti
 }
 
 /// The same in so many steps of one length.
-/// @throws std::invalid_argument unless the time is 0 or more and finite, there is at least one
+/// @throws std::invalid_argument unless the seconds are 0 or more and finite, there is at least one
 /// step, and two moments are equal and none is locked.
 template <class Rule, class Forces, class Real>
 [[gnu::flatten]] void integrate_axis_evenly(Top<Real>& top, const Forces& evaluate_forces,

@@ -9,8 +9,8 @@
 
 namespace tumble {
 
-/// All that changes in a body, as numbers in a row, so that a rule can weigh them alike: the
-/// position and the velocity of a particle, the orientation and L of a top.
+/// Numbers that a rule weighs alike: a particle's position and velocity, a top's orientation and L,
+/// the unknowns of a reduced motion, or the rates of any of these.
 template <class Real, std::size_t count>
 using StateVector = std::array<Real, count>;
 
@@ -87,6 +87,15 @@ template <class Real>
   return with_torque_body<Real>(rates_of(state, top.inverse_moments), top, torque);
 }
 
+/// Calls `visit` with 0, 1, … count − 1, each known when the program is compiled.
+template <std::size_t count, class Visit>
+[[gnu::always_inline]] inline void for_each_index(const Visit& visit) {
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    (visit(std::integral_constant<std::size_t, i>()), ...);
+  }
+  (std::make_index_sequence<count>());
+}
+
 /// Σ weight_j rate_j for number n, with the weights that Row::row lists. They are known when the
 /// program is compiled, so that nothing is spent on those that are 0. The stage just evaluated
 /// comes last, so that the processor adds up the others while it waits for it.
@@ -95,18 +104,14 @@ template <class Row, std::size_t n, class Real, std::size_t count, std::size_t s
     const std::array<StateVector<Real, count>, s>& rates) {
   Real sum = 0;
   bool is_begun = false;  // known to the compiler too: nothing is added to the 0
-  [&]<std::size_t... j>(std::index_sequence<j...>) {
-    [[maybe_unused]] const auto add = [&]<std::size_t k>() {
-      constexpr long double weight = Row::row[k];
-      if constexpr (weight != 0) {
-        const Real part = static_cast<Real>(weight) * rates[k][n];
-        sum = is_begun ? sum + part : part;
-        is_begun = true;
-      }
-    };
-    (add.template operator()<j>(), ...);
-  }
-  (std::make_index_sequence<Row::row.size()>());
+  for_each_index<Row::row.size()>([&](auto j) {
+    constexpr long double weight = Row::row[j];
+    if constexpr (weight != 0) {
+      const Real part = static_cast<Real>(weight) * rates[j][n];
+      sum = is_begun ? sum + part : part;
+      is_begun = true;
+    }
+  });
   return sum;
 }
 
@@ -133,11 +138,7 @@ template <class Row, class Real, std::size_t count, std::size_t s>
 /// The rows of a rule's tableau: that of stage i, and that of the whole step.
 template <class Rule, std::size_t i>
 struct RowOfStage {
-  static constexpr auto row = [] {
-    std::array<long double, i> first = {};
-    for (std::size_t j = 0; j < i; ++j) first[j] = Rule::rule.coefficients[i][j];
-    return first;
-  }();
+  static constexpr auto& row = Rule::rule.coefficients[i];
 };
 template <class Rule>
 struct RowOfStep {
@@ -162,14 +163,10 @@ template <class Row, class Real, std::size_t count, std::size_t s>
     const std::array<StateVector<Real, count>, s>& rates) {
   return each<Real, count>([&](auto n) {
     Real sum = start[n];
-    [&]<std::size_t... j>(std::index_sequence<j...>) {
-      const auto add = [&]<std::size_t k>() {
-        constexpr long double weight = Row::row[k];
-        if constexpr (weight != 0) sum += (static_cast<Real>(weight) * time_step) * rates[k][n];
-      };
-      (add.template operator()<j>(), ...);
-    }
-    (std::make_index_sequence<Row::row.size()>());
+    for_each_index<Row::row.size()>([&](auto j) {
+      constexpr long double weight = Row::row[j];
+      if constexpr (weight != 0) sum += (static_cast<Real>(weight) * time_step) * rates[j][n];
+    });
     return sum;
   });
 }
@@ -186,14 +183,11 @@ template <class Rule, class Real, std::size_t count, std::size_t room, class Rat
     const StateVector<Real, count>& start, Same<Real> time_step,
     std::array<StateVector<Real, count>, room>& rates, const RatesAt& rates_at) {
   static constexpr auto& rule = Rule::rule;
-  const auto one = [&]<std::size_t i>() {
+  for_each_index<rule.nodes.size() - 1>([&](auto before) {
+    constexpr StageNumber<before + 1> i;
     const auto there = combine_for_stage<RowOfStage<Rule, i>>(start, time_step, rates);
-    rates[i] = rates_at(there, static_cast<Real>(rule.nodes[i]) * time_step, StageNumber<i>());
-  };
-  [&]<std::size_t... i>(std::index_sequence<i...>) {
-    (one.template operator()<i + 1>(), ...);
-  }
-  (std::make_index_sequence<rule.nodes.size() - 1>());
+    rates[i] = rates_at(there, static_cast<Real>(rule.nodes[i]) * time_step, i);
+  });
 }
 
 /// The state after one step: all stages, then their weighted sum. `first` is what
@@ -210,7 +204,8 @@ StateVector<Real, count> after_step(const StateVector<Real, count>& start,
 }
 //! [after_step]
 
-/// A free top by such a rule, flattened for the same reason, its quaternion normalised afterwards.
+/// A free top by such a rule, flattened so that the numbers stay in registers, its quaternion
+/// normalised afterwards.
 /// Neither the energy nor L is kept, but both to the order of the rule, as long as |ω| h is small.
 template <class Rule, class Real>
 [[gnu::flatten]] void turn_by_runge_kutta(Top<Real>& top, Same<Real> time_step) {
@@ -245,7 +240,7 @@ template <class Rule, class Motion, class Real, std::size_t count>
 //! [lead_reduced]
 
 /// What a particle or a top changes by at `time` (s), with `state` for its numbers; `there` is a
-/// body that the force or the torque may be left in. A `evaluate_forces` that drifts by a law of
+/// body that the force or the torque may be left in. An `evaluate_forces` that drifts by a law of
 /// its own says by in_full(body, time) what acts together with that, and one that knows its torque
 /// (N m) in body axes by torque_body(orientation, time).
 template <class Real, class Forces>

@@ -13,9 +13,9 @@
 
 namespace tumble {
 
-/// The logarithm of a normal float to the base 2, and back, each within 0.045: the bits are its
-/// exponent and then what follows the first digit, so read as a whole number they count the powers
-/// of two, with a straight line in between. That is accurate enough for the length of a step.
+/// The logarithm of a normal float to the base 2, and back, each within 0.045: its bits are the
+/// exponent and then the fraction, so read as a whole number they count powers of two, with
+/// straight lines in between. That is accurate enough for the length of a step.
 inline float rough_log2(float value) {
   return static_cast<float>(std::bit_cast<std::int32_t>(value)) / 8388608.0F - 126.957F;
 }
@@ -24,14 +24,10 @@ inline float rough_exp2(float exponent) {
 }
 
 /// Chooses steps so that the error of each is what is allowed. If errors fall as h^power, the
-/// factor (1/error)^(1/power) leads there at once. After a step that failed it is used, less a
-/// seventh in reserve.
-///
-/// By itself this hunts where not the error but the stability of the method limits the step, which
-/// is then too long and too short in turn. So the previous error counts as well: 0.3/power integral
-/// and 0.4/power proportional (Gustafsson 1991). Where errors are smooth, steps settle where
-/// 0.85 (1/error)^(0.3/power) = 1, at 0.85^(1/0.3) = 0.58 of the longest that is allowed; and none
-/// fails as long as the error of equal steps grows by less than 0.85^-power from each to the next.
+/// factor (1/error)^(1/power) leads there at once, but by itself it hunts where stability limits
+/// the step. So the error before counts as well, by 0.3/power integral and 0.4/power proportional
+/// (Gustafsson 1991); own_steps.md derives these and the reserve of 0.85. After a step that failed
+/// the factor is that of its own error alone.
 //! [step_control]
 class StepControl {
  public:
@@ -62,8 +58,8 @@ class StepControl {
 //! [step_control]
 
 /// Checks on entry what an integration is asked for; the tolerance is in `unit`.
-/// @throws std::invalid_argument unless the time is 0 or more and the tolerance more than 0, both
-/// finite.
+/// @throws std::invalid_argument unless the seconds are 0 or more and the tolerance more than 0,
+/// both finite.
 template <class Real>
 void require_tolerance(Real seconds, Same<Real> tolerance, const char* name = "tolerance",
                        const char* unit = "a second") {
@@ -94,7 +90,8 @@ struct StepCounts {
   long steps = 0, rejected = 0;
 };
 
-/// No step will do: none that the clock shows is short enough, or its length is no time.
+/// No step will do: each that meets the tolerance is too short to move the clock, or its length
+/// would not be positive and finite.
 class StepError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -107,9 +104,9 @@ template <class Real>
                   " s after the start; " + reason);
 }
 
-/// A step that the tolerance allows, as far as one can tell before the first. Rates that would lose
-/// `rate` times the tolerance if they were altogether wrong, and that change at the rate r, have an
-/// error of about rate (h r)^power; `changes` is r times `rate`, 1/s.
+/// The length of the first step (s), no more than `seconds`. `rate` is the error in a second, in
+/// tolerances, if the rates were left out, and `changes` (1/s) the same for how fast they change.
+/// With r = changes/rate a step errs by about rate (h r)^power.
 template <class Real>
 Real first_step_of(Real rate, Same<Real> changes, int power, Same<Real> seconds) {
   const Real wanted = 2 * rate / changes * std::pow(rate, -1 / static_cast<Real>(power));

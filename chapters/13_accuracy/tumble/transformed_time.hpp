@@ -75,7 +75,7 @@ class TransformedTime {
 
 /// Takes a bound particle through `seconds` in about so many steps of equal length in the time s.
 /// How long the last one must be is found by shortening it, which needs a few trials.
-/// @throws std::invalid_argument unless the time is 0 or more and finite, there is at least one
+/// @throws std::invalid_argument unless the seconds are 0 or more and finite, there is at least one
 /// step, and the particle is bound: B greater than 0.
 template <class Row, class Forces, class Real>
 void carry_in_transformed_time(Particle<Real>& particle, const Forces& evaluate_forces,
