@@ -1,12 +1,13 @@
 // From what Doxygen wrote between a page's header and footer to what the book shows there.
 import {escape, plain, slug} from './text.mjs';
 
-/** A snippet from inside a function, moved to the left edge: on a phone its indentation would take the room of its words. */
-function at_left_edge(fragment) {
+/** A piece from inside a function, moved to the left edge, and each line with its indentation, under which it goes on if it is too long. */
+export function at_left_edge(fragment) {
   const starts = [...fragment.matchAll(/<div class="line">((?:<a [^>]*><\/a>)?)( *)(?=[^ ])(?!<\/div>)/g)];
   const indentation = Math.min(...starts.map(([, , blanks]) => blanks.length));
-  return indentation > 0 && Number.isFinite(indentation)
+  const moved = indentation > 0 && Number.isFinite(indentation)
     ? fragment.replace(new RegExp(`(<div class="line">(?:<a [^>]*></a>)?) {${indentation}}`, 'g'), '$1') : fragment;
+  return moved.replace(/<div class="line">((?:<a [^>]*><\/a>)?)( +)(?=[^ ])/g, (_, anchor, blanks) => `<div class="line" style="--in:${blanks.length}">${anchor}${blanks}`);
 }
 
 /** Puts the directives' blocks where their markers stand, and gives each listing its caption. */

@@ -2,6 +2,7 @@
 // classes, files and namespaces; here its descriptions are gathered where one would look for them, and links lead there.
 import {existsSync, readFileSync} from 'node:fs';
 import {join} from 'node:path';
+import {at_left_edge} from './contents.mjs';
 import {BookError} from './results.mjs';
 import {escape, plain, slug} from './text.mjs';
 
@@ -108,6 +109,26 @@ const parts_of = text =>
     return name ? [{line: n + 1, name}] : [];
   });
 
+/** From a header's name to how it is used: what stands between two comments with that name in a file of checks, which runs it. */
+function examples_in(written) {
+  const [file, page] = Object.entries(written).find(([, {title}]) => /\/examples_checks\.cpp\b/.test(title)) ?? [];
+  const examples = new Map();
+  let test, label, shown;
+  for (const [, line, html] of page?.contents.matchAll(/<div class="line"><a id="(l\d+)"[^>]*><\/a><span class="lineno">[ \d]*<\/span>(.*)<\/div>/g) ?? []) {
+    const text = plain(html);
+    test = /^TEST_CASE\("(.*)"\)/.exec(text)?.[1] ?? test;
+    const [, names] = /^\/\/! \[(.*)\]$/.exec(text) ?? [];
+    if (!names) shown?.push(`<div class="line">${html.replaceAll('<span class="comment"></span>', '')}</div>`);
+    else if (shown) {
+      const caption = `<figcaption>${escape(test)}: <a href="${file}#${line}"><code>examples_checks.cpp</code></a></figcaption>`;
+      const listing = `<figure class="listing">${caption}${at_left_edge(`<div class="fragment">${shown.join('\n')}</div>`)}</figure>`;
+      for (const name of label.split(' ')) examples.set(name, listing);
+      shown = undefined;
+    } else [label, shown] = [names, []];
+  }
+  return examples;
+}
+
 export class Reference {
   /** `headers` are {path, name, page, brief}, `page` that of the chapter; `lessons` leads from a path to where it is taught. */
   constructor(written, headers, {source, lessons}) {
@@ -118,6 +139,9 @@ export class Reference {
     this.parameters = names;
     this.parameters_of = of;
     this.asked_of_effects = members_of_effects(source);
+    this.examples = examples_in(written);
+    const unknown = [...this.examples.keys()].filter(name => !headers.some(header => header.path.endsWith(`/${name}`)));
+    if (unknown.length) throw new BookError(`there are examples of headers that the reference lacks: ${unknown.join(', ')}`);
     for (const header of headers) header.text = readFileSync(join(source, header.path), 'utf8');
     this.#gather();
     this.made = new Map(headers.map(header => [header.file, this.#page(header)]));
@@ -170,6 +194,29 @@ export class Reference {
   /** The address of a struct on its header's page. */
   #id_of(file) {
     return slug(this.written[file].title.replace(/ (?:Class|Struct|Union|Concept)?\s*(?:Template )?Reference$/, '').replace(/<.*?>/g, ''));
+  }
+
+  /** All names in the order of the alphabet, each with links to where it is explained. */
+  names() {
+    const places = new Map();
+    for (const header of this.headers) {
+      let owner;
+      for (const {level, id, html} of this.page(header).headings) {
+        const name = plain(html);
+        if (!/^[\w~]+$/.test(name) || html.startsWith('<b>')) continue;
+        const is_of_class = level === 3;
+        if (!is_of_class) owner = name;
+        if (is_of_class && name === owner) continue; // a constructor
+        const where = {name: is_of_class ? owner : header.name.replace('tumble/', ''), address: `${header.file}#${id}`};
+        const known = places.get(name) ?? [];
+        if (!known.some(each => each.name === where.name)) places.set(name, [...known, where]);
+      }
+    }
+    const sorted = [...places.keys()].sort((one, other) => one.toLowerCase() < other.toLowerCase() ? -1 : 1);
+    const initials = [...new Set(sorted.map(name => name[0].toUpperCase()))];
+    const item = name => `<li><code>${escape(name)}</code> ${places.get(name).map(where => `<a href="${where.address}">${escape(where.name)}</a>`).join(', ')}</li>`;
+    return initials.map(letter =>
+      `<h1>${letter}</h1><ul class="names unindexed">${sorted.filter(name => name[0].toUpperCase() === letter).map(item).join('')}</ul>`).join('');
   }
 
   /** Links to Doxygen's own pages lead to where the reference has it, or else to the source; what is nowhere is no link. */
@@ -324,8 +371,7 @@ export class Reference {
 
   #page(header) {
     const {contents} = this.written[header.file];
-    const headings = [],
-      taken = new Set();
+    const taken = new Set();
     const lessons = this.lessons.get(header.path) ?? [];
     const taught = [...(header.page ? [{address: header.page.file, name: header.page.name}] : []), ...lessons]
       .map(({address, name}) => `<a href="${address}">${escape(name)}</a>`)
@@ -333,22 +379,33 @@ export class Reference {
     const own = rows_of(contents).filter(({kind}) => !/nested|namespaces|concepts/.test(kind));
     const shown = own.filter(({kind, id}) => kind !== 'typedef-members' || this.descriptions.get(id)?.doc);
     const aliases = own.filter(row => !shown.includes(row));
-    const members = this.#by_description(shown).map(group => {
-      const [row] = group;
-      if (!headings.some(({html}) => html === escape(name_in(row.right)))) headings.push({level: 2, id: row.id, html: escape(name_in(row.right))});
-      return this.#member(group, header.name, taken, 'h2');
-    });
-    const compounds_headings = [];
-    const compounds = (header.compounds ?? []).map(compound => this.#compound(compound, header, taken, compounds_headings));
+    // What the example uses comes before what that is made of, and types before functions.
+    const example = this.examples.get(header.name.split('/').at(-1)) ?? '';
+    const parts = [
+      ...(header.compounds ?? []).map(compound => {
+        const headings = [];
+        return {html: this.#compound(compound, header, taken, headings), headings, is_used: example.includes(`"${compound.file}"`)};
+      }),
+      ...this.#by_description(shown).map(group => {
+        const [{id, right}] = group;
+        return {html: this.#member(group, header.name, taken, 'h2'), headings: [{level: 2, id, html: escape(name_in(right))}], is_used: example.includes(`#${id}"`)};
+      }),
+    ];
+    const ordered = [...parts.filter(({is_used}) => is_used), ...parts.filter(({is_used}) => !is_used)];
+    const headings = ordered.flatMap(part => part.headings).filter(({level, html}, n, all) => level > 2 || all.findIndex(each => each.level === 2 && each.html === html) === n);
+    const [, told] = /<h2 class="groupheader">Detailed Description<\/h2>\s*<div class="textblock">([\s\S]*?)(?:<p class="definition">|<\/div>\s*(?:<h2|$))/.exec(contents) ?? [, `<p>${escape(header.brief)}</p>`];
     const also = aliases.length
       ? `<p class="facts">Also: ${aliases.map(({id, right}) => `<code id="${id}">${declaration(right)}</code>`).join(', ')}.</p>`
       : '';
+    const names = new Map(headings.map(({id, html}) => [plain(html), id]));
+    // Of two functions with one name Doxygen links either: the one that stands here is meant.
+    const with_own = html => html.replace(/<a class="el" href="[^"]*">((\w+)\(\))<\/a>/g, (link, text, name) => (names.has(name) ? `<a class="el" href="#${names.get(name)}">${text}</a>` : link));
     return {
       title: header.name,
-      headings: [...compounds_headings, ...headings],
+      headings,
       contents:
-        `<p>${escape(header.brief)}</p><p class="facts"><code>#include &lt;<a href="${header.source}">${header.name}</a>&gt;</code><br>` +
-        `${taught ? `Taught in ${taught}.` : ''}</p>${also}${compounds.join('')}${members.join('')}`,
+        `${told}<p class="facts"><code>#include &lt;<a href="${header.source}">${header.name}</a>&gt;</code><br>` +
+        `${taught ? `Taught in ${taught}.` : ''}</p>${also}${example}${with_own(ordered.map(({html}) => html).join(''))}`,
     };
   }
 }

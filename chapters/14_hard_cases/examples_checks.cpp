@@ -1,0 +1,267 @@
+// How the library is used, header by header: the reference shows each of these beside the header
+// whose name it bears, and each is run.
+#include <doctest/doctest.h>
+
+#include <sstream>
+#include <tumble/adaptive_ladder.hpp>
+#include <tumble/air_and_water.hpp>
+#include <tumble/drag.hpp>
+#include <tumble/drawing.hpp>
+#include <tumble/energy.hpp>
+#include <tumble/exact/kepler.hpp>
+#include <tumble/gravity.hpp>
+#include <tumble/gyroscope.hpp>
+#include <tumble/in_packs.hpp>
+#include <tumble/interpolation.hpp>
+#include <tumble/ledger.hpp>
+#include <tumble/mesh_mass_properties.hpp>
+#include <tumble/snapshot_file.hpp>
+#include <tumble/solids.hpp>
+#include <tumble/spheres.hpp>
+#include <tumble/springs.hpp>
+#include <tumble/thruster.hpp>
+#include <tumble/turning_rungs.hpp>
+
+using namespace tumble;
+
+TEST_CASE("A particle is pushed and takes a step") {
+  //! [particle.hpp force.hpp]
+  Particle<double> stone = make_particle(2.0, {0, 0, 10});  // kg; m
+  add_gravity(stone, {0, 0, -9.81});                        // m/s²
+  add_force(stone, {1, 0, 0});                              // N
+  step(stone, 0.5);                                         // s
+  CHECK(stone.velocity == Vec3d(0.25, 0, -4.905));          // m/s
+  //! [particle.hpp force.hpp]
+}
+
+TEST_CASE("Two forces on a wrench are taken about another point") {
+  //! [torque.hpp]
+  Wrench<double> wrench;                          // about the origin
+  add_force_at(wrench, {0, 0, 10}, {2, 0, 0});    // N, at m
+  add_force_at(wrench, {0, 0, -10}, {-2, 0, 0});  // together a couple
+  CHECK(wrench.force == Vec3d(0, 0, 0));
+  CHECK(wrench.torque == Vec3d(0, -40, 0));  // N m
+  CHECK(taken_about(wrench, {7, 8, 9}).torque == wrench.torque);
+  //! [torque.hpp]
+}
+
+TEST_CASE("A hammer is put together from two solids") {
+  //! [solids.hpp mass_properties.hpp]
+  const auto handle = mass_properties(Cylinder<double>{0.02, 0.4}, 0.5);  // radius, height: m; kg
+  const auto head = mass_properties(Box<double>{{0.12, 0.04, 0.04}}, 1.5);
+  const auto hammer = combined<double>({handle, moved(head, Mat3d::Identity(), {0, 0, 0.2})});
+  CHECK(hammer.mass == 2);
+  CHECK(std::abs(hammer.centre_of_mass.z() - 0.15) < 1e-12);  // m
+  //! [solids.hpp mass_properties.hpp]
+}
+
+TEST_CASE("A mesh has the mass properties of what it encloses") {
+  //! [mesh.hpp mesh_mass_properties.hpp]
+  const Mesh<double> wedge{.vertices = {{0, 0, 0}, {3, 0, 0}, {0, 2, 0}, {0, 0, 1}},  // m
+                           .triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
+  CHECK(std::abs(volume(wedge) - 1) < 1e-12);               // m³
+  const auto solid = mass_properties(wedge, 8.0);           // kg; throws unless it is closed
+  const Vec3d centre = solid.centre_of_mass;                // the mean of the corners
+  CHECK((centre - Vec3d(0.75, 0.5, 0.25)).norm() < 1e-12);  // m
+  //! [mesh.hpp mesh_mass_properties.hpp]
+}
+
+TEST_CASE("Orientations turn vectors, and follow one another") {
+  //! [quaternion.hpp rotation_vector.hpp rotation_matrix.hpp]
+  const auto up = quaternion_about<double>({0, -1, 0}, 0.3);  // axis; rad
+  const auto left = quaternion_about<double>({0, 0, 1}, 1.2);
+  const Quaternion<double> both = left * up;  // first up, then left
+  const Vec3d arrow = rotate(both, {1, 0, 0});
+  CHECK((arrow - matrix_of(both) * Vec3d(1, 0, 0)).norm() < 1e-12);
+  CHECK(std::abs(angle_between(left, both) - 0.3) < 1e-12);  // rad
+  CHECK((rotate_back(both, arrow) - Vec3d(1, 0, 0)).norm() < 1e-12);
+  //! [quaternion.hpp rotation_vector.hpp rotation_matrix.hpp]
+}
+
+TEST_CASE("A rigid body is made from a solid, thrown and drawn") {
+  //! [make_rigid_body.hpp rigid_body.hpp tumbling.hpp pose.hpp]
+  const auto solid = mass_properties(Box<double>{{0.1, 0.2, 0.3}}, 2.0);  // m; kg
+  const Pose<double> at{.position = {0, 0, 1}};                           // of the model, m
+  auto [body, model_in_body] = make_rigid_body("box", solid, at, Vec3d(3, 0, 4), Vec3d(0, 5, 0));
+  for (int n = 0; n < 60; ++n) {
+    add_force(body, Vec3d(0, 0, -9.81) * mass_of(body.centre));  // N
+    kick(body, 1.0 / 60);                                        // s
+    drift(body, 1.0 / 60);
+    clear_forces(body);
+  }
+  const Pose<double> drawn = drawn_pose(body, model_in_body);  // where to draw the model
+  CHECK(std::abs(drawn.position.x() - 3) < 1e-12);             // m
+  //! [make_rigid_body.hpp rigid_body.hpp tumbling.hpp pose.hpp]
+}
+
+TEST_CASE("A top is set spinning and given a torque") {
+  //! [top.hpp]
+  Top<double> top{.inverse_moments = {2, 2, 1}};          // 1/(kg m²), about the principal axes
+  set_angular_velocity_world(top, {0, 0, 30});            // rad/s
+  CHECK(angular_momentum_world(top) == Vec3d(0, 0, 30));  // kg m²/s
+  CHECK(kinetic_energy(top) == 450);                      // J
+  add_torque(top, {0.5, 0, 0});                           // N m, until clear_torque()
+  //! [top.hpp]
+  CHECK(top.torque.x() == 0.5);
+}
+
+TEST_CASE("A body is slowed by damping and by the air") {
+  //! [damping.hpp drag.hpp]
+  Particle<double> ball = make_particle(0.4, {0, 0, 0}, {20, 0, 0});  // kg, m, m/s
+  damp(ball, fraction_kept(0.1, 1.0 / 60));                           // 1/s; a step, s
+  CHECK(ball.velocity.x() < 20);
+  const double coefficient = drag_coefficient(1.2, 0.47, 0.04);  // kg/m³; of a ball; m²
+  add_force(ball, quadratic_drag(coefficient, ball.velocity, {0, 0, 0}));
+  CHECK(ball.force.x() < 0);  // N, against the way it flies
+  //! [damping.hpp drag.hpp]
+}
+
+TEST_CASE("A clock says how many steps a frame needs, and where between two of them it falls") {
+  //! [step_clock.hpp interpolation.hpp]
+  StepClock clock = make_step_clock(steps_per_second(60));
+  Pose<double> before, now;
+  for (std::int64_t n = steps_due(clock, nanoseconds_of(0.025)); n > 0; --n) {
+    before = now;
+    now.position.x() += 0.1;  // in place of a step
+  }
+  CHECK(clock.steps == 1);  // 0.025 s are one and a half steps
+  const Pose<double> drawn = interpolated(before, now, fraction_of_step<double>(clock));
+  CHECK(std::abs(drawn.position.x() - 0.05) < 1e-6);
+  //! [step_clock.hpp interpolation.hpp]
+}
+
+TEST_CASE("A world is made, stepped, pushed and asked") {
+  //! [world.hpp]
+  World<double> world(steps_per_second(120));
+  const auto solid = mass_properties(Sphere<double>{0.1}, 1.0);  // m; kg
+  const BodyHandle ball = world.add("ball", make_rigid_body("ball", solid).body);
+  const EffectHandle falling = world.add(Gravity<double>{});
+  world.push_at(ball, {0, 0, 600}, {0, 0, 0});  // N at m, in the next step alone
+  for (int n = 0; n < 120; ++n) world.step();
+  CHECK(world.body(ball).centre.velocity.z() < 0);  // 5 m/s up, and a second later back
+  world.remove(falling);
+  for (const PlanRow& row : world.plan().rows) CHECK(row.effect != "gravity");
+  //! [world.hpp]
+}
+
+TEST_CASE("A step that would not be finite is taken back") {
+  //! [failure.hpp]
+  World<double> world;
+  const BodyHandle ball = world.add("ball", make_particle<double>(1, {0, 0, 5}));
+  world.push_at(ball, {0, 0, 1e308}, {0, 0, 5});
+  world.push_at(ball, {0, 0, 1e308}, {0, 0, 5});
+  try {
+    world.step();
+  } catch (const SimulationError& error) {
+    CHECK(std::string(error.what()).find("'ball'") != std::string::npos);
+  }
+  CHECK(world.body(ball).centre.position.z() == 5);  // as before the step
+  //! [failure.hpp]
+}
+
+TEST_CASE("A world is saved to a file and read back, and a checkpoint goes back a few frames") {
+  World<double> world;
+  const BodyHandle ball = world.add("ball", make_particle<double>(1, {0, 0, 5}, {1, 0, 0}));
+  //! [snapshot_file.hpp snapshot.hpp checkpoints.hpp]
+  std::stringstream file;
+  write_snapshot(file, world.save());                   // how all bodies move now
+  const Checkpoint<double> frame = world.checkpoint();  // the same, for this run of the program
+  for (int n = 0; n < 30; ++n) world.step();
+  world.restore(frame);
+  CHECK(world.ticks() == 0);
+  world.step();
+  world.restore(read_snapshot<double>(file));
+  CHECK(world.body(ball).centre.position == Vec3d(0, 0, 5));
+  //! [snapshot_file.hpp snapshot.hpp checkpoints.hpp]
+}
+
+TEST_CASE("Two bodies hang on springs, one below the other") {
+  //! [springs.hpp]
+  World<double> world(steps_per_second(240));
+  const BodyHandle upper = world.add("upper", make_particle<double>(1, {0, 0, -1}));
+  const BodyHandle lower = world.add("lower", make_particle<double>(2, {0, 0, -2}));
+  const Spring<double> spring{.stiffness = 400, .damping = 8, .rest_length = 1};  // N/m, N s/m, m
+  world.add(Gravity<double>{});
+  world.add(SpringToPoint<double>{.spring = spring}, {upper});  // to the origin
+  world.add(SpringBetween<double>{.spring = spring}, {upper, lower});
+  CHECK(world.step_limit().time_step > 1.0 / 240);  // s; no spring feeds on itself
+  for (int n = 0; n < 240 * 20; ++n) world.step();
+  CHECK(std::abs(world.body(upper).centre.position.z() + 1 + 3 * 9.81 / 400) < 1e-3);  // m
+  //! [springs.hpp]
+}
+
+TEST_CASE("The books of a world close, and its energy is told by kinds") {
+  //! [ledger.hpp energy.hpp]
+  World<double> world(steps_per_second(64));
+  world.add("stone", make_particle<double>(2, {0, 0, 8}, {1, 0, 4}));  // kg, m, m/s
+  world.add(Gravity<double>{});
+  world.add(LinearDamping<double>{.rate = 0.25});  // 1/s
+  Ledger<double> ledger(world);
+  for (int n = 0; n < 64; ++n) ledger.step(world);
+  CHECK(std::abs(ledger.rest(world).energy) < 1e-10);  // J that no effect explains
+  CHECK(energy_of(world).motion < 2 * 17 / 2 + 2 * 9.81 * 8);
+  //! [ledger.hpp energy.hpp]
+}
+
+TEST_CASE("A drawing shows the bodies between two steps") {
+  World<double> world(steps_per_second(10));
+  const BodyHandle ball = world.add("ball", make_particle<double>(1, {0, 0, 0}, {1, 0, 0}));
+  //! [drawing.hpp]
+  Drawing<double> drawing;
+  drawing.note(world);
+  world.step();
+  drawing.note(world);                                                   // after each step
+  CHECK(std::abs(drawing.pose(ball, 0.5).position.x() - 0.05) < 1e-12);  // m, halfway
+  //! [drawing.hpp]
+}
+
+TEST_CASE("A thruster burns between two times, and gravity pulls to a point") {
+  //! [gravity.hpp thruster.hpp]
+  World<double> sky(steps_per_second(50));
+  const auto hull = mass_properties(Box<double>{{1, 1, 2}}, 100.0);  // m; kg
+  const auto made = make_rigid_body("probe", hull, {.position = {7e6, 0, 0}}, Vec3d(0, 7500, 0));
+  const BodyHandle probe = sky.add("probe", made.body);
+  sky.add(PointGravity<double>{.strength = 3.986e14});  // GM, m³/s²
+  sky.add(Thruster<double>{.force_body = {0, 50, 0}, .from = 1, .until = 3}, {probe});  // N, s
+  for (int n = 0; n < 200; ++n) sky.step();
+  CHECK(sky.body(probe).centre.velocity.y() > 7500.9);  // m/s: 50 N for 2 s on 100 kg
+  //! [gravity.hpp thruster.hpp]
+}
+
+TEST_CASE("Ten thousand bodies are stepped in packs, on two threads") {
+  //! [in_packs.hpp]
+  ManyBodies<float> rain(steps_per_second(60));
+  for (int n = 0; n < 10'000; ++n) rain.add(make_particle<float>(1e-3f, {float(n), 0, 100}));
+  rain.add(Gravity<float>{});
+  rain.add(QuadraticDrag<float>{.coefficient = 1e-5f});  // kg/m
+  rain.backend().use_threads(2);
+  for (int n = 0; n < 60; ++n) rain.step();
+  const Bodies<float> all = rain.bodies();  // a copy: once a frame
+  CHECK(all.centres[9'999].velocity == all.centres[0].velocity);
+  //! [in_packs.hpp]
+}
+
+TEST_CASE("A world turns by another rule and steps by another scheme") {
+  //! [turning_rungs.hpp scheme.hpp]
+  World<double> world(steps_per_second(60));
+  const auto solid = mass_properties(Box<double>{{0.1, 0.2, 0.3}}, 2.0);
+  world.add("box", make_rigid_body("box", solid, {}, Vec3d(0, 0, 0), Vec3d(0.1, 5, 0.1)).body);
+  world.turn_by(SplittingSuzuki{});  // order 4
+  world.step_by(Scheme::suzuki);
+  CHECK(world.plan().accuracy.order == 4);
+  //! [turning_rungs.hpp scheme.hpp]
+}
+
+TEST_CASE("A planet chooses its own steps, and comes back to where the exact orbit does") {
+  //! [embedded_steps.hpp kepler.hpp]
+  Particle<double> planet = make_particle(1.0, {1, 0, 0}, {0, 1.2, 0});
+  const auto attract = [](Particle<double>& p, double /*time*/) {
+    p.force = -p.position / std::pow(p.position.norm(), 3);  // N, for 1 kg and GM = 1 m³/s²
+  };
+  const exact::KeplerOrbit<double> orbit(planet, 1.0);
+  const StepCounts counts = integrate<DormandPrince853>(planet, attract, 0.0, orbit.period(),
+                                                        {.position = 1e-10, .velocity = 1e-10});
+  CHECK(counts.steps < 100);
+  CHECK((planet.position - orbit.at(orbit.period()).position).norm() < 1e-8);  // m
+  //! [embedded_steps.hpp kepler.hpp]
+}
