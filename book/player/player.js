@@ -251,8 +251,9 @@
         Object.assign(this.actions, this.following_actions);
       }
       const hint = make('p', {className: 'player-hint', id: `player-hint-${++hints}`,
-        textContent: `Drag to turn the view. ${this.can_follow ? 'Press a body to follow it. ' : ''}` +
-          `Keys in the picture: arrows, +, −, Home, and space to play${this.can_follow ? '; F follows the next body, Escape none' : ''}.`});
+        textContent: `Drag to turn the view. ${this.can_follow ? 'Press a body to follow it. ' : ''}`});
+      hint.append(make('span', {className: 'by-keys', // see contents.css: a finger has none
+        textContent: `Keys in the picture: arrows, +, −, Home, and space to play${this.can_follow ? '; F follows the next body, Escape none' : ''}.`}));
       for (const {canvas} of this.views) canvas.setAttribute('aria-describedby', hint.id);
       this.figure.append(controls, hint);
     }

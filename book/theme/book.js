@@ -5,6 +5,7 @@
   const open_menu = open => {
     sidebar.classList.toggle('open', open);
     menu.setAttribute('aria-expanded', String(open));
+    if (open) document.querySelector('#navigation [aria-current]')?.scrollIntoView({block: 'center'});
   };
   menu.addEventListener('click', () => open_menu(!sidebar.classList.contains('open')));
   sidebar.addEventListener('keydown', event => {

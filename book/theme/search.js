@@ -97,7 +97,9 @@
       return undefined;
     }
     if (text !== query.value) return undefined;
-    const {hits, whole, ways} = book_search.find(text, prepared);
+    let {hits, whole, ways} = book_search.find(text, prepared);
+    const instead = whole && hits.length ? undefined : book_search.respelt(text, prepared);
+    if (instead) ({hits, whole, ways} = book_search.find(instead, prepared));
     chosen = -1;
     query.removeAttribute('aria-activedescendant');
     found.replaceChildren(...hits.slice(0, most).map((hit, number) => option(hit, number, ways)));
@@ -105,7 +107,7 @@
       hits.length > most
         ? `The best ${most} of ${hits.length} places`
         : `${hits.length} place${hits.length > 1 ? 's' : ''}`;
-    const some = whole ? '' : 'No place holds all of these words. ';
+    const some = (instead ? `In place of “${text.trim()}”, for “${instead}”: ` : '') + (whole ? '' : 'No place holds all of these words. ');
     answer.textContent = hits.length ? some + shown : `Nothing found for “${text.trim()}”.`;
     answers.hidden = false;
     query.setAttribute('aria-expanded', String(hits.length > 0));

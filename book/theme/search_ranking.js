@@ -45,7 +45,32 @@
       return {document, fields, held};
     });
     const groups = same.map(group => group.map(stems_of));
-    return {places, groups, counts};
+    return {places, groups, counts, vocabulary: [...cache.keys()]};
+  }
+
+  /** A name of the code, if that is what is asked for: World, world.step(), World::step, add_force; "add force" may be one too. */
+  function name_in(question) {
+    const [, owner, name] = /^(?:tumble::)?(?:(\w+)(?:::|\.|->))?(\w+)(?:\(\)?)?$/.exec(question.trim().replace(/ +/g, '_')) ?? [];
+    return name && {owner: owner?.toLowerCase(), name, is_certain: /^[A-Z]\w|[_:.(>]/.test(question.trim())};
+  }
+  const has_name = ({symbol, owner}, asked) => symbol === asked.name && (!asked.owner || asked.owner === owner?.toLowerCase());
+
+  /** Whether one letter more, less, other or swapped makes the one word the other. */
+  function is_nearly(one, other) {
+    if (Math.abs(one.length - other.length) > 1 || one[0] !== other[0]) return false;
+    let n = 0;
+    while (n < one.length && one[n] === other[n]) ++n;
+    const rest = one.slice(n), others = other.slice(n);
+    return rest.slice(1) === others.slice(1) || rest.slice(1) === others || rest === others.slice(1) ||
+      (rest.length > 1 && rest[0] === others[1] && rest[1] === others[0] && rest.slice(2) === others.slice(2));
+  }
+
+  /** The question with each word that the book lacks in place of one that is nearly it, if there are such words. */
+  function respelt(question, {counts, vocabulary}) {
+    const often = word => counts.get(stem(word)) ?? 0;
+    const better = words_of(question).map(word =>
+      word.length < 5 || often(word) ? word : vocabulary.filter(known => is_nearly(word, known)).sort((one, other) => often(other) - often(one))[0] ?? word);
+    return better.join(' ') === words_of(question).join(' ') ? undefined : better.join(' ');
   }
 
   const is_at = (words, phrase, start, prefix) =>
@@ -134,8 +159,14 @@
       hits.push({document, covered, score: score * covered ** 2 * (is_the_name ? 1.2 : document.weight)});
     }
     hits.sort((one, other) => other.score - one.score);
+    // A name of the code that is written as one leads to it; a word that may be one has it second.
+    const asked = name_in(question);
+    const named = asked ? hits.filter(({document}) => has_name(document, asked)) : [];
+    if (named.length) hits.splice(0, hits.length, ...hits.filter(hit => !named.includes(hit)));
+    const is_foreseen = hits[0]?.document.asked?.includes(question.trim());
+    hits.splice(asked?.is_certain && !is_foreseen ? 0 : 1, 0, ...named);
     return {hits, whole: hits.length === 0 || hits[0].covered > 0.999, ways: concepts.flatMap(({ways}) => ways)};
   }
 
-  globalThis.book_search = {prepare, find, stem, words_of};
+  globalThis.book_search = {prepare, find, respelt, stem, words_of};
 })();

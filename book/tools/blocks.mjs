@@ -84,6 +84,7 @@ export class Blocks {
       map: () => this.#map(),
       chapters: () => this.#chapters(),
       headers: () => this.#headers(),
+      names: () => () => this.reference.names(), // once all pages are read
       scene_keys: () => scene_keys(settings.source),
       exercises: () => list_of_exercises(exercises, pages),
       semester: (_, argument) => semester(argument, exercises, pages),

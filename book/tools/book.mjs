@@ -75,6 +75,15 @@ function source_page(file, title) {
   return {file, under: 'reference.html', title: name, name};
 }
 
+/** Sections of the reference with the names that they explain: a class's members are called after it. */
+function with_symbols(found) {
+  const name_at = new Map(found.map(({address, section}) => [address.replace(/.*#/, ''), section]));
+  return found.map(each => {
+    const owner = name_at.get(/#(\w+)-a[0-9a-f]+$/.exec(each.address)?.[1]);
+    return each.section ? {...each, symbol: each.section, owner, section: owner ? `${owner}::${each.section}` : each.section} : each;
+  });
+}
+
 /** How much a place found there is worth: the chapters explain, their exercises ask, the reference lists. */
 function weight_of(page, {address, are_checks}) {
   if (are_checks) return 0.3; // they say in a sentence what the text explains
@@ -94,6 +103,7 @@ function write_pages(folder, pages, written, directives) {
     if (!written[page.file]) throw new BookError(`${page.path}: Doxygen made no page ${page.file} of it`);
 
   const reference = new Reference(written, pages.headers, {source: settings.source, lessons: lessons_of(pages)});
+  directives.makers.reference = reference;
   const finished = new Map();
   const finish = file => {
     if (!finished.has(file)) {
@@ -123,7 +133,7 @@ function write_pages(folder, pages, written, directives) {
       (leads ? directives.makers.verdict(page.chapter) : '');
     if (!file.endsWith('_source.html'))
       documents.push(
-        ...sections(page, whole).map(section => ({
+        ...(reference.by_file.has(file) ? with_symbols : same => same)(sections(page, whole)).map(section => ({
           ...section,
           weight: weight_of(page, section),
           is_being_made: page.is_being_made,

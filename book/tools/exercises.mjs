@@ -110,11 +110,6 @@ function lines_of_exercise(exercise, exercises, pages) {
     blank,
     ...card(exercise, exercises, pages, [
       ...(exercise.solution ? solution_of(exercise) : []),
-      blank,
-      block(
-        `<p class="on-paper">Hints${exercise.solution ? ' and the solution' : ''} are folded away on the screen, and not printed: ` +
-          `<code>./course hint ${exercise.name}</code> gives one hint at a time.</p>`,
-      ),
     ]),
   ];
 }
@@ -129,6 +124,8 @@ export function lines_of_section(page, exercises, pages) {
     blank,
     text('These are judged. `./course start NAME` copies one to `work/`, and `./course watch NAME` gives the verdict each time you save'),
     text('your copy. \\ref exercises lists those of all chapters.'),
+    blank,
+    block('<p class="on-paper">Hints and solutions are folded away on the screen, and not printed: <code>./course hint NAME</code> gives one hint at a time.</p>'),
     blank,
     ...own.flatMap(exercise =>
       lines_of_exercise(exercise, exercises, pages).map(line => ({place: `exercises/${exercise.path}/exercise.json`, ...line})),

@@ -74,6 +74,7 @@ ${head}${page.is_being_made ? `<meta http-equiv="refresh" content="${seconds_unt
 <link rel="stylesheet" href="book.css">
 <link rel="stylesheet" href="contents.css">
 <link rel="stylesheet" href="print.css" media="print">
+<style media="print">@page { @top-left { content: ${JSON.stringify(title).replace(/</g, '\\3c ')}; font: 8.5pt sans-serif; color: #444; } }</style>
 ${style_and_script('player', /<figure class="(?:player|live)/.test(html))}${style_and_script('live', /class="live[ -]/.test(html))}<script src="dark.js"></script>
 <script src="book.js" defer></script>
 <script src="reading.js" defer></script>
@@ -91,7 +92,7 @@ ${way_here(page, reference)}
 <h1>${page.under ? breakable(escape(plain(escape(page.title)))) : escape(page.title)}</h1>
 ${kind === 'source' || is_landing ? '' : table_of_contents(headings)}
 <div class="contents">
-${html.replace(/<code>(-[^<>\s]{1,24})<\/code>/g, '<code class="flag">$1</code>')}
+${(page.id === 'cheat_sheet' ? html.replace(/(?<=<code>)[^<]+/g, breakable) : html).replace(/<code>(-[^<>\s]{1,24})<\/code>/g, '<code class="flag">$1</code>')}
 </div>
 ${neighbours(pages, page)}
 </main>

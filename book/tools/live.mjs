@@ -59,11 +59,20 @@ export function live_figure({name, file, printed, module, says, source}) {
     : undefined;
   const absent = script ? '' : '<p class="live-absent">This figure moves where the book is built with clang’s packages for ' +
     'WebAssembly; here they were missing, so it shows its first picture.</p>';
+  const set = run.knobs.map(({name: knob, start, unit}) => {
+    const {label, choices, words} = figure.knobs[knob];
+    const value = choices ? choices[start] : words ? words(start) : live.with_unit(start, unit, 4);
+    return `${symbols(label)}: ${symbols(value)}`;
+  });
+  const knobs = set.length ? `<p class="on-paper">${set.join('; ')}.</p>` : '';
   const html = `<figure class="live${live.asks ? ' asks' : ''} unindexed" id="live_${name}" data-live="${name}"${script ? ` data-script="live_${name}.js"` : ''}>` +
     `<figcaption>${escape(figure.title)}</figcaption>` +
-    `<div class="live-picture" role="img" aria-label="${escape(says)}">${still}</div>${absent}</figure>`;
+    `<div class="live-picture" role="img" aria-label="${escape(says)}">${still}</div>${knobs}${absent}</figure>`;
   return {html, script, card};
 }
+
+/** A label with its symbols set: *h* is one. */
+const symbols = label => escape(label).replace(/\*(.+?)\*/g, '<i>$1</i>');
 
 /** A link in a sentence that sets knobs, such as "h=0.1&rule=2". */
 export function live_link(name, changes, words) {

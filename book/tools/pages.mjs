@@ -103,7 +103,7 @@ export function read_pages(source, floors, tools) {
   const listed = [...front[0].lines.map(({text}) => text).join('\n').matchAll(/\\subpage (\w+)/g)].map(([, id]) => id);
   chapters.sort((one, other) => listed.indexOf(one.id) - listed.indexOf(other.id));
   const headers = public_headers(source, floors, chapters);
-  const back = ['exercises', 'cheat_sheet', 'scene_keys', 'reference', 'colophon'].map(name =>
+  const back = ['exercises', 'cheat_sheet', 'scene_keys', 'reference', 'names', 'colophon'].map(name =>
     read_page(source, `book/pages/${name}.md`),
   );
   // A student's copy of the course has no notes for instructors.

@@ -10,7 +10,7 @@ import {escape, plain} from './text.mjs';
 const settings = JSON.parse(readFileSync(process.argv[2], 'utf8'));
 const {date, commit} = JSON.parse(readFileSync(settings.colophon, 'utf8'));
 const order = JSON.parse(readFileSync(join(settings.folder, 'reading_order.json'), 'utf8')).filter(
-  page => page.id !== 'reference',
+  page => !['reference', 'names'].includes(page.id),
 );
 
 /** On paper the landing page follows the title page, which has said what it begins with. */
