@@ -80,7 +80,7 @@ const declaration = html =>
     .replace(/ +/g, ' ')
     .trim();
 
-const name_in = right => plain(/^\s*(?:<(?:a|b)\b[^>]*>)?([\w~]+|operator[^ (]+)/.exec(right)?.[1] ?? right);
+const name_in = right => plain(/^\s*(?:<(?:a|b)\b[^>]*>)?(operator\(\)|operator[^ (]+|[\w~]+)/.exec(right)?.[1] ?? right);
 
 /** The declaration as it is set: what it is a template of stands on a line of its own. */
 const declared = (template, text) =>

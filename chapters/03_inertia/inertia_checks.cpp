@@ -86,21 +86,6 @@ TEST_CASE_TEMPLATE(
         40 * unit_roundoff<Real> * of_door);
 }
 
-TEST_CASE_TEMPLATE("Turning energy is the same number in every frame", Real, EVERY_PRECISION) {
-  RandomGenerator dice(2);
-  const Mat3<Real> inertia = mass_properties(Box<Real>{{1, 2, 3}}, 5).inertia;
-  for (int n = 0; n < 20; ++n) {
-    const Mat3<Real> R = random_turn<Real>(dice);
-    const Vec3<Real> omega = dice.vector<Real>();
-    const Real here = turning_energy(inertia, omega);
-    const Real there = turning_energy(in_other_axes(inertia, R), R * omega);
-    // R itself is off by up to 8 roundings in each element, and enters four times; the products add
-    // 16 more. No sum exceeds the largest moment times |ω|² times 9.
-    const Real size = 9 * inertia.norm() * omega.squaredNorm();
-    CHECK(std::abs(here - there) <= (4 * 8 + 16) * unit_roundoff<Real> * size);
-  }
-}
-
 TEST_CASE_TEMPLATE(
     "The same off-centre push moves a sphere and a long box alike and turns them differently", Real,
     EVERY_PRECISION) {

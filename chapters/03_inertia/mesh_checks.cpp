@@ -88,16 +88,6 @@ TEST_CASE(
   CHECK(departure < 0.01);
 }
 
-TEST_CASE_TEMPLATE("A hollow in a mesh is a wall that faces into it", Real, EVERY_PRECISION) {
-  const Vec3<Real> outer(4, 3, 2), inner(2, 1, 1);
-  const MassProperties<Real> hollow =
-      mass_properties(joined(box_mesh(outer), inside_out(box_mesh(inner))), 22);
-  const MassProperties<Real> refilled =
-      combined(std::vector{hollow, mass_properties(Box<Real>{inner}, 2)});
-  // The hollow takes a twelfth away: sums of 24 units of volume for a result of 22.
-  CHECK(difference(refilled, mass_properties(Box<Real>{outer}, 24)) <= 80 * unit_roundoff<Real>);
-}
-
 TEST_CASE_TEMPLATE("A mesh far from the origin, at exact places, keeps the bits it has near it",
                    Real, EVERY_PRECISION) {
   const Vec3<Real> size(3, 1, 2), far(1'000'000, -2'000'000, 500'000);

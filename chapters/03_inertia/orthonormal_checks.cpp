@@ -37,16 +37,3 @@ TEST_CASE_TEMPLATE("A matrix that is not finite is refused, and so is one whose 
       CHECK_THROWS_AS(require_turn("off", off), std::invalid_argument);
     }
 }
-
-TEST_CASE_TEMPLATE("The triple product of axes is 1 right-handed and -1 left-handed", Real,
-                   EVERY_PRECISION) {
-  Mat3<Real> axes = Mat3<Real>::Zero();
-  for (int first = 0; first < 3; ++first)
-    for (const int turn : {1, 2}) {
-      axes = Mat3<Real>::Zero();
-      axes(first, 0) = axes((first + turn) % 3, 1) = axes((first + 2 * turn) % 3, 2) = 1;
-      CHECK(triple_product(axes) == (turn == 1 ? 1 : -1));
-    }
-  axes << 2, 1, 0, 0, 3, 1, 1, 0, 4;  // 2 (12 - 0) - 1 (0 - 1) = 25
-  CHECK(triple_product(axes) == 25);
-}

@@ -42,12 +42,6 @@ using Vec = Vec3<long double>;
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("A box is the triple integral over its inside", Real, EVERY_PRECISION) {
-  const Box<Real> box{{3, Real(0.5), 2}};
-  check_body(mass_properties(box, 7), box_pieces(box.size.template cast<long double>()));
-  check_volume(box, box_pieces(box.size.template cast<long double>()));
-}
-
 TEST_CASE_TEMPLATE("An ellipsoid is the integral over a stretched ball", Real, EVERY_PRECISION) {
   const Ellipsoid<Real> ellipsoid{{3, Real(0.5), 2}};
   const auto pieces = ball_pieces(0, 1, -1, 1, ellipsoid.semi_axes.template cast<long double>());

@@ -180,11 +180,3 @@ TEST_CASE_TEMPLATE(
   CHECK(Spring<Real>{}.rest_length == 0);
   CHECK(same_bits(Magnus<Real>{}.wind, Vec3<Real>(0, 0, 0)));
 }
-
-TEST_CASE_TEMPLATE("Why an effect is skipped can be asked of the effect itself", Real,
-                   EVERY_PRECISION) {
-  CHECK(skip_reason<Real>(Gravity<Real>{}, BodyFlags{}).empty());
-  CHECK(skip_reason<Real>(Gravity<Real>{}, BodyFlags{.is_static = true, .can_turn = true}) ==
-        "nothing can move them");
-  CHECK(skip_reason<Real>(Gravity<Real>{{0, 0, 0}}, BodyFlags{}) == "gravity is zero");
-}

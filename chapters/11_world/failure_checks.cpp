@@ -178,24 +178,6 @@ TEST_CASE_TEMPLATE("A push of one step that is too strong is told by the speed t
                   "m/s the step would lead to no finite position") == 0);
 }
 
-TEST_CASE_TEMPLATE("Of two effects that give no number, the one that acts first is blamed", Real,
-                   EVERY_PRECISION) {
-  World<Real> world;
-  world.add("bystander", make_static_particle<Real>({0, 0, 0}));
-  world.add("ball", make_particle<Real>(1));
-  world.add(Spoiler<Real, Phase::drift>{"drift"});
-  const auto blamed = [&] { return failure_of(world).effect; };
-  CHECK(blamed() == "drift");
-  world.add(Spoiler<Real, Phase::damping>{"damping"});
-  CHECK(blamed() == "damping");
-  world.add(Spoiler<Real, Phase::impulse>{"impulse"});
-  CHECK(blamed() == "impulse");
-  world.add(Spoiler<Real, Phase::kick>{"kick"});
-  CHECK(blamed() == "kick");
-  world.add(Pull<Real>{"force", {0, most<Real> * 2, 0}});
-  CHECK(blamed() == "force");
-}
-
 TEST_CASE_TEMPLATE("Whatever an effect writes that is no number is named with its unit", Real,
                    EVERY_PRECISION) {
   const auto said = [](const auto& effect) {

@@ -22,39 +22,6 @@ struct Change {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("A push of one step and what acts in each phase have lines of their own", Real,
-                   EVERY_PRECISION) {
-  World<Real> world(steps_per_second(1));
-  const BodyHandle stone = world.add("stone", make_particle<Real>(1, {0, 1, 0}, {8, 0, 0}));
-  world.add(Change<Real, Phase::drift>{"afterwards", 1, 2});
-  world.add(Change<Real, Phase::damping>{"damping", 1, -1});
-  world.add(Change<Real, Phase::impulse>{"blow", Real(0.5), 0});
-  world.add(Gravity<Real>{{1, 0, 0}});
-  world.push_at(stone, {4, 0, 0}, {0, 1, 0});
-  Ledger<Real> ledger(world);
-  ledger.step(world);
-  const auto has = [&](const std::string& name, double energy, double momentum) {
-    const auto& lines = ledger.lines();
-    const auto line = std::find_if(lines.begin(), lines.end(),
-                                   [&](const LedgerLine& one) { return one.name == name; });
-    REQUIRE(line != lines.end());
-    CHECK(line->energy == energy);
-    CHECK(line->momentum == Vec3d(momentum, 0, 0));
-    CHECK(line->angular_momentum == Vec3d(0, 0, -momentum));  // 1 m beside the origin
-  };
-  // The speed of 1 kg: 8 m/s, 13 after the kick, 6.5 after the blow, 5.5 and at the end 7.5.
-  has("gravity", (8 + 13) / 2.0, 1);
-  has("input", 4 * (8 + 13) / 2.0, 4);
-  has("blow", (6.5 * 6.5 - 13 * 13) / 2, -6.5);
-  has("damping", (5.5 * 5.5 - 6.5 * 6.5) / 2, -1);
-  has("drift", 0, 0);
-  has("afterwards", (7.5 * 7.5 - 5.5 * 5.5) / 2, 2);
-  CHECK(size_of(ledger.rest(world)) == 0);
-  ledger.step(world);  // the push is over: 7.5, 8.5, 4.25, 3.25 and 5.25
-  has("input", 4 * (8 + 13) / 2.0, 4);
-  has("blow", (6.5 * 6.5 - 13 * 13 + 4.25 * 4.25 - 8.5 * 8.5) / 2, -6.5 - 4.25);
-}
-
 namespace {
 
 /// A torque about the y axis, as long as the body is not below 1 m.

@@ -167,16 +167,6 @@ TEST_CASE_TEMPLATE("A place or an orientation that an effect gives is where the 
   CHECK(same_bits(world.body(other).top.orientation.imaginary, facing.imaginary));
 }
 
-TEST_CASE_TEMPLATE("An orientation that an effect writes for everyone turns no point", Real,
-                   EVERY_PRECISION) {
-  World<Real> world;
-  const BodyHandle point = world.add("point", make_particle<Real>(1));
-  const BodyHandle body = world.add("body", body_at<Real>({5, 0, 0}));
-  world.add(Facing<Real>{});
-  CHECK(!world.flags()[world.index_of(point)].turns);
-  CHECK(world.flags()[world.index_of(body)].turns);
-}
-
 TEST_CASE_TEMPLATE("A step that fails takes back an orientation that an effect has given", Real,
                    EVERY_PRECISION) {
   for (const Vec3<Real>& inverse : {Vec3<Real>(1, 1, 1), Vec3<Real>(0, 0, 0)}) {

@@ -143,20 +143,6 @@ TEST_CASE(
   CHECK(world_from(0.4, water, 64).plan().accuracy.order == 3);
 }
 
-TEST_CASE("In float a scheme has its order until the roundings of its steps come into sight") {
-  for (const Scenario<float>& scenario : scenarios<float>())
-    for (const Scheme scheme : every_scheme) {
-      CAPTURE(scenario.name);
-      CAPTURE(name_of(scheme));
-      const double error = error_of(scenario, scheme, 16);
-      const double finer = error_of(scenario, scheme, 32);
-      // Some ten roundings a step, of numbers up to 10: u each, and for Suzuki five times as many.
-      const double roundings = 32 * 50 * 10 * static_cast<double>(unit_roundoff<float>);
-      const double expected = error / std::exp2(std::min(order_of(scheme), scenario.most));
-      CHECK(finer <= 1.5 * expected + roundings);
-    }
-}
-
 /// A box and a ball on a spring that holds the box at a corner, and both round a star.
 template <class Real>
 World<Real> world_that_can_go_back(Scheme scheme) {

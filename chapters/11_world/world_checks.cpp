@@ -375,16 +375,6 @@ TEST_CASE_TEMPLATE("A body can be replaced by a heavier one, which keeps its nam
         "'point' is a point: it has no orientation");
 }
 
-TEST_CASE_TEMPLATE(
-    "A world's time is a count of steps: after 6000 it is off by two roundings at most", Real,
-    EVERY_PRECISION) {
-  World<Real> world(steps_per_second(60));
-  for (int n = 0; n < 6000; ++n) world.step();
-  CHECK(world.ticks() == 6000);
-  // The length of a step and the product round once each.
-  CHECK(std::abs(world.time() - 100) <= 2 * 100 * unit_roundoff<Real>);
-}
-
 TEST_CASE_TEMPLATE("A body that does nothing to the others changes no bit of how they move", Real,
                    EVERY_PRECISION) {
   const auto box = [](World<Real>& world) {

@@ -144,6 +144,33 @@ TEST_CASE("A world is made, stepped, pushed and asked") {
   //! [world.hpp]
 }
 
+//! [forms.hpp effect_members.hpp]
+/// Wind that is stronger higher up, and that drags whatever moves through it.
+struct Wind {
+  static constexpr std::string_view name = "wind";
+  static constexpr Quantities reads = quantity::position | quantity::velocity;
+  double drag = 0.2;  // N s/m
+
+  Vec3d force(const Particle<double>& centre, double /*time*/) const {
+    const Vec3d wind(0.5 * centre.position.z(), 0, 0);  // m/s
+    return drag * (wind - centre.velocity);             // N
+  }
+  // What follows may be left out.
+  void check() const { require_not_negative("drag of the wind", drag, "N s/m"); }
+  std::string_view skip_reason(const BodyFlags&) const { return drag == 0 ? "no wind" : ""; }
+  Response<double> response(const BodyState<double>&) const { return {.damping = drag}; }
+};
+
+TEST_CASE("An effect of one's own carries a leaf along") {
+  World<double> world(steps_per_second(60));
+  const BodyHandle leaf = world.add("leaf", make_particle(0.01, {0, 0, 4}));  // kg; m
+  world.add(Wind{});
+  CHECK(std::abs(world.step_limit().time_step - 0.1) < 1e-9);  // s, by its response: 2 m/c
+  for (int n = 0; n < 60; ++n) world.step();
+  CHECK(std::abs(world.body(leaf).centre.velocity.x() - 2) < 1e-6);  // m/s, as fast as the wind
+}
+//! [forms.hpp effect_members.hpp]
+
 TEST_CASE("A step that would not be finite is taken back") {
   //! [failure.hpp]
   World<double> world;

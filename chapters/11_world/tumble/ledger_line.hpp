@@ -9,10 +9,10 @@ namespace tumble {
 /// A line of the books: an amount of energy (J), momentum (kg m/s) and angular momentum about the
 /// world's origin (kg m²/s), world axes.
 struct LedgerLine {
-  std::string name;
-  double energy = 0;
-  Vec3d momentum = Vec3d::Zero();
-  Vec3d angular_momentum = Vec3d::Zero();
+  std::string name;                        ///< whose it is
+  double energy = 0;                       ///< J
+  Vec3d momentum = Vec3d::Zero();          ///< kg m/s, world axes
+  Vec3d angular_momentum = Vec3d::Zero();  ///< about the origin, kg m²/s, world axes
 
   LedgerLine& operator+=(const LedgerLine& other) {
     energy += other.energy;
