@@ -29,10 +29,10 @@ test('Every chapter has exercises, shut until a link leads to one, and each of t
   }
 });
 
-test('On paper there is a note in their place.', async () => {
+test('On paper there is a note in the place of hints and solutions.', async () => {
   await page.goto(address(chapter_pages[0]));
   await page.emulateMedia({media: 'print'});
   assert.equal(await page.locator('details.spoiler:visible').count(), 0);
-  assert.match(await page.locator('.on-paper').first().innerText(), /\.\/course hint moon gives one hint at a time/);
+  assert.match(await page.locator('.on-paper', {hasText: 'Hints'}).first().innerText(), /\.\/course hint NAME gives one hint at a time/);
   await page.emulateMedia({media: null});
 });

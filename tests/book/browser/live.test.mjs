@@ -244,6 +244,8 @@ test('On a phone the first picture stays in view while one turns the knobs below
     const knobs = figure.locator('.live-knob :is(input, select)');
     for (const n of [await knobs.count() - 1, 0]) {
       await knobs.nth(n).focus();
+      await page.waitForTimeout(100); // until what was still being laid out above it has its height
+      await knobs.nth(n).evaluate(knob => knob.scrollIntoView({block: 'nearest'}));
       const {top, bottom} = await picture(), knob = await knobs.nth(n).boundingBox();
       assert.ok(top >= header && bottom - top < 0.45 * 700, `${name}: the picture reaches from ${top} to ${bottom}`);
       assert.ok(knob.y >= bottom && knob.y + knob.height < 701, `${name}: knob ${n} at ${knob.y} beside a picture down to ${bottom}`);
