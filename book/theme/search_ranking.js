@@ -53,7 +53,10 @@
     const [, owner, name] = /^(?:tumble::)?(?:(\w+)(?:::|\.|->))?(\w+)(?:\(\)?)?$/.exec(question.trim().replace(/ +/g, '_')) ?? [];
     return name && {owner: owner?.toLowerCase(), name, is_certain: /^[A-Z]\w|[_:.(>]/.test(question.trim())};
   }
-  const has_name = ({symbol, owner}, asked) => symbol === asked.name && (!asked.owner || asked.owner === owner?.toLowerCase());
+  /** A name as one half remembers it: parted where its words meet, without little words, in small letters. */
+  const remembered = name => name.replace(/([a-z])([A-Z])/g, '$1_$2').toLowerCase().split('_').filter(word => !stop_words.has(word)).join('_');
+  const has_name = ({symbol, owner}, asked) =>
+    (symbol === asked.name || (symbol?.includes('_') && remembered(symbol) === remembered(asked.name))) && (!asked.owner || asked.owner === owner?.toLowerCase());
 
   /** Whether one letter more, less, other or swapped makes the one word the other. */
   function is_nearly(one, other) {
@@ -161,7 +164,9 @@
     hits.sort((one, other) => other.score - one.score);
     // A name of the code that is written as one leads to it; a word that may be one has it second.
     const asked = name_in(question);
-    const named = asked ? hits.filter(({document}) => has_name(document, asked)) : [];
+    const named = prepared.places.filter(({document}) => asked && has_name(document, asked)).map(({document}) =>
+      hits.find(hit => hit.document === document) ?? {document, covered: 1, score: 0});
+    named.sort((one, other) => other.score - one.score);
     if (named.length) hits.splice(0, hits.length, ...hits.filter(hit => !named.includes(hit)));
     const is_foreseen = hits[0]?.document.asked?.includes(question.trim());
     hits.splice(asked?.is_certain && !is_foreseen ? 0 : 1, 0, ...named);

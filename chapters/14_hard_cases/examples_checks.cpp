@@ -265,6 +265,8 @@ TEST_CASE("Ten thousand bodies are stepped in packs, on two threads") {
   for (int n = 0; n < 60; ++n) rain.step();
   const Bodies<float> all = rain.bodies();  // a copy: once a frame
   CHECK(all.centres[9'999].velocity == all.centres[0].velocity);
+  const auto& lying = rain.backend().packed_bodies();  // or these, as they lie
+  CHECK(lying.centres[7].position == all.centres[7].position);
   //! [in_packs.hpp]
 }
 

@@ -54,7 +54,8 @@ Particle<Real> make_particle(Real mass, const Vec3<Same<Real>>& position = Vec3<
   return {.position = position, .velocity = velocity, .inverse_mass = 1 / mass};
 }
 
-/// A particle that nothing can move: the ground, a wall, the nail that a pendulum hangs from.
+/// A particle that no force can move: the ground, a wall, the nail that a pendulum hangs from. If it
+/// is given a velocity, it keeps it.
 /// @throws std::invalid_argument if `position` (m) is not finite.
 template <class Real>
 Particle<Real> make_static_particle(const Vec3<Real>& position) {

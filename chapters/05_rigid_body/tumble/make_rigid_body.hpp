@@ -103,7 +103,7 @@ ModelledBody<Real> make_rigid_body(std::string_view name, const MassProperties<R
   return made;
 }
 
-/// A body that nothing can move or turn.
+/// A body that no force or torque can move or turn. If it is given a velocity, it keeps it.
 /// @throws std::invalid_argument as checked_pose() does.
 template <class Real>
 RigidBody<Real> make_static_body(std::string_view name, const Pose<Real>& pose) {

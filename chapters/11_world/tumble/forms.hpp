@@ -156,14 +156,12 @@ concept EffectOnTwo = form_of<Effect, Real>()
 
 /// An effect that visits bodies one by one.
 template <class Effect, class Real>
-concept EffectOnOne = form_of<Effect, Real>()
-.count > 0 && !EffectOnTwo<Effect, Real>;
+concept EffectOnOne = (form_of<Effect, Real>().count != 0 && !EffectOnTwo<Effect, Real>);
 
 /// An effect that can be given its bodies. One that finds its pairs can't: it would reach bodies of
 /// which the plan does not know that something acts on them.
 template <class Effect, class Real>
-concept EffectForSome = form_of<Effect, Real>()
-.count > 0 && !FindsPairs<Effect, Real>;
+concept EffectForSome = (form_of<Effect, Real>().count != 0 && !FindsPairs<Effect, Real>);
 
 /// An effect that names the phase in which it acts.
 template <class Effect>

@@ -1,8 +1,8 @@
 /// @file
 /// A world: bodies, the effects that a scene calls for, and a step that does what they need.
 ///
-/// What works on one stands in other headers: energy_of() and Ledger for its energy, Drawing for
-/// what is drawn between two steps, write_snapshot() for a file, and ManyBodies for many bodies.
+/// What works on one stands in other headers: energy.hpp and ledger.hpp for its energy, drawing.hpp
+/// for what is drawn between two steps, snapshot_file.hpp for a file, in_packs.hpp for many bodies.
 #pragma once
 
 #include <cstdio>
@@ -49,7 +49,8 @@ class World {
   // --- Bodies -----------------------------------------------------------------------------------
 
   /// Adds a point, or a body: the `body` of what make_rigid_body() returns, or make_static_body().
-  /// Here each number is checked by itself, and not whether a body can have such moments.
+  /// Here each number is checked by itself, and not whether a body can have such moments. Its
+  /// orientation is normalised, and forces that were gathered in it are dropped: see push_at().
   /// @throws std::invalid_argument if the name is empty or taken, if a number is not finite, if an
   /// inverse mass or moment is negative, if the orientation is not nearly of norm 1, or if there is
   /// angular momentum about a locked axis.
@@ -146,7 +147,7 @@ class World {
     change_state(body, [&](RigidBody<Real>& changed) { changed.centre.position = position; });
   }
 
-  /// Sets the velocity of the centre of mass.
+  /// Sets the velocity of the centre of mass. What no force can move keeps it, and so moves on.
   /// @throws std::invalid_argument if a component is not finite.
   void set_velocity(BodyHandle body, const Vec3<Same<Real>>& velocity) {
     require_finite(name_of(body) + ": velocity", velocity, "m/s");
@@ -185,7 +186,8 @@ class World {
   }
 
   /// A force (N) at `point` (m), both in world axes, in the next step alone, such as a player's
-  /// push. The forces of several calls add up.
+  /// push. The forces of several calls add up. The arm is that of now, wherever the body is put
+  /// before the step. It does not move what no force can move.
   /// @throws std::invalid_argument if a component is not finite.
   void push_at(BodyHandle body, const Vec3<Same<Real>>& force, const Vec3<Same<Real>>& point) {
     require_between_steps("a push for the next step can't be given");
@@ -195,11 +197,6 @@ class World {
     planner_.add_input(registry_.index_of(body), {force, torque_about<Real>(centre, point, force)},
                        named_bodies());
   }
-
-  /// What the steps go through.
-  const StepPlan<Real>& step_plan() const { return planner_.step_plan(); }
-  /// What is known of each body, in the order of the arrays.
-  const std::vector<BodyFlags>& flags() const { return planner_.flags(); }
 
   // --- Effects ----------------------------------------------------------------------------------
 
@@ -396,6 +393,11 @@ class World {
   StepLimit<Real> step_limit() const {
     return tumble::step_limit(step_plan(), named_bodies(), time());
   }
+
+  /// What the steps go through.
+  const StepPlan<Real>& step_plan() const { return planner_.step_plan(); }
+  /// What is known of each body, in the order of the arrays.
+  const std::vector<BodyFlags>& flags() const { return planner_.flags(); }
 
   /// What has changed the plan since the world began, a sentence each; the last hundred of them.
   std::vector<std::string> change_log() const {

@@ -20,7 +20,7 @@ class InPacks final : public BodyStore<Real> {
 
   /// All bodies, copied out of the packs.
   Bodies<Real> bodies() const { return unpacked(state_.bodies); }
-  /// The same as they lie, for whoever reads them without a copy.
+  /// The same as they lie, for whoever reads them without copying all. They go on with the world.
   const PackedBodies<Real, width>& packed_bodies() const { return state_.bodies; }
   /// Other bodies in their place.
   void set_bodies(const Bodies<Real>& bodies) { state_.bodies = packed<Real, width>(bodies); }

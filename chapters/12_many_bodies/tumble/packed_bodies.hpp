@@ -63,8 +63,9 @@ void set_lane(Top<Pack<Real, width>>& packed, int lane, const Top<Real>& top) {
   set_lane(packed.inverse_moments, lane, top.inverse_moments);
 }
 
-/// An array of particles or tops, `width` to a pack. The lanes that are left over in the last pack
-/// hold bodies that nothing can move.
+/// An array of particles or tops, `width` to a pack. One of them is read and written as a copy, out
+/// of its lane and into it; packs() has all as they lie. The lanes that are left over in the last
+/// pack hold bodies that nothing can move.
 //! [packed_array]
 template <template <class> class Element, class Real, int width>
 class PackedArray {
@@ -102,10 +103,11 @@ class PackedArray {
 /// All bodies of a world, see Bodies.
 template <class Real, int width>
 struct PackedBodies : BodyMap {
-  PackedArray<Particle, Real, width> centres;
-  PackedArray<Top, Real, width> tops;
+  PackedArray<Particle, Real, width> centres;  ///< one for each body
+  PackedArray<Top, Real, width> tops;          ///< one for each that is not a point
 };
 
+/// Copies all bodies into packs.
 template <class Real, int width>
 PackedBodies<Real, width> packed(const Bodies<Real>& bodies) {
   PackedBodies<Real, width> result;
@@ -115,6 +117,7 @@ PackedBodies<Real, width> packed(const Bodies<Real>& bodies) {
   return result;
 }
 
+/// Copies all bodies out of their packs.
 template <class Real, int width>
 Bodies<Real> unpacked(const PackedBodies<Real, width>& bodies) {
   Bodies<Real> result;
