@@ -335,7 +335,7 @@ class Generator:
             flat = [" ".join(text.split()) for text in (first, second)]
             # An argument stands there twice. What may change something must still be called once.
             call, before, after = ("first_of", "", "") if not (self.may_change(left) or self.may_change(right)) else (
-                "first_called", "[&]() -> decltype(auto) { return (", "); }")
+                "first_called", "[&]() -> decltype(auto) { return ::tumble_mutants::kept(", "); }")
             self.add("swapped arguments", [(a, d, f"{second}{self.text[b:c]}{first}")], lambda n: [
                 Wrap(a, b, f"::tumble_mutants::{call}({n}, {before}", f"{after}, {before}{flat[1]}{after})"),
                 Wrap(c, d, f"::tumble_mutants::{call}({n}, {before}", f"{after}, {before}{flat[0]}{after})")])

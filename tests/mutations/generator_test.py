@@ -49,7 +49,7 @@ class Switched(unittest.TestCase):
     def test_an_expression_is_a_call_a_statement_an_if_and_what_may_change_something_is_called_once(self):
         self.assertIn("return ::tumble_mutants::minus(1, a , b);", switched(function("return a - b;")))
         self.assertIn("{ if (!::tumble_mutants::chosen(1)) step(); }", switched(function("step();")))
-        self.assertIn("first_called(2, [&]() -> decltype(auto) { return (i); }, [&]() -> decltype(auto) { return (list.append(a)); })",
+        self.assertIn("first_called(2, [&]() -> decltype(auto) { return ::tumble_mutants::kept(i); }, [&]() -> decltype(auto) { return ::tumble_mutants::kept(list.append(a)); })",
                       switched(function("came(i, list.append(a));")))
 
     def test_lines_stay_where_they_were(self):

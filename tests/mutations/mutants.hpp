@@ -175,6 +175,13 @@ constexpr decltype(auto) first_of(int number, A&& a, B&& b) {
   }
 }
 
+/// What stands for itself as long as it lives, and is moved out where it is part of something that
+/// is about to go, such as body(i).top.
+template <class T>
+constexpr T kept(T&& value) {
+  return static_cast<T&&>(value);
+}
+
 /// The same where each is a call that must not be made without need.
 template <class A, class B>
 constexpr decltype(auto) first_called(int number, const A& a, const B& b) {
