@@ -253,3 +253,18 @@ TEST_CASE_TEMPLATE("The last hundred sentences of news are kept", Real, EVERY_PR
   CHECK(world.change_log().size() == 100);
   CHECK(world.change_log().back() == "step 150: drift visits 150 of 150, before 149 ('149' came)");
 }
+
+TEST_CASE_TEMPLATE("A warning reaches the function that one gives, once for each change", Real,
+                   EVERY_PRECISION) {
+  World<Real> world(steps_per_second(10));
+  std::vector<std::string> told;
+  world.on_warning([&](const std::string& warning) { told.push_back(warning); });
+  const BodyHandle ball = world.add("ball", make_particle<Real>(1));
+  world.add(SpringToPoint<Real>{.spring = {.stiffness = 500}}, {ball});
+  for (int n = 0; n < 3; ++n) world.step();
+  REQUIRE(told.size() == 1);
+  CHECK(told[0] == world.warnings()[0]);
+  world.add("other", make_particle<Real>(1));  // no spring holds it
+  world.step();
+  CHECK(told.size() == 1);
+}

@@ -212,6 +212,28 @@ TEST_CASE_TEMPLATE("A push of one step calls for one kick, and for none if the w
         }) == "box: point of the force is (0, 0, inf) m; every component must be finite");
 }
 
+TEST_CASE_TEMPLATE("A torque calls for no drift, a force for no turn, and a plan lists every phase",
+                   Real, EVERY_PRECISION) {
+  World<Real> world;
+  world.add("box", box_body<Real>({0, 0, 0}));
+  const EffectHandle turn = world.add(Turn<Real>{});
+  CHECK(world.flags()[0] ==
+        BodyFlags{.can_turn = true, .is_gyroscopic = true, .is_torqued = true, .turns = true});
+  world.remove(turn);
+  world.add(Gravity<Real>{});
+  CHECK(world.flags()[0] ==
+        BodyFlags{.can_turn = true, .is_gyroscopic = true, .is_pushed = true, .moves = true});
+  world.add(Still<Real, Phase::drift>{"e"});
+  world.add(Still<Real, Phase::damping>{"d"});
+  world.add(Still<Real, Phase::impulse>{"c"});
+  world.add(Still<Real, Phase::kick>{"b"});
+  world.add(Still<Real, Phase::force>{"a"});
+  std::vector<std::string> names;
+  for (const PlanRow& row : world.plan().rows) names.push_back(row.effect);
+  CHECK(names == std::vector<std::string>{"gravity", "a", "b", "kick", "kick of the spin", "c", "d",
+                                          "drift", "steady turning", "tumbling: splitting", "e"});
+}
+
 TEST_CASE_TEMPLATE("Whatever may change the work of a step gives it a new number", Real,
                    EVERY_PRECISION) {
   World<Real> world;
@@ -233,6 +255,16 @@ TEST_CASE_TEMPLATE("Whatever may change the work of a step gives it a new number
   CHECK(is_new());
   world.remove(world.find("stone"));
   CHECK(is_new());
+}
+
+TEST_CASE_TEMPLATE("A body that only a copy has is unknown to the original", Real,
+                   EVERY_PRECISION) {
+  World<Real> world;
+  world.add("a", make_particle<Real>(1));
+  World<Real> copy = world;
+  const BodyHandle more = copy.add("b", make_particle<Real>(1));
+  CHECK(copy.contains(more));
+  CHECK_FALSE(world.contains(more));
 }
 
 TEST_CASE("A torque stays with its body where that has the last top and a point is the last body") {

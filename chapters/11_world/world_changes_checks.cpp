@@ -285,6 +285,18 @@ TEST_CASE("A slot whose generations are used up is not used again") {
   }
 }
 
+TEST_CASE_TEMPLATE("A push at a point turns the body that it is meant for about its own centre",
+                   Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(2));
+  world.add("other", box_body<Real>({-8, 4, 2}));
+  const BodyHandle box = world.add("box", box_body<Real>({1, 2, 3}));
+  world.push_at(box, {0, 0, 4}, {2, 2, 3});
+  world.step();
+  // 4 N along z at an arm of 1 m along x, for half a second.
+  CHECK(distance(angular_momentum_world(world.body(box).top), Vec3<Real>(0, -2, 0)) <=
+        64 * unit_roundoff<Real>);
+}
+
 TEST_CASE(
     "Of a joint of several pairs each end needs an orientation where it holds off the centre") {
   World<double> world;
