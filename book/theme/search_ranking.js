@@ -68,10 +68,11 @@
       (rest.length > 1 && rest[0] === others[1] && rest[1] === others[0] && rest.slice(2) === others.slice(2));
   }
 
-  /** The question with each word that the book lacks in place of one that is nearly it, if there are such words. */
+  /** The question with each word that the book lacks in place of one that is nearly it, or of its parts: setGravity is "set gravity". */
   function respelt(question, {counts, vocabulary}) {
     const often = word => counts.get(stem(word)) ?? 0;
-    const better = words_of(question).map(word =>
+    const parted = question.replace(/\w+/g, name => (often(name.toLowerCase()) ? name : name.replace(/([a-z])([A-Z])/g, '$1 $2').replaceAll('_', ' ')));
+    const better = words_of(parted).map(word =>
       word.length < 5 || often(word) ? word : vocabulary.filter(known => is_nearly(word, known)).sort((one, other) => often(other) - often(one))[0] ?? word);
     return better.join(' ') === words_of(question).join(' ') ? undefined : better.join(' ');
   }

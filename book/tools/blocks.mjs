@@ -20,8 +20,6 @@ function source_link(path, line, html) {
   return `<a href="source:${escape(path)}${line ? `#l${String(line).padStart(5, '0')}` : ''}">${html}</a>`;
 }
 
-/** Of a chapter with many headers those that others bring along. */
-const brought_along = headers => headers.filter(({is_part}) => is_part && headers.length > 12);
 const code = text => `<code>${escape(text)}</code>`;
 
 /** "name | words" as [name, words] */
@@ -371,7 +369,7 @@ export class Blocks {
   #map() {
     const item = page => {
       const own = this.pages.headers.filter(header => header.page === page);
-      const links = own.filter(header => !brought_along(own).includes(header)).map(({path, name}) => `<a href="header:${escape(path)}"><code>${escape(name.replace('tumble/', ''))}</code></a>`);
+      const links = own.filter(({is_brought}) => !is_brought).map(({path, name}) => `<a href="header:${escape(path)}"><code>${escape(name.replace('tumble/', ''))}</code></a>`);
       const adds = links.length ? `<span class="headers">${links.join(', ')}</span>` : '';
       return `<li><a href="${page.file}">${escape(page.name)}</a><br>${escape(page.question ?? '')}${adds}</li>`;
     };
@@ -386,11 +384,11 @@ export class Blocks {
       .map(page => {
         const title = page ? escape(page.title) : 'What every chapter uses';
         const own = headers.filter(header => header.page === page);
-        const parts = brought_along(own);
+        const parts = own.filter(({is_brought}) => is_brought);
         const fold = parts.length
           ? `<details class="fold"><summary>${parts.length} more, which come with these</summary><ul class="headers">${parts.map(item).join('')}</ul></details>`
           : '';
-        return `<h2>${title}</h2><ul class="headers">${own.filter(header => !parts.includes(header)).map(item).join('')}</ul>${fold}`;
+        return `<h2>${title}</h2><ul class="headers">${own.filter(({is_brought}) => !is_brought).map(item).join('')}</ul>${fold}`;
       })
       .join('');
   }

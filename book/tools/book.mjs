@@ -85,9 +85,10 @@ function with_symbols(found) {
 }
 
 /** How much a place found there is worth: the chapters explain, their exercises ask, the reference lists. */
-function weight_of(page, {address, are_checks}) {
+function weight_of(page, {address, are_checks, is_row}) {
+  if (is_row && page.id === 'reference') return 1; // what one wants to do, and with what
   if (are_checks) return 0.3; // they say in a sentence what the text explains
-  if (page.under) return 0.4;
+  if (page.under) return page.is_brought ? 0.25 : 0.4;
   if (/#exercise/.test(address)) return 0.6;
   if (['handbook', 'reference'].includes(page.id)) return 0.5; // they list what others explain
   return page.chapter ? 1 : 0.9;
@@ -124,7 +125,7 @@ function write_pages(folder, pages, written, directives) {
   const names = new Set(['.dark-mode', '.light-mode']);
   for (const file of reachable(is_ours, [...by_file.keys()], name => finish(name).html)) {
     const {html, headings, title} = finish(file);
-    const page = by_file.get(file) ?? (reference.by_file.has(file) ? {file, under: 'reference.html', title, name: title} : source_page(file, title));
+    const page = by_file.get(file) ?? (reference.by_file.has(file) ? {file, under: 'reference.html', title, name: title, is_brought: reference.by_file.get(file).is_brought} : source_page(file, title));
     const leads = page.leads && !page.is_being_made;
     const more = leads ? directives.makers.unquoted_failures(page.chapter) : '';
     const whole =

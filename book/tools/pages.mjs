@@ -51,8 +51,8 @@ const included_in = (source, path) =>
   [...readFileSync(join(source, path), 'utf8').matchAll(/^#include <(tumble\/[\w/]+\.hpp)>/gm)].map(([, name]) => name);
 
 /**
- * What a reader's program may include: {path, name, brief, page, is_part}, `page` being that of the chapter which explains it. One is
- * part of another where a header of the same folder includes it and no program of the course does.
+ * What a reader's program may include: {path, name, brief, page, is_brought}, `page` being that of the chapter which explains it. Of a folder
+ * with many, those are brought along that a header of the same folder includes and no program of the course does.
  */
 function public_headers(source, floors, chapters) {
   const of_chapter = name => chapters.find(page => page.chapter === name && !page.further);
@@ -72,7 +72,8 @@ function public_headers(source, floors, chapters) {
     return files.map(file => {
       const path = join(below, file),
         name = `${inside}/${file}`;
-      return {path, name, brief: brief(source, path), page, is_part: by_each_other.has(name) && !by_programs.has(name)};
+      const is_brought = files.length > 12 && by_each_other.has(name) && !by_programs.has(name);
+      return {path, name, brief: brief(source, path), page, is_brought};
     });
   });
 }

@@ -142,7 +142,7 @@ export class Reference {
     this.examples = examples_in(written);
     const unknown = [...this.examples.keys()].filter(name => !headers.some(header => header.path.endsWith(`/${name}`)));
     if (unknown.length) throw new BookError(`there are examples of headers that the reference lacks: ${unknown.join(', ')}`);
-    for (const header of headers) header.text = readFileSync(join(source, header.path), 'utf8');
+    for (const header of headers) Object.assign(header, {text: readFileSync(join(source, header.path), 'utf8'), fields: []});
     this.#gather();
     this.made = new Map(headers.map(header => [header.file, this.#page(header)]));
     const anchors = ({contents}) => new Set([...contents.matchAll(/ id="([^"]*)"/g)].map(match => match[1]));
@@ -199,6 +199,10 @@ export class Reference {
   /** All names in the order of the alphabet, each with links to where it is explained. */
   names() {
     const places = new Map();
+    const add = (name, where) => {
+      const known = places.get(name) ?? [];
+      if (!known.some(each => each.name === where.name)) places.set(name, [...known, where]);
+    };
     for (const header of this.headers) {
       let owner;
       for (const {level, id, html} of this.page(header).headings) {
@@ -207,10 +211,9 @@ export class Reference {
         const is_of_class = level === 3;
         if (!is_of_class) owner = name;
         if (is_of_class && name === owner) continue; // a constructor
-        const where = {name: is_of_class ? owner : header.name.replace('tumble/', ''), address: `${header.file}#${id}`};
-        const known = places.get(name) ?? [];
-        if (!known.some(each => each.name === where.name)) places.set(name, [...known, where]);
+        add(name, {name: is_of_class ? owner : header.name.replace('tumble/', ''), address: `${header.file}#${id}`});
       }
+      for (const {id, owner: of, name} of header.fields) add(name, {name: of, address: `${header.file}#${id}`});
     }
     const sorted = [...places.keys()].sort((one, other) => one.toLowerCase() < other.toLowerCase() ? -1 : 1);
     const initials = [...new Set(sorted.map(name => name[0].toUpperCase()))];
@@ -349,6 +352,7 @@ export class Reference {
       .map(row => ({...row, id: `${id}-${row.id}`}));
     const fields = rows.filter(({kind}) => /attribs/.test(kind));
     const functions = rows.filter(({kind}) => !/attribs|nested/.test(kind) && kind !== 'friends');
+    header.fields.push(...fields.map(row => ({id: row.id, owner: name, name: name_in(row.right)})));
     const asked = functions.filter(row => this.#asked(row));
     const members = functions.filter(row => !asked.includes(row));
     const parts = parts_of(header.text);
@@ -405,7 +409,7 @@ export class Reference {
       headings,
       contents:
         `${told}<p class="facts"><code>#include &lt;<a href="${header.source}">${header.name}</a>&gt;</code><br>` +
-        `${taught ? `Taught in ${taught}.` : ''}</p>${also}${example}${with_own(ordered.map(({html}) => html).join(''))}`,
+        `${taught ? `Taught in ${taught}.` : ''}${header.is_brought ? ' Others bring it along: a program seldom includes it.' : ''}</p>${also}${example}${with_own(ordered.map(({html}) => html).join(''))}`,
     };
   }
 }

@@ -48,7 +48,12 @@ function terms_in(html) {
   return [...new Set(found.filter(term => term && !/^\d+$/.test(term) && term.split(' ').length <= 4))];
 }
 
-/** The sections of a page: what stands before the first heading, then one for each heading, and its checks for themselves. */
+/** Rows of tables that have an address, each called by its first cell: a field, or a task. */
+const rows_in = html =>
+  [...html.matchAll(/<tr\b[^>]*?(?: id="([\w-]+)")?>\s*<td[^>]*>(?:<a class="anchor" id="(\w+)"><\/a>)?([\s\S]*?)<\/td>([\s\S]*?)<\/tr>/g)]
+    .flatMap(([, row, anchor, first, others]) => ((row ?? anchor) && !first.includes('"declaration"') ? [{id: row ?? anchor, called: words(first), text: words(`${first} ${others}`)}] : []));
+
+/** The sections of a page: what stands before the first heading, then one for each heading, its rows, and its checks for themselves. */
 export function sections(page, html) {
   const parts = without_unindexed(html).split(/<h[2-4] id="([^"]*)">([\s\S]*?)<\/h[2-4]>/);
   const section = (address, heading, body) => ({
@@ -62,6 +67,8 @@ export function sections(page, html) {
   for (let n = 1; n < parts.length; n += 3) {
     const address = `${page.file}#${parts[n]}`, heading = words(parts[n + 1]);
     found.push(section(address, heading, parts[n + 2].replace(checks, ' ')));
+    for (const {id, called, text} of rows_in(parts[n + 2]))
+      found.push({address: `${page.file}#${id}`, page: page.name, section: called, terms: [], text, is_row: true});
     const more = parts[n + 2].match(checks)?.join(' ');
     if (more) found.push({...section(address, 'Checks', more), are_checks: true});
   }

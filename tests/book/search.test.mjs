@@ -1,4 +1,4 @@
-// Fifty-nine questions as readers ask them, and where each must lead first. TUMBLE_BOOK is the folder of the book.
+// Sixty-four questions as readers ask them, and where each must lead first. TUMBLE_BOOK is the folder of the book.
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
@@ -75,6 +75,12 @@ const questions = [
   ['world.step()', /^world_8hpp\.html#world-/],
   ['tumble::make_rigid_body', /^make__rigid__body_8hpp\.html#/],
   ['use_threads', /^in__packs_8hpp\.html#/],
+  ['inverse_mass', /^particle_8hpp\.html#particle-/],
+  // What one does with other engines.
+  ['create a body', /^reference\.html#task_add/],
+  ['get position', /^reference\.html#task_get/],
+  ['step the simulation', /^reference\.html#task_world/],
+  ['joint', /^reference\.html#task_spring/],
   ['exercise moon', /chapter_01_force\.html#exercise_moon|exercises/],
 ];
 
@@ -85,7 +91,7 @@ for (const [question, place] of questions) {
   });
 }
 
-test('There are fifty-nine questions.', () => assert.equal(questions.length, 59));
+test('There are sixty-four questions.', () => assert.equal(questions.length, 64));
 
 test('Where no place holds every word, the best for some of them comes, and the reader is told.', () => {
   const {hits, whole} = book_search.find('quaternion xylophone', prepared);
@@ -98,9 +104,9 @@ test('A plain word that is the name of a function too leads to that second.', ()
     assert.match(first(word)[1], place, word);
 });
 
-test('A word that the book lacks is taken for one of its words that differs by one letter, and no other is.', () => {
+test('A word that the book lacks is taken for one of its words that differs by one letter, or for its own parts, and no other is.', () => {
   const {respelt} = book_search;
-  for (const [wrong, right] of [['quaternon', 'quaternion'], ['quaternian', 'quaternion'], ['intertia', 'inertia'], ['qauternion', 'quaternion'], ['tumblling box', 'tumbling box']])
+  for (const [wrong, right] of [['quaternon', 'quaternion'], ['quaternian', 'quaternion'], ['intertia', 'inertia'], ['qauternion', 'quaternion'], ['tumblling box', 'tumbling box'], ['setGravity', 'set gravity']])
     assert.equal(respelt(wrong, prepared), right);
   for (const other of ['quaternion', 'xylophone']) assert.equal(respelt(other, prepared), undefined);
 });
