@@ -97,8 +97,8 @@ struct OwnPushBetween : Named {
 };
 template <class Real>
 struct OwnBlowBetween : Named {
-  PairBlow<Real> blow(const BodyState<Real>& first, const BodyState<Real>& second,
-                      const StepTime<Real>&) const {
+  PairImpulse<Real> blow(const BodyState<Real>& first, const BodyState<Real>& second,
+                         const StepTime<Real>&) const {
     const Vec3<Real> parting = first.centre.velocity - second.centre.velocity;
     return {.impulse_on_first = (Vec3<Real>(1, 0, 0) - parting) / 64,
             .angular_impulse_on_first = Vec3<Real>(0, 0, Real(0.125)),

@@ -63,7 +63,8 @@ struct SpinOfBody : Named {
 /// A blow on those that are less than 2 m apart.
 template <class Real>
 struct Touch : Named {
-  PairBlow<Real> blow(const BodyState<Real>&, const BodyState<Real>&, const StepTime<Real>&) const {
+  PairImpulse<Real> blow(const BodyState<Real>&, const BodyState<Real>&,
+                         const StepTime<Real>&) const {
     return {.impulse_on_first = {1, 2, 3},
             .angular_impulse_on_first = {4, 5, 6},
             .angular_impulse_on_second = {7, 8, 9}};
@@ -83,8 +84,8 @@ struct LateForce : Named {
 };
 struct EarlyBlow : Named {
   static constexpr Phase phase = Phase::force;
-  PairBlow<double> blow(const BodyState<double>&, const BodyState<double>&,
-                        const StepTime<double>&) const {
+  PairImpulse<double> blow(const BodyState<double>&, const BodyState<double>&,
+                           const StepTime<double>&) const {
     return {};
   }
 };

@@ -230,8 +230,8 @@ namespace {
 template <class Real>
 struct Sticking {
   static constexpr std::string_view name = "sticking";
-  PairBlow<Real> blow(const BodyState<Real>& first, const BodyState<Real>& second,
-                      const StepTime<Real>&) const {
+  PairImpulse<Real> blow(const BodyState<Real>& first, const BodyState<Real>& second,
+                         const StepTime<Real>&) const {
     const Real inverse = first.centre.inverse_mass + second.centre.inverse_mass;
     return {.impulse_on_first = (second.centre.velocity - first.centre.velocity) / inverse};
   }

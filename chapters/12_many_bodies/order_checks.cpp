@@ -52,8 +52,8 @@ struct Neighbours {
 template <class Real>
 struct Rubbing : Neighbours<Real> {
   static constexpr std::string_view name = "rubbing";
-  PairBlow<Real> blow(const BodyState<Real>& first, const BodyState<Real>& second,
-                      const StepTime<Real>&) const {
+  PairImpulse<Real> blow(const BodyState<Real>& first, const BodyState<Real>& second,
+                         const StepTime<Real>&) const {
     return {.impulse_on_first = (second.centre.velocity - first.centre.velocity) / 8,
             .angular_impulse_on_first = {0, Real(0.125), 0},
             .angular_impulse_on_second = {0, 0, Real(0.125)}};

@@ -106,8 +106,8 @@ template <class Real>
 struct OwnBlowBetween {
   static constexpr std::string_view name = "own blow between";
   Fuse<Real> fuse;
-  PairBlow<Real> blow(const BodyState<Real>& first, const BodyState<Real>& second,
-                      const StepTime<Real>& moment) const {
+  PairImpulse<Real> blow(const BodyState<Real>& first, const BodyState<Real>& second,
+                         const StepTime<Real>& moment) const {
     const Vec3<Real> way = second.centre.velocity - first.centre.velocity;
     return {.impulse_on_first = fuse(moment.time) * way / 8,
             .angular_impulse_on_first = way / 16,

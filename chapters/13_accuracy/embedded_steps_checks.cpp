@@ -117,12 +117,12 @@ TEST_CASE_TEMPLATE("The error of a top is the angle that it is off by, and the p
 
 TEST_CASE("Of two estimates the one that falls faster counts, tamed by the other") {
   // As squares: e₁²/√(e₁² + e₂²/100).
-  CHECK(together(std::array{7.0}) == 7);
-  CHECK(together(std::array{4.0, 1200.0}) == 1);
-  CHECK(together(std::array{1.0, 300.0}) == 0.25);
-  CHECK(together(std::array{4.0, 0.0}) == 4);
-  CHECK(together(std::array{0.0, 5.0}) == 0);
-  CHECK(together(std::array{0.0, 0.0}) == 0);
+  CHECK(combined_square(std::array{7.0}) == 7);
+  CHECK(combined_square(std::array{4.0, 1200.0}) == 1);
+  CHECK(combined_square(std::array{1.0, 300.0}) == 0.25);
+  CHECK(combined_square(std::array{4.0, 0.0}) == 4);
+  CHECK(combined_square(std::array{0.0, 5.0}) == 0);
+  CHECK(combined_square(std::array{0.0, 0.0}) == 0);
 }
 
 TEST_CASE_TEMPLATE(

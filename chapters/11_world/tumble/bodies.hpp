@@ -66,7 +66,7 @@ BodyIndex append(AnyBodies& bodies, const Particle<Real>& centre, const Top<Real
 
 /// Takes an element out of an array; the last one gets its place.
 template <class Element>
-void replace_by_last(std::vector<Element>& array, BodyIndex i) {
+void swap_and_pop(std::vector<Element>& array, BodyIndex i) {
   array[i] = std::move(array.back());
   array.pop_back();
 }
@@ -76,12 +76,12 @@ void replace_by_last(std::vector<Element>& array, BodyIndex i) {
 template <class AnyBodies>
 void take_out(AnyBodies& bodies, BodyIndex body) {
   if (const BodyIndex top = bodies.top_of[body]; top != no_index) {
-    replace_by_last(bodies.tops, top);
-    replace_by_last(bodies.body_of, top);
+    swap_and_pop(bodies.tops, top);
+    swap_and_pop(bodies.body_of, top);
     if (top < bodies.tops.size()) bodies.top_of[bodies.body_of[top]] = top;
   }
-  replace_by_last(bodies.centres, body);
-  replace_by_last(bodies.top_of, body);
+  swap_and_pop(bodies.centres, body);
+  swap_and_pop(bodies.top_of, body);
   if (body < bodies.centres.size() && bodies.top_of[body] != no_index)
     bodies.body_of[bodies.top_of[body]] = body;
 }

@@ -52,7 +52,7 @@ class BodyRegistry {
     const BodyIndex index = index_of(body);
     handles_.erase(names_[index]);
     slots_.release(body);
-    replace_by_last(names_, index);
+    swap_and_pop(names_, index);
   }
 
  private:

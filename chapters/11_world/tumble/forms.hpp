@@ -73,7 +73,7 @@ concept PushBetween = requires(const Effect& effect, const BodyState<Real>& body
 template <class Effect, class Real>
 concept BlowBetween = requires(const Effect& effect, const BodyState<Real>& body,
                                const StepTime<Real>& at) {
-  { effect.blow(body, body, at) } -> std::same_as<PairBlow<Real>>;
+  { effect.blow(body, body, at) } -> std::same_as<PairImpulse<Real>>;
 };
 
 /// The angular momentum (kg m²/s, body axes) of what spins inside the body, relative to it: of a

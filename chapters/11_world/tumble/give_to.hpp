@@ -83,7 +83,7 @@ void give_to_pair(const BodyInPlace<Real>& first, const BodyInPlace<Real>& secon
     add_push<Real>(first.centre, first.top, {push.force_on_first, push.torque_on_first});
     add_push<Real>(second.centre, second.top, {-push.force_on_first, push.torque_on_second});
   } else {
-    const PairBlow<Real> blow = effect.blow(a, b, at);
+    const PairImpulse<Real> blow = effect.blow(a, b, at);
     first.centre.velocity += first.centre.inverse_mass * blow.impulse_on_first;
     second.centre.velocity -= second.centre.inverse_mass * blow.impulse_on_first;
     add_angular_momentum<Real>(first.top, blow.angular_impulse_on_first);

@@ -78,9 +78,9 @@ class Planner {
     std::erase_if(plan_.inputs, [&](const Input<Real>& input) { return input.body == body; });
     for (Input<Real>& input : plan_.inputs)
       if (input.body == last) input.body = body;
-    replace_by_last(own_flags_, body);
-    replace_by_last(flags_, body);
-    replace_by_last(effects_of_, body);
+    swap_and_pop(own_flags_, body);
+    swap_and_pop(flags_, body);
+    swap_and_pop(effects_of_, body);
   }
 
   /// The body has gone: the pairs of the one that got its place are found again.

@@ -41,21 +41,21 @@ struct Push {
 };
 
 /// What one effect does to two bodies that it joins: the force on the first, its opposite on the
-/// second, and a torque on each about its own centre of mass. World axes, N and N m.
+/// second, and a torque on each about its own centre of mass. World axes.
 template <class Real>
 struct PairPush {
-  Vec3<Real> force_on_first = Vec3<Real>::Zero();
-  Vec3<Real> torque_on_first = Vec3<Real>::Zero();
-  Vec3<Real> torque_on_second = Vec3<Real>::Zero();
+  Vec3<Real> force_on_first = Vec3<Real>::Zero();    ///< N
+  Vec3<Real> torque_on_first = Vec3<Real>::Zero();   ///< N m
+  Vec3<Real> torque_on_second = Vec3<Real>::Zero();  ///< N m
 };
 
 /// What a blow does to two bodies: the impulse on the first, its opposite on the second, and an
-/// angular impulse on each about its own centre of mass. World axes, N s and N m s.
+/// angular impulse on each about its own centre of mass. World axes.
 template <class Real>
-struct PairBlow {
-  Vec3<Real> impulse_on_first = Vec3<Real>::Zero();
-  Vec3<Real> angular_impulse_on_first = Vec3<Real>::Zero();
-  Vec3<Real> angular_impulse_on_second = Vec3<Real>::Zero();
+struct PairImpulse {
+  Vec3<Real> impulse_on_first = Vec3<Real>::Zero();           ///< N s
+  Vec3<Real> angular_impulse_on_first = Vec3<Real>::Zero();   ///< N m s
+  Vec3<Real> angular_impulse_on_second = Vec3<Real>::Zero();  ///< N m s
 };
 
 /// How an effect answers small changes of where a body is, which way it faces and how fast it moves

@@ -82,7 +82,7 @@ class PackedArray {
     set(static_cast<BodyIndex>(size_++), element);
   }
   /// Takes an element out; the last one gets its place.
-  friend void replace_by_last(PackedArray& array, BodyIndex i) {
+  friend void swap_and_pop(PackedArray& array, BodyIndex i) {
     const auto last = static_cast<BodyIndex>(--array.size_);
     array.set(i, array[last]);
     array.set(last, Element<Real>{});

@@ -7,10 +7,10 @@
 
 namespace tumble {
 
-/// Takes over from `changed` what a step can change, where the body is a member.
+/// Takes from `changed` what a step can change, in the lanes of the members.
 template <class Real, int width>
-void take_over(Particle<Pack<Real, width>>& pack, const Particle<Pack<Real, width>>& changed,
-               const PackMask<Real, width>& members) {
+void blend(Particle<Pack<Real, width>>& pack, const Particle<Pack<Real, width>>& changed,
+           const PackMask<Real, width>& members) {
   for (int axis = 0; axis < 3; ++axis) {
     pack.position[axis] = select(members, changed.position[axis], pack.position[axis]);
     pack.velocity[axis] = select(members, changed.velocity[axis], pack.velocity[axis]);
@@ -19,8 +19,8 @@ void take_over(Particle<Pack<Real, width>>& pack, const Particle<Pack<Real, widt
 }
 
 template <class Real, int width>
-void take_over(Top<Pack<Real, width>>& pack, const Top<Pack<Real, width>>& changed,
-               const PackMask<Real, width>& members) {
+void blend(Top<Pack<Real, width>>& pack, const Top<Pack<Real, width>>& changed,
+           const PackMask<Real, width>& members) {
   Quaternion<Pack<Real, width>>& q = pack.orientation;
   Vec3<Pack<Real, width>>& L = pack.angular_momentum_body;
   q.real = select(members, changed.orientation.real, q.real);
@@ -48,7 +48,7 @@ template <class Packed, class Kernel, class Members>
 [[gnu::flatten]] void visit_part(const Kernel& kernel, Packed& pack, const Members& members) {
   Packed changed = pack;
   kernel(changed);
-  take_over(pack, changed, members);
+  blend(pack, changed, members);
 }
 
 /// Calls `kernel` with each pack of `array`, between `begin` and `end`, that has members.
@@ -104,7 +104,7 @@ void visit_bodies(PackedBodies<Real, width>& bodies, const PackedIndexSet<Real, 
     auto changed = bodies.centres.packs()[pack];
     auto tops = tops_of(bodies, pack);
     kernel(changed, tops, members);
-    take_over(bodies.centres.packs()[pack], changed, members);
+    blend(bodies.centres.packs()[pack], changed, members);
     if (!changes_tops) return;
     for (int lane = 0; lane < width; ++lane) {
       if (!members[lane]) continue;

@@ -35,12 +35,12 @@ class ThreadPool {
     if (size < 1 || size > 1024)
       throw std::invalid_argument(std::to_string(size) +
                                   " threads were asked for; a world can use from 1 to 1024");
-    if (size > 1) others_ = std::make_unique<Others>(size - 1);
+    if (size > 1) workers_ = std::make_unique<Workers>(size - 1);
   }
   ThreadPool(const ThreadPool& other) : size_(other.size_) {}
   ThreadPool(ThreadPool&&) = default;
   ThreadPool& operator=(const ThreadPool& other) {
-    if (size_ != other.size_) others_.reset();
+    if (size_ != other.size_) workers_.reset();
     size_ = other.size_;
     return *this;
   }
@@ -52,10 +52,10 @@ class ThreadPool {
   /// What one of them throws, this throws once all are done.
   void run(const Task& task) {
     if (size_ == 1) return task(0);
-    if (!others_) others_ = std::make_unique<Others>(size_ - 1);
-    others_->begin(task);
-    others_->do_share(0);
-    others_->wait_until_done();
+    if (!workers_) workers_ = std::make_unique<Workers>(size_ - 1);
+    workers_->begin(task);
+    workers_->do_share(0);
+    workers_->wait_until_done();
   }
   //! [pool]
 
@@ -71,9 +71,9 @@ class ThreadPool {
 
  private:
   /// All but the caller's thread.
-  class Others {
+  class Workers {
    public:
-    explicit Others(int count) {
+    explicit Workers(int count) {
       try {
         for (int member = 1; member <= count; ++member)
           threads_.emplace_back([this, member] { serve(member); });
@@ -82,9 +82,9 @@ class ThreadPool {
         throw;
       }
     }
-    ~Others() { end(); }
-    Others(const Others&) = delete;
-    Others& operator=(const Others&) = delete;
+    ~Workers() { end(); }
+    Workers(const Workers&) = delete;
+    Workers& operator=(const Workers&) = delete;
 
     void begin(const Task& task) {
       has_failed_ = false;
@@ -142,7 +142,7 @@ class ThreadPool {
   };
 
   int size_;
-  std::unique_ptr<Others> others_;
+  std::unique_ptr<Workers> workers_;
 };
 
 }  // namespace tumble

@@ -70,7 +70,7 @@ template <class Real>
 /// Combines several estimates, all as squares: a single one is returned as it is; two, of which the
 /// second falls more slowly, give e₁²/√(e₁² + e₂²/100).
 template <class Real, std::size_t count>
-[[gnu::always_inline]] inline Real together(const std::array<Real, count>& squares) {
+[[gnu::always_inline]] inline Real combined_square(const std::array<Real, count>& squares) {
   if constexpr (count == 1) return squares[0];
   return squares[0] == 0 ? Real(0) : squares[0] * squares[0] / (squares[0] + squares[1] / 100);
 }
@@ -106,7 +106,7 @@ class EmbeddedSteps {
       end_ = each<Real, count>([&](auto n) { return n < 4 ? factor * end_[n] : end_[n]; });
     }
     if constexpr (error_sees_end) evaluate_end();
-    return together(each<Real, Pair::errors.size()>([&](auto i) { return error<i>(); }));
+    return combined_square(each<Real, Pair::errors.size()>([&](auto i) { return error<i>(); }));
   }
   //! [attempt]
 
@@ -215,7 +215,7 @@ StepCounts integrate(Body& body, const Forces& evaluate_forces, Real time, Same<
                  [&](auto& there, const auto& within, Real begin, Real length) {
                    EmbeddedSteps<Pair, Body, std::decay_t<decltype(within)>, Real> steps(
                        there, within, begin, tolerance);
-                   return arrive(there, steps, length, stops.longest);
+                   return integrate_leg(there, steps, length, stops.longest);
                  });
 }
 

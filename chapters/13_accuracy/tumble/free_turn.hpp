@@ -118,7 +118,7 @@ template <class Rule, class Real>
   const FreeTurn<Real> free(top);
   StateVector<Real, 3> state = free.state();
   Real twist = 0;
-  lead_reduced<Rule>(free, state, twist, 0, time_step);
+  step_reduced<Rule>(free, state, twist, 0, time_step);
   top = free.top_at(state, twist);
 }
 

@@ -135,7 +135,7 @@ StepCounts integrate_by_nystrom(Particle<Real>& particle, const Forces& evaluate
                  [&](auto& there, const auto& within, Real begin, Real length) {
                    NystromSteps<Pair, std::decay_t<decltype(within)>, Real> steps(there, within,
                                                                                   begin, tolerance);
-                   return arrive(there, steps, length, stops.longest);
+                   return integrate_leg(there, steps, length, stops.longest);
                  });
 }
 

@@ -33,7 +33,7 @@ class ReducedSteps {
                           });
     end_ = combine<RowOfStep<Rule>>(start_, h, rates_);
     if constexpr (error_sees_end) evaluate_end();
-    return together(each<Real, Pair::errors.size()>([&](auto i) { return square<i>(); }));
+    return combined_square(each<Real, Pair::errors.size()>([&](auto i) { return square<i>(); }));
   }
 
   void accept() {
@@ -108,7 +108,7 @@ StepCounts integrate_reduced(Top<Real>& top, const Motion& motion, Same<Real> ti
                              Same<Real> seconds, Same<Real> tolerance,
                              Same<Real> longest = std::numeric_limits<Real>::infinity()) {
   ReducedSteps<Pair, Motion, Real> steps(motion, time, tolerance);
-  return arrive(top, steps, seconds, longest);
+  return integrate_leg(top, steps, seconds, longest);
 }
 
 /// Takes a free top through `seconds`. `tolerance`: rad that may be lost in a second. A top that
@@ -159,7 +159,7 @@ template <class Rule, class Forces, class Real>
   Real twist = 0;
   const Real h = seconds / static_cast<Real>(steps);
   for (long n = 0; n < steps; ++n) {
-    lead_reduced<Rule>(motion, state, twist, time + static_cast<Real>(n) * h, h);
+    step_reduced<Rule>(motion, state, twist, time + static_cast<Real>(n) * h, h);
     if (motion.is_far(state)) {
       motion.change_chart(state, twist);
       state = motion.state();

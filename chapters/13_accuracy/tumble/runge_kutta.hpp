@@ -220,9 +220,9 @@ template <class Rule, class Real>
 
 /// One step of a motion that a few numbers describe but for an integral ψ, which no stage needs:
 /// FreeTurn or AxisTurn. It advances the `state` of `time` (s), and ψ = `twist` (rad).
-//! [lead_reduced]
+//! [step_reduced]
 template <class Rule, class Motion, class Real, std::size_t count>
-[[gnu::always_inline]] inline void lead_reduced(const Motion& motion,
+[[gnu::always_inline]] inline void step_reduced(const Motion& motion,
                                                 StateVector<Real, count>& state, Real& twist,
                                                 Same<Real> time, Same<Real> time_step) {
   std::array<StateVector<Real, count>, Rule::rule.nodes.size()> rates;
@@ -237,7 +237,7 @@ template <class Rule, class Motion, class Real, std::size_t count>
   state = combine<RowOfStep<Rule>>(state, time_step, rates);
   twist += time_step * twist_rate;
 }
-//! [lead_reduced]
+//! [step_reduced]
 
 /// What a particle or a top changes by at `time` (s), with `state` for its numbers; `there` is a
 /// body that the force or the torque may be left in. An `evaluate_forces` that drifts by a law of

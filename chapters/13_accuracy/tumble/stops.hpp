@@ -101,7 +101,7 @@ StepCounts in_legs(Body& body, const Forces& evaluate_forces, Real time, Same<Re
 
 /// Takes the body of a stepper through one leg of so many `seconds`.
 template <class Body, class Stepper, class Real>
-StepCounts arrive(Body& body, Stepper& steps, Real seconds, Real longest) {
+StepCounts integrate_leg(Body& body, Stepper& steps, Real seconds, Real longest) {
   const StepCounts counts = integrate_adaptively(
       steps, seconds, steps.first_step(seconds), [](Real, Real) {}, longest);
   body = steps.body();

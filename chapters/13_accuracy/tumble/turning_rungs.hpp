@@ -22,7 +22,7 @@ struct LinearlyImplicit {
 /// Chapter 8's splitting in the portions of a row (no unit): each is made with that part of the
 /// time step (s), on a top with L in body axes (kg m²/s).
 template <class Row>
-struct SplittingInRow {
+struct ComposedSplitting {
   static constexpr bool is_symmetric = true;
   template <class Real>
   void operator()(Top<Real>& top, Same<Real> time_step) const {
@@ -31,32 +31,32 @@ struct SplittingInRow {
 };
 
 /// Order 4 in five steps: Suzuki (1990).
-struct SplittingSuzuki : SplittingInRow<Suzuki> {
+struct SplittingSuzuki : ComposedSplitting<Suzuki> {
   static constexpr std::string_view name = "splitting, Suzuki";
   static constexpr int order = 4;
 };
 /// Order 4: Blanes and Moan (2002), S6.
-struct SplittingBlanesMoanFourth : SplittingInRow<BlanesMoanFourth> {
+struct SplittingBlanesMoanFourth : ComposedSplitting<BlanesMoanFourth> {
   static constexpr std::string_view name = "splitting, Blanes-Moan 4";
   static constexpr int order = 4;
 };
 /// Order 6 in seven steps: Yoshida (1990), solution A.
-struct SplittingYoshida : SplittingInRow<Yoshida> {
+struct SplittingYoshida : ComposedSplitting<Yoshida> {
   static constexpr std::string_view name = "splitting, Yoshida";
   static constexpr int order = 6;
 };
 /// Order 6: Blanes and Moan (2002), S10.
-struct SplittingBlanesMoanSixth : SplittingInRow<BlanesMoanSixth> {
+struct SplittingBlanesMoanSixth : ComposedSplitting<BlanesMoanSixth> {
   static constexpr std::string_view name = "splitting, Blanes-Moan 6";
   static constexpr int order = 6;
 };
 /// Order 8 in seventeen steps: Kahan and Li (1997), s17odr8a.
-struct SplittingKahanLiEighth : SplittingInRow<KahanLiEighth> {
+struct SplittingKahanLiEighth : ComposedSplitting<KahanLiEighth> {
   static constexpr std::string_view name = "splitting, Kahan-Li 8";
   static constexpr int order = 8;
 };
 /// Order 10 in thirty-five steps: Sofroniou and Spaletta (2005).
-struct SplittingSofroniouSpaletta : SplittingInRow<SofroniouSpaletta> {
+struct SplittingSofroniouSpaletta : ComposedSplitting<SofroniouSpaletta> {
   static constexpr std::string_view name = "splitting, Sofroniou-Spaletta";
   static constexpr int order = 10;
 };
