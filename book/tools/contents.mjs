@@ -1,13 +1,24 @@
 // From what Doxygen wrote between a page's header and footer to what the book shows there.
 import {escape, plain, slug} from './text.mjs';
 
-/** A piece from inside a function, moved to the left edge, and each line with its indentation, under which it goes on if it is too long. */
+/** Blanks that set code under code; on a phone they would only push it to the edge. */
+const far = blanks => `<span class="far">${blanks}</span>`;
+const longest_indentation = 8; // letters, on a phone
+
+/**
+ * A piece from inside a function, moved to the left edge, and each line with its indentation, under which it goes on if it is too long.
+ */
 export function at_left_edge(fragment) {
   const starts = [...fragment.matchAll(/<div class="line">((?:<a [^>]*><\/a>)?)( *)(?=[^ ])(?!<\/div>)/g)];
   const indentation = Math.min(...starts.map(([, , blanks]) => blanks.length));
   const moved = indentation > 0 && Number.isFinite(indentation)
     ? fragment.replace(new RegExp(`(<div class="line">(?:<a [^>]*></a>)?) {${indentation}}`, 'g'), '$1') : fragment;
-  return moved.replace(/<div class="line">((?:<a [^>]*><\/a>)?)( +)(?=[^ ])/g, (_, anchor, blanks) => `<div class="line" style="--in:${blanks.length}">${anchor}${blanks}`);
+  return moved
+    .replace(/(?<=[^ >]|<\/\w+>) {2,}(?=<span class="comment">)/g, blanks => ` ${far(blanks.slice(1))}`)
+    .replace(/<div class="line">((?:<a [^>]*><\/a>)?)( +)(?=[^ ])/g, (_, anchor, blanks) => {
+      const seen = blanks.slice(0, longest_indentation), more = blanks.slice(longest_indentation);
+      return `<div class="line" style="--in:${seen.length}">${anchor}${seen}${more && far(more)}`;
+    });
 }
 
 /** Puts the directives' blocks where their markers stand, and gives each listing its caption. */
@@ -29,8 +40,9 @@ function tidy(html) {
       /<div class="line">\/\/! \[\w+\]<\/div>\n|<div class="line"><span class="comment">\/\/! \[\w+\]<\/span><\/div>\n/g,
       '',
     )
-    .replace(/ name="[^"]*"(?= )| name="[^"]*"(?=>)/g, '')
+    .replace(/(<a\b[^>]*?) name="[^"]*"(?=[ >])/g, '$1')
     .replace(/ (align|valign|border|cellspacing|cellpadding)="[^"]*"/g, '')
+    .replace(/<a class="code hl_function" href="[^"]*#a\w+">([A-Z]\w*::\w+)<\/a>/g, '$1') // an enumerator, and no free function of its name
     .replace(/&lt;tt&gt;(.*?)&lt;\/tt&gt;/g, '<code>$1</code>') // `code` in a heading
     .replace(/<a href="[^"]*">More\.\.\.<\/a>/g, '')
     .replace(/<p >/g, '<p>')

@@ -74,7 +74,7 @@ ${head}${page.is_being_made ? `<meta http-equiv="refresh" content="${seconds_unt
 <link rel="stylesheet" href="book.css">
 <link rel="stylesheet" href="contents.css">
 <link rel="stylesheet" href="print.css" media="print">
-<style media="print">@page { @top-left { content: ${JSON.stringify(title).replace(/</g, '\\3c ')}; font: 8.5pt sans-serif; color: #444; } }</style>
+<style media="print">@page { @top-left { content: ${JSON.stringify(title).replace(/</g, '\\3c ')}; font: 8.5pt Lato, sans-serif; color: #444; } }</style>
 ${style_and_script('player', /<figure class="(?:player|live)/.test(html))}${style_and_script('live', /class="live[ -]/.test(html))}<script src="dark.js"></script>
 <script src="book.js" defer></script>
 <script src="reading.js" defer></script>

@@ -38,7 +38,7 @@ function part_of({file, id, further}) {
 
 /** Above each sheet stands what it belongs to; a chapter's further pages follow its first one on the same sheets. */
 const running_head = ({id, title}) =>
-  `@page ${id} { @top-left { content: ${JSON.stringify(plain(title))}; font: 8.5pt sans-serif; color: #444; } }`;
+  `@page ${id} { @top-left { content: ${JSON.stringify(plain(title))}; font: 8.5pt Lato, sans-serif; color: #444; } }`;
 
 /** The chapters, each with its further pages. */
 const groups_of = parts => {

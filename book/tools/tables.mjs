@@ -19,11 +19,13 @@ export function without_empty({columns, rows}) {
 export function table(caption, columns, rows, kind = 'table', sums = []) {
   const mark = column => (columns[column].is_number ? ' class="number"' : '');
   const head = columns.map(({text}, column) => `<th scope="col"${mark(column)}>${escape(whole(text))}</th>`).join('');
+  const are_cards = kind.includes('keys'); // where a phone has no room for the row
+  const label = column => (are_cards ? ` data-label="${escape(columns[column].text)}"` : '');
   const lines = some =>
-    some.map(row => `<tr>${row.map((cell, column) => `<td${mark(column)}>${shown(cell)}</td>`).join('')}</tr>`).join('');
+    some.map(row => `<tr>${row.map((cell, column) => `<td${mark(column)}${label(column)}>${shown(cell)}</td>`).join('')}</tr>`).join('');
   const foot = sums.length ? `<tfoot>${lines(sums)}</tfoot>` : '';
   return (
     `<figure class="${kind}">${caption ? `<figcaption>${caption}</figcaption>` : ''}<div class="scroll">` +
-    `<table><thead><tr>${head}</tr></thead><tbody>${lines(rows)}</tbody>${foot}</table></div></figure>`
+    `<table${are_cards ? ' class="many-columns"' : ''}><thead><tr>${head}</tr></thead><tbody>${lines(rows)}</tbody>${foot}</table></div></figure>`
   );
 }

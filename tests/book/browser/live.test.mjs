@@ -145,6 +145,9 @@ test('What a reader predicted is kept in the browser and shown beside what happe
   const words = await choice.getAttribute('value');
   assert.equal(await form.locator('.predicted').textContent(), `You predicted: ${words}. Now look.`);
   assert.ok(await form.locator('details p').last().isVisible());
+  await form.locator('input[type="radio"]').nth(0).check();
+  await choice.check();
+  assert.equal(await form.locator('input:checked').count(), 1);
   await page.reload();
   assert.equal(await form.locator('.predicted').textContent(), `You predicted: ${words}. Now look.`);
   await page.context().close();
