@@ -73,7 +73,7 @@ export class Directives {
     if (name === 'fold') {
       if (!argument) throw new BookError('{{fold}} needs a title: {{fold Title}}');
       folds.push({opened: `{{fold ${argument}}}`, closing: '</details>', place});
-      return this.#marker(`<details class="fold${/^Hint\b/.test(argument) ? ' spoiler' : ''}"><summary>${escape(argument)}</summary>`);
+      return this.#marker(`<details class="fold${/^Hint\b/.test(argument) ? ' spoiler unindexed' : ''}"><summary>${escape(argument)}</summary>`);
     }
     if (name === 'gate') {
       const [opening, closing] = this.makers.gate(page, argument);
