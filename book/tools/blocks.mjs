@@ -289,8 +289,9 @@ export class Blocks {
   gate(page, name) {
     const asked = this.predictions.get(name);
     if (asked?.page !== page) throw new BookError(`{{gate ${name}}} shuts what answers a prediction, and no prediction "${name}" stands before it on this page`);
+    const is_near = !asked.is_gated; // the question stands just above its first gate
     asked.is_gated = true;
-    return gate(name);
+    return gate(name, is_near ? '' : asked.question);
   }
 
   /** The answers of a page's predictions, each of which must have a gate; a mistake is added to `complaints`. */
