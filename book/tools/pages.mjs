@@ -60,7 +60,7 @@ function public_headers(source, floors, chapters) {
   const scenes = chapters.find(page => page.chapter === 'scene_reader'),
     hard = chapters.find(page => page.id === 'chapter_13_accuracy');
   folders.push(
-    {below: 'tools/scene_reader/tumble/scene', inside: 'tumble/scene', page: scenes, only: /^(scene|read_scene|read_scene_text|scene_error|solid|keys)\.hpp$/},
+    {below: 'tools/scene_reader/tumble/scene', inside: 'tumble/scene', page: scenes, only: /^(scene|read_scene|read_scene_file|read_scene_text|scene_error|solid|keys)\.hpp$/},
     {below: 'exact/tumble/exact', inside: 'tumble/exact', page: hard},
   );
   const programs = floors.flatMap(({folder}) =>

@@ -109,22 +109,22 @@ const parts_of = text =>
     return name ? [{line: n + 1, name}] : [];
   });
 
-/** From a header's name to how it is used: what stands between two comments with that name in a file of checks, which runs it. */
+/** From a header's name to how it is used: {test, file, line, lines}, what stands between two comments with that name in a file of checks. */
 function examples_in(written) {
-  const [file, page] = Object.entries(written).find(([, {title}]) => /\/examples_checks\.cpp\b/.test(title)) ?? [];
   const examples = new Map();
-  let test, label, shown;
-  for (const [, line, html] of page?.contents.matchAll(/<div class="line"><a id="(l\d+)"[^>]*><\/a><span class="lineno">[ \d]*<\/span>(.*)<\/div>/g) ?? []) {
-    const text = plain(html);
-    test = /^TEST_CASE\("(.*)"\)/.exec(text)?.[1] ?? test;
-    const [, names] = /^\/\/! \[(.*)\]$/.exec(text) ?? [];
-    if (!names) shown?.push(`<div class="line">${html.replaceAll('<span class="comment"></span>', '')}</div>`);
-    else if (shown) {
-      const caption = `<figcaption>${escape(test)}: <a href="${file}#${line}"><code>examples_checks.cpp</code></a></figcaption>`;
-      const listing = `<figure class="listing">${caption}${at_left_edge(`<div class="fragment">${shown.join('\n')}</div>`)}</figure>`;
-      for (const name of label.split(' ')) examples.set(name, listing);
-      shown = undefined;
-    } else [label, shown] = [names, []];
+  for (const [file, page] of Object.entries(written)) {
+    if (!/_checks\.cpp\b/.test(page.title) || !page.contents.includes('.hpp]')) continue;
+    let test, label, shown;
+    for (const [, line, html] of page.contents.matchAll(/<div class="line"><a id="(l\d+)"[^>]*><\/a><span class="lineno">[ \d]*<\/span>(.*)<\/div>/g)) {
+      const text = plain(html);
+      test = /^TEST_CASE\("(.*)"\)/.exec(text)?.[1] ?? test;
+      const [, names] = /^\/\/! \[(.*\.hpp)\]$/.exec(text) ?? [];
+      if (!names) shown?.push(html.replaceAll('<span class="comment"></span>', ''));
+      else if (shown) {
+        for (const name of label.split(' ')) examples.set(name, {test, file, line, lines: shown, names: label.split(' ')});
+        shown = undefined;
+      } else [label, shown] = [names, []];
+    }
   }
   return examples;
 }
@@ -144,6 +144,7 @@ export class Reference {
     if (unknown.length) throw new BookError(`there are examples of headers that the reference lacks: ${unknown.join(', ')}`);
     for (const header of headers) Object.assign(header, {text: readFileSync(join(source, header.path), 'utf8'), fields: []});
     this.#gather();
+    this.included = new Map(headers.map(({name, text}) => [name, [...text.matchAll(/^#include <(tumble\/[\w/]+\.hpp)>/gm)].map(([, other]) => other)]));
     this.made = new Map(headers.map(header => [header.file, this.#page(header)]));
     const anchors = ({contents}) => new Set([...contents.matchAll(/ id="([^"]*)"/g)].map(match => match[1]));
     this.anchors = new Map([...this.made].map(([file, page]) => [file, anchors(page)]));
@@ -230,7 +231,13 @@ export class Reference {
         const place = this.#present(this.places.get(file + anchor) ?? this.places.get(file));
         return place ? `<a ${before}href="${place}"${after}>${text}</a>` : text;
       },
-    ).replace(/<a [^>]*href="(\w+_8[hc]pp\.html)(?:#\w+)?"[^>]*>([\s\S]*?)<\/a>/g, (link, file, text) => (this.by_file.has(file) ? link : text));
+    ).replace(/<a [^>]*href="(\w+_8[hc]pp\.html)(#\w+)?"[^>]*>([\s\S]*?)<\/a>/g, (link, file, anchor, text) => {
+      const header = this.by_file.get(file);
+      if (!header) return text;
+      // A header that was named for a function of it, whose overloads Doxygen can't tell apart, leads to the first of them.
+      const named = !anchor && this.made?.get(file).headings.find(({html}) => html === /^\w+/.exec(text)?.[0]);
+      return named ? link.replace(file, `${file}#${named.id}`) : link;
+    });
   }
 
   /** What Doxygen describes and its lists leave out, such as what is private, is found on the page at large. */
@@ -248,7 +255,7 @@ export class Reference {
     const line = ([parameter, what, unit, axes]) =>
       `<tr><td><code>${parameter}</code></td><td>${escape(what)}</td><td>${escape(unit ?? '')}</td><td>${escape(axes ?? '')}</td></tr>`;
     return (
-      `<div class="scroll"><table class="given"><thead><tr><th scope="col">given</th><th scope="col">what</th><th scope="col">unit</th>` +
+      `<div class="scroll"><table class="given"><thead><tr><th scope="col">quantity</th><th scope="col">what</th><th scope="col">unit</th>` +
       `<th scope="col">axes</th></tr></thead><tbody>${rows.map(line).join('')}</tbody></table></div>`
     );
   }
@@ -353,8 +360,9 @@ export class Reference {
     const fields = rows.filter(({kind}) => /attribs/.test(kind));
     const functions = rows.filter(({kind}) => !/attribs|nested/.test(kind) && kind !== 'friends');
     header.fields.push(...fields.map(row => ({id: row.id, owner: name, name: name_in(row.right)})));
-    const asked = functions.filter(row => this.#asked(row));
-    const members = functions.filter(row => !asked.includes(row));
+    const told_by_all = functions.filter(row => this.#asked(row));
+    const asked = told_by_all.filter(row => name_in(row.right) !== 'broadcast'); // of no use to a reader
+    const members = functions.filter(row => !told_by_all.includes(row));
     const parts = parts_of(header.text);
     let part;
     const told = this.#by_description(members).map(group => {
@@ -373,6 +381,24 @@ export class Reference {
     );
   }
 
+  /** Whether a header brings the other along. */
+  #brings(header, other) {
+    return (this.included.get(header) ?? []).some(each => each === other || this.#brings(each, other));
+  }
+
+  /** How a header is used, with what a program includes for it: the headers of the names in it that no other of them brings along. */
+  #example(header) {
+    const of = this.examples.get(header.name.split('/').at(-1));
+    if (!of) return '';
+    const linked = [...of.lines.join('').matchAll(/<a class="code[^"]*" href="([^"]*)"/g)].map(([, href]) => this.places.get(href)?.replace(/#.*/, '') ?? href.replace(/#.*/, ''));
+    const used = new Set(this.headers.filter(({file, name}) => linked.includes(file) || of.names.includes(name.split('/').at(-1))).map(({name}) => name));
+    const needed = [...used].filter(name => ![...used].some(other => other !== name && this.#brings(other, name))).sort();
+    const line = html => `<div class="line">${html}</div>`;
+    const lines = [...needed.map(name => line(`<span class="preprocessor">#include &lt;${name}&gt;</span>`)), line(''), ...of.lines.map(line)];
+    const caption = `<figcaption>${escape(of.test)}: <a href="${of.file}#${of.line}"><code>${escape(this.written[of.file].title.replace(/ Source File$/, '').split('/').at(-1))}</code></a></figcaption>`;
+    return `<figure class="listing">${caption}${at_left_edge(`<div class="fragment">${lines.join('\n')}</div>`)}</figure>`;
+  }
+
   #page(header) {
     const {contents} = this.written[header.file];
     const taken = new Set();
@@ -384,7 +410,7 @@ export class Reference {
     const shown = own.filter(({kind, id}) => kind !== 'typedef-members' || this.descriptions.get(id)?.doc);
     const aliases = own.filter(row => !shown.includes(row));
     // What the example uses comes before what that is made of, and types before functions.
-    const example = this.examples.get(header.name.split('/').at(-1)) ?? '';
+    const example = this.#example(header);
     const parts = [
       ...(header.compounds ?? []).map(compound => {
         const headings = [];
@@ -392,7 +418,8 @@ export class Reference {
       }),
       ...this.#by_description(shown).map(group => {
         const [{id, right}] = group;
-        return {html: this.#member(group, header.name, taken, 'h2'), headings: [{level: 2, id, html: escape(name_in(right))}], is_used: example.includes(`#${id}"`)};
+        const goes_on = /^<p>\s*The same\b/.test(this.descriptions.get(id)?.doc ?? ''); // it says so of what stands before it
+        return {html: this.#member(group, header.name, taken, 'h2'), headings: [{level: 2, id, html: escape(name_in(right))}], is_used: !goes_on && example.includes(`#${id}"`)};
       }),
     ];
     const ordered = [...parts.filter(({is_used}) => is_used), ...parts.filter(({is_used}) => !is_used)];

@@ -212,6 +212,20 @@ TEST_CASE_TEMPLATE("A push of one step calls for one kick, and for none if the w
         }) == "box: point of the force is (0, 0, inf) m; every component must be finite");
 }
 
+TEST_CASE_TEMPLATE("A torque of one step alone changes L by itself times the step, and no velocity",
+                   Real, EVERY_PRECISION) {
+  World<Real> world(steps_per_second(1));
+  const BodyHandle box = world.add("box", box_body<Real>({0, 0, 0}));
+  world.push(box, {.torque = {0, 0, 2}});
+  world.step();
+  world.step();
+  CHECK(world.body(box).top.angular_momentum_body.norm() == 2);
+  CHECK(world.body(box).centre.velocity == Vec3<Real>(0, 0, 0));
+  CHECK(complaint_of([&] {
+          world.push(box, {.torque = {0, std::numeric_limits<Real>::infinity(), 0}});
+        }) == "box: torque is (0, inf, 0) N m; every component must be finite");
+}
+
 TEST_CASE_TEMPLATE("A torque calls for no drift, a force for no turn, and a plan lists every phase",
                    Real, EVERY_PRECISION) {
   World<Real> world;

@@ -1,7 +1,10 @@
 // A whole program around a world: frames that come as they come, pictures between two steps, a
 // saved game, and an input that no body survives.
-#include <sstream>
 #include <support/record.hpp>
+
+//! [whole_program]
+#include <cstdio>
+#include <sstream>
 #include <tumble/drawing.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/snapshot_file.hpp>
@@ -9,7 +12,6 @@
 
 using namespace tumble;
 
-//! [whole_program]
 /// What a game has: a world, the clock that says how many steps are due, and what is drawn of it.
 struct Game {
   World<double> world{steps_per_second(120)};

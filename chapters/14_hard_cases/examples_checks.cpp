@@ -15,6 +15,7 @@
 #include <tumble/interpolation.hpp>
 #include <tumble/ledger.hpp>
 #include <tumble/mesh_mass_properties.hpp>
+#include <tumble/orientation.hpp>
 #include <tumble/snapshot_file.hpp>
 #include <tumble/solids.hpp>
 #include <tumble/spheres.hpp>
@@ -76,6 +77,15 @@ TEST_CASE("Orientations turn vectors, and follow one another") {
   CHECK(std::abs(angle_between(left, both) - 0.3) < 1e-12);  // rad
   CHECK((rotate_back(both, arrow) - Vec3d(1, 0, 0)).norm() < 1e-12);
   //! [quaternion.hpp rotation_vector.hpp rotation_matrix.hpp]
+}
+
+TEST_CASE("An orientation is turned by a steady angular velocity") {
+  //! [orientation.hpp]
+  Quaternion<double> q;                   // as it was made
+  q = turn_exponential(q, {0, 0, 2}, 3);  // rad/s, world axes; s: as one turn of 6 rad
+  for (int n = 0; n < 300; ++n) q = turn_exponential(q, {0, 0, 2}, 0.01);
+  CHECK(angle_between(q, quaternion_about<double>({0, 0, 1}, 12)) < 1e-12);  // rad
+  //! [orientation.hpp]
 }
 
 TEST_CASE("A rigid body is made from a solid, thrown and drawn") {
@@ -144,7 +154,7 @@ TEST_CASE("A world is made, stepped, pushed and asked") {
   //! [world.hpp]
 }
 
-//! [forms.hpp effect_members.hpp]
+//! [forms.hpp effect_members.hpp terms.hpp]
 /// Wind that is stronger higher up, and that drags whatever moves through it.
 struct Wind {
   static constexpr std::string_view name = "wind";
@@ -169,7 +179,7 @@ TEST_CASE("An effect of one's own carries a leaf along") {
   for (int n = 0; n < 60; ++n) world.step();
   CHECK(std::abs(world.body(leaf).centre.velocity.x() - 2) < 1e-6);  // m/s, as fast as the wind
 }
-//! [forms.hpp effect_members.hpp]
+//! [forms.hpp effect_members.hpp terms.hpp]
 
 TEST_CASE("A step that would not be finite is taken back") {
   //! [failure.hpp]
@@ -187,9 +197,9 @@ TEST_CASE("A step that would not be finite is taken back") {
 }
 
 TEST_CASE("A world is saved to a file and read back, and a checkpoint goes back a few frames") {
+  //! [snapshot_file.hpp snapshot.hpp checkpoints.hpp]
   World<double> world;
   const BodyHandle ball = world.add("ball", make_particle<double>(1, {0, 0, 5}, {1, 0, 0}));
-  //! [snapshot_file.hpp snapshot.hpp checkpoints.hpp]
   std::stringstream file;
   write_snapshot(file, world.save());                   // how all bodies move now
   const Checkpoint<double> frame = world.checkpoint();  // the same, for this run of the program
@@ -217,6 +227,20 @@ TEST_CASE("Two bodies hang on springs, one below the other") {
   //! [springs.hpp]
 }
 
+TEST_CASE("A spinning ball is slowed by the air and led aside") {
+  //! [air_and_water.hpp]
+  World<double> world(steps_per_second(120));
+  const auto solid = mass_properties(HollowSphere<double>{0.11}, 0.43);  // m; kg
+  const auto made = make_rigid_body("ball", solid, {}, Vec3d(30, 0, 0), Vec3d(0, 0, 60));
+  const BodyHandle ball = world.add("ball", made.body);
+  world.add(QuadraticDrag<double>{.coefficient = drag_coefficient(1.2, 0.3, 0.038)});
+  world.add(AngularDamping<double>{.rate = 0.1});  // 1/s
+  world.add(Magnus<double>{.strength = 1e-3});     // kg
+  for (int n = 0; n < 120; ++n) world.step();
+  CHECK(world.body(ball).centre.position.y() > 1);  // m: to the left, since it turns to the left
+  //! [air_and_water.hpp]
+}
+
 TEST_CASE("The books of a world close, and its energy is told by kinds") {
   //! [ledger.hpp energy.hpp]
   World<double> world(steps_per_second(64));
@@ -231,9 +255,9 @@ TEST_CASE("The books of a world close, and its energy is told by kinds") {
 }
 
 TEST_CASE("A drawing shows the bodies between two steps") {
+  //! [drawing.hpp]
   World<double> world(steps_per_second(10));
   const BodyHandle ball = world.add("ball", make_particle<double>(1, {0, 0, 0}, {1, 0, 0}));
-  //! [drawing.hpp]
   Drawing<double> drawing;
   drawing.note(world);
   world.step();
@@ -282,7 +306,7 @@ TEST_CASE("A world turns by another rule and steps by another scheme") {
 }
 
 TEST_CASE("A planet chooses its own steps, and comes back to where the exact orbit does") {
-  //! [embedded_steps.hpp kepler.hpp]
+  //! [kepler.hpp]
   Particle<double> planet = make_particle(1.0, {1, 0, 0}, {0, 1.2, 0});
   const auto attract = [](Particle<double>& p, double /*time*/) {
     p.force = -p.position / std::pow(p.position.norm(), 3);  // N, for 1 kg and GM = 1 m³/s²
@@ -292,5 +316,17 @@ TEST_CASE("A planet chooses its own steps, and comes back to where the exact orb
                                                         {.position = 1e-10, .velocity = 1e-10});
   CHECK(counts.steps < 100);
   CHECK((planet.position - orbit.at(orbit.period()).position).norm() < 1e-8);  // m
-  //! [embedded_steps.hpp kepler.hpp]
+  //! [kepler.hpp]
+}
+
+TEST_CASE("A top under a torque chooses its own steps, to a tolerance in radians") {
+  //! [embedded_steps.hpp]
+  Top<double> top{.angular_momentum_body = {0.1, 3, 0.1}, .inverse_moments = {1, 0.5, 0.4}};
+  const auto brake = [](Top<double>& t, double /*time*/) {
+    t.torque = rotate(t.orientation, -0.1 * t.angular_momentum_body);  // N m, world axes
+  };
+  integrate<DormandPrince54>(top, brake, 0.0, 10.0, 1e-9);  // from 0 s through 10 s
+  const double kept = top.angular_momentum_body.norm() / Vec3d(0.1, 3, 0.1).norm();
+  CHECK(std::abs(kept - std::exp(-1)) < 1e-7);
+  //! [embedded_steps.hpp]
 }

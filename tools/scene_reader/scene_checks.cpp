@@ -357,3 +357,19 @@ TEST_CASE("A file that is not there, or is a folder, is an error that names it")
                          (path + ": there is no such file, or it can't be read").c_str(),
                          SceneError);
 }
+
+TEST_CASE("A scene is read from a file and stepped, and a mistake in one is told with its place") {
+  //! [read_scene_file.hpp read_scene.hpp]
+  const std::filesystem::path file = scenes_folder() / "t_handle.json";
+  Scene<double> scene = read_scene_file<double>(file);
+  const BodyHandle handle = scene.world.find("handle");
+  while (scene.world.time() < 1) scene.world.step();  // s
+  CHECK(energy_of(scene.world).motion > 0);           // J
+  CHECK(scene.world.name_of(handle) == "handle");
+  try {
+    read_scene<double>(R"({"duration": 1, "bodies": [{"name": "stone"}]})", "mine.json");
+  } catch (const SceneError& error) {
+    CHECK(error.pointer == "/bodies/0");
+  }
+  //! [read_scene_file.hpp read_scene.hpp]
+}

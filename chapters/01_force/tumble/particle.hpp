@@ -33,29 +33,34 @@ Real mass_of(const Particle<Real>& particle) {
   return select(is_static(particle), Real(0), 1 / particle.inverse_mass);
 }
 
+/// Throws unless `mass` (kg) is more than 0, and such that it and its inverse have all their
+/// digits.
+template <class Real>
+void require_mass(std::string_view name, Real mass) {
+  if (!(mass > 0)) reject(name, mass, "kg", "it must be greater than 0");
+  if (std::isinf(mass))
+    reject(name, mass, "kg", "for a body that nothing can move, use make_static_particle");
+  const Real smallest =
+      std::numeric_limits<Real>::min();  // the smallest number with all its digits
+  require_between(name, mass, "kg", smallest, 1 / smallest);
+}
+
 /// A particle of `mass` kg at `position` m, moving with `velocity` m/s. The type of the mass is
 /// that of all its numbers, so write 2.0 and not 2.
 ///
-/// @throws std::invalid_argument if the mass is zero, negative, NaN or infinite, if it is so small
-/// or so large that the mass or its inverse leaves the range that `Real` stores with full
-/// precision, or if a vector is not finite.
+/// @throws std::invalid_argument as require_mass(), or if a vector is not finite.
 template <class Real>
 Particle<Real> make_particle(Real mass, const Vec3<Same<Real>>& position = Vec3<Real>::Zero(),
                              const Vec3<Same<Real>>& velocity = Vec3<Real>::Zero()) {
   static_assert(std::is_floating_point_v<Real>, "write the mass with a decimal point: 2.0, not 2");
-  if (!(mass > 0)) reject("mass", mass, "kg", "it must be greater than 0");
-  if (std::isinf(mass))
-    reject("mass", mass, "kg", "for a body that nothing can move, use make_static_particle");
-  const Real smallest =
-      std::numeric_limits<Real>::min();  // the smallest number with all its digits
-  require_between("mass", mass, "kg", smallest, 1 / smallest);
+  require_mass("mass", mass);
   require_finite("position", position, "m");
   require_finite("velocity", velocity, "m/s");
   return {.position = position, .velocity = velocity, .inverse_mass = 1 / mass};
 }
 
-/// A particle that no force can move: the ground, a wall, the nail that a pendulum hangs from. If it
-/// is given a velocity, it keeps it.
+/// A particle that no force can move: the ground, a wall, the nail that a pendulum hangs from. If
+/// it is given a velocity, it keeps it.
 /// @throws std::invalid_argument if `position` (m) is not finite.
 template <class Real>
 Particle<Real> make_static_particle(const Vec3<Real>& position) {

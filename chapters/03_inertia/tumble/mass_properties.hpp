@@ -24,13 +24,6 @@ struct MassProperties {
 using MassPropertiesf = MassProperties<float>;
 using MassPropertiesd = MassProperties<double>;
 
-/// Throws unless `mass` (kg) is finite and greater than 0.
-template <class Real>
-void require_mass(std::string_view name, Real mass) {
-  if (!(mass > 0)) reject(name, mass, "kg", "it must be greater than 0");
-  require_finite(name, mass, "kg");
-}
-
 /// The tensor about `point` (m, from the model's origin), in the model's axes: the parallel axis
 /// theorem, I = I_c + M (d² δ − d dᵀ), where d leads from the centre of mass to the point.
 //! [inertia_about]

@@ -75,8 +75,10 @@ void set_checked_angular_velocity(std::string_view name, Top<Real>& top,
 /// (rad/s), both in world axes.
 ///
 /// @throws std::invalid_argument with a sentence about `name` if no body can have these mass
-/// properties, if an axis that should turn has no inertia, if a number is not finite, if the
-/// orientation is not nearly unit, or if the angular velocity turns about a locked axis.
+/// properties, or not with all digits in `Real`; if an axis that should turn has no inertia; if a
+/// number, the angular momentum or the place of the centre of mass is not finite; as
+/// checked_orientation(), if the orientation's norm is off 1; or if the angular velocity turns
+/// about a locked axis.
 template <class Real>
 ModelledBody<Real> make_rigid_body(std::string_view name, const MassProperties<Real>& properties,
                                    const Pose<Same<Real>>& model_in_world = {},
@@ -94,6 +96,7 @@ ModelledBody<Real> make_rigid_body(std::string_view name, const MassProperties<R
 
   ModelledBody<Real> made;
   made.model_in_body = inverse(body_in_model);
+  require_finite(std::string(name) + ": centre of mass in the world", pose.position, "m");
   require_finite(std::string(name) + ": velocity", velocity, "m/s");
   made.body.centre = make_particle(properties.mass, pose.position, velocity);
   made.body.top.orientation = normalized(pose.orientation);
@@ -104,7 +107,7 @@ ModelledBody<Real> make_rigid_body(std::string_view name, const MassProperties<R
 }
 
 /// A body that no force or torque can move or turn. If it is given a velocity, it keeps it.
-/// @throws std::invalid_argument as checked_pose() does.
+/// @throws std::invalid_argument if the position is not finite, or as checked_orientation().
 template <class Real>
 RigidBody<Real> make_static_body(std::string_view name, const Pose<Real>& pose) {
   const Pose<Real> checked = checked_pose(pose, name);

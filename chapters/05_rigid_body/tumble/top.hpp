@@ -70,7 +70,7 @@ void set_angular_velocity_body(Top<Real>& top, const Vec3<Same<Real>>& angular_v
   top.angular_momentum_body = moments_of(top).cwiseProduct(angular_velocity);
 }
 
-/// The same for ω in world axes.
+/// Sets the angular momentum to that of turning with ω (rad/s, world axes).
 template <class Real>
 void set_angular_velocity_world(Top<Real>& top, const Vec3<Same<Real>>& angular_velocity) {
   set_angular_velocity_body(top, rotate_back(top.orientation, angular_velocity));

@@ -6,8 +6,8 @@
 
 namespace tumble {
 
-/// The pose at `fraction` (0 to 1) of the way from one pose to another: the position on the
-/// straight line, the orientation on the shortest arc, both at a steady rate.
+/// The pose at `fraction` (0 to 1, unchecked) of the way from one pose to another: the position on
+/// the straight line, the orientation on the shortest arc, both at a steady rate.
 ///
 /// The arc is that of the turn from the one to the other, so q and −q make no difference. A body
 /// that turned by more than π in a step, and less than 2π, is drawn turning the other way, like a

@@ -33,9 +33,9 @@ class Drawing {
   /// The body is about to be put elsewhere: it is not drawn on the way there.
   void cut(BodyHandle body) { drawn_of(body).is_noted = false; }
 
-  /// The pose of the model's axes in the world, at `fraction` (0 to 1) of the way from the step
-  /// before the last to the last. Between, its centre of mass keeps to a straight line, as that of
-  /// a free body does; its origin need not.
+  /// The pose of the model's axes in the world, at `fraction` (0 to 1, unchecked: beyond, it is led
+  /// on) of the way from the step before the last to the last. Between, its centre of mass keeps to
+  /// a straight line, as that of a free body does; its origin need not.
   /// @throws std::out_of_range if the body has not been noted.
   Pose<Real> pose(BodyHandle body, Same<Real> fraction) const {
     const auto found = drawn_.find(body.slot);

@@ -12,12 +12,12 @@ struct Spring {
   Real stiffness = 0;       ///< k, N/m
   Real damping = 0;         ///< c, N s/m
   Real rest_length = 0;     ///< l₀, m
-  bool only_pulls = false;  ///< a tether: slack where it is shorter than its rest length
+  bool only_pulls = false;  ///< a tether: slack where it is shorter than at rest, and never pushes
 };
 
 /// The force (N) on the one end of a spring: −(k (l − l₀) + c l̇) n, where n leads along `extent`
-/// (m) from the other end to this one and `rate` is how fast that changes (m/s). A spring without
-/// length pulls towards nowhere.
+/// (m) from the other end to this one and `rate` is how fast that changes (m/s). It is 0 of a
+/// tether that is slack or would push, and of a spring without length, which pulls towards nowhere.
 //! [spring_force]
 template <class Real>
 Vec3<Real> spring_force(const Spring<Real>& spring, const Vec3<Same<Real>>& extent,
@@ -32,7 +32,7 @@ Vec3<Real> spring_force(const Spring<Real>& spring, const Vec3<Same<Real>>& exte
 }
 //! [spring_force]
 
-/// ½ k (l − l₀)², J.
+/// ½ k (l − l₀)², J; 0 of a slack tether.
 template <class Real>
 Real spring_energy(const Spring<Real>& spring, const Vec3<Same<Real>>& extent) {
   const Real stretch = extent.norm() - spring.rest_length;

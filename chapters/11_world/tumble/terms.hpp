@@ -62,12 +62,13 @@ struct PairImpulse {
 /// and turns: what limits the time step. An effect that has response() for a body, or for two, is
 /// taken into account. The matrices are symmetric, in world axes, and drive nothing: no eigenvalue
 /// is negative. Of two bodies they answer how the first has turned and turns relative to the
-/// second.
+/// second. What acts at the centre, such as a magnet of k N/m, returns {.stiffness = k}; see
+/// \ref step_limits.
 //! [response]
 template <class Real>
 struct Response {
-  Real stiffness = 0;                          ///< at most, N/m
-  Real damping = 0;                            ///< at most, N s/m
+  Real stiffness = 0;  ///< the most that the force changes for a metre, in any direction, N/m
+  Real damping = 0;    ///< and for a metre a second, N s/m
   Vec3<Real> arm_first = Vec3<Real>::Zero();   ///< from the (first) body's centre, m, world axes
   Vec3<Real> arm_second = Vec3<Real>::Zero();  ///< from the second's
   Vec3<Real> force = Vec3<Real>::Zero();       ///< on the first at that arm, N, world axes

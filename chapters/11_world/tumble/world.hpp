@@ -53,7 +53,7 @@ class World {
   /// orientation is normalised, and forces that were gathered in it are dropped: see push_at().
   /// @throws std::invalid_argument if the name is empty or taken, if a number is not finite, if an
   /// inverse mass or moment is negative, if the orientation is not nearly of norm 1, or if there is
-  /// angular momentum about a locked axis.
+  /// angular momentum about a locked axis. What nearly is, checked_orientation() says.
   BodyHandle add(const std::string& name, const Particle<Real>& point) {
     registry_.require_free(name);
     return append_body(name, point, nullptr);
@@ -156,7 +156,8 @@ class World {
 
   /// Turns the body axes, which are the principal axes, so. For a model to stand in the pose M give
   /// the orientation of composed(M, inverse(model_in_body)).
-  /// @throws std::invalid_argument if the body is a point, or if the norm is not nearly 1.
+  /// @throws std::invalid_argument if the body is a point, or as checked_orientation(), which also
+  /// normalises it.
   void set_orientation(BodyHandle body, const Quaternion<Real>& orientation) {
     require_top(body);
     const Quaternion<Real> q = checked_orientation(orientation, name_of(body) + ": orientation");
@@ -164,8 +165,8 @@ class World {
   }
 
   /// Sets the angular velocity.
-  /// @throws std::invalid_argument if a component is not finite, if the body is a point, or if it
-  /// would turn about a locked axis.
+  /// @throws std::invalid_argument if a component is not finite, nor the angular momentum then, if
+  /// the body is a point, or if it would turn about a locked axis.
   void set_angular_velocity(BodyHandle body, const Vec3<Same<Real>>& angular_velocity) {
     require_top(body);
     change_state(body, [&](RigidBody<Real>& changed) {
@@ -190,12 +191,18 @@ class World {
   /// before the step. It does not move what no force can move.
   /// @throws std::invalid_argument if a component is not finite.
   void push_at(BodyHandle body, const Vec3<Same<Real>>& force, const Vec3<Same<Real>>& point) {
-    require_between_steps("a push for the next step can't be given");
-    require_finite(name_of(body) + ": force", force, "N");
     require_finite(name_of(body) + ": point of the force", point, "m");
     const Vec3<Real> centre = backend_.body(registry_.index_of(body)).centre.position;
-    planner_.add_input(registry_.index_of(body), {force, torque_about<Real>(centre, point, force)},
-                       named_bodies());
+    push(body, {force, torque_about<Real>(centre, point, force)});
+  }
+
+  /// The same of a force at the centre of mass, of a torque about it, or of both. A torque does not
+  /// turn a point.
+  void push(BodyHandle body, const Push<Real>& push) {
+    require_between_steps("a push for the next step can't be given");
+    require_finite(name_of(body) + ": force", push.force, "N");
+    require_finite(name_of(body) + ": torque", push.torque, "N m");
+    planner_.add_input(registry_.index_of(body), push, named_bodies());
   }
 
   // --- Effects ----------------------------------------------------------------------------------

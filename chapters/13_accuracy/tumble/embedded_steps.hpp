@@ -204,7 +204,8 @@ class EmbeddedSteps {
 /// `tolerance` is what may be lost in a second: of a particle {m, m/s}; of a top rad, and as large
 /// a part of |L|. The squares of |L| and of the part of it that may be lost must be normal numbers:
 /// of a smaller error the choice of the step sees nothing, and a larger |L| has no such part. No
-/// step passes over one of the `stops`.
+/// step passes over one of the `stops`. What acts at the end is left in the body; if anything is
+/// thrown, the body is as it was.
 /// @throws std::invalid_argument unless the seconds are 0 or more and the tolerance more than 0,
 /// both finite, and as require_stops(). @throws StepError if no step meets the tolerance.
 template <class Pair, class Body, class Forces, class Real>
