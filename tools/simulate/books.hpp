@@ -2,7 +2,7 @@
 /// The books as JSON, for programs: what the table prints with three digits, with all of them.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <support/json_text.hpp>
 #include <tumble/ledger.hpp>
 #include <tumble/scene/scene.hpp>
 
@@ -31,8 +31,8 @@ std::string books_of(const Ledger<Real>& ledger, Scene<Real, Backend>& scene) {
   const World<Real, Backend>& world = scene.world;
   const double h = time_step_of<double>(world.step_length());
   std::string text = "{\"bodies\":" + std::to_string(world.body_count());
-  text.append(",\"turning_method\":").append(nlohmann::json(world.turning_method()).dump());
-  text.append(",\"scheme\":").append(nlohmann::json(name_of(world.scheme())).dump());
+  text.append(",\"turning_method\":").append(support::json_text(world.turning_method()));
+  text.append(",\"scheme\":").append(support::json_text(name_of(world.scheme())));
   text.append(",\"steps\":").append(std::to_string(world.ticks()));
   text.append(",\"time_step\":").append(json_number(h));
   text.append(",\"time\":").append(json_number(static_cast<double>(world.ticks()) * h));
@@ -42,7 +42,7 @@ std::string books_of(const Ledger<Real>& ledger, Scene<Real, Backend>& scene) {
   text.append("},\n\"effects\":[");
   const char* comma = "\n";
   for (const LedgerLine& line : ledger.lines()) {
-    text.append(comma).append("{\"name\":").append(nlohmann::json(line.name).dump()).append(",");
+    text.append(comma).append("{\"name\":").append(support::json_text(line.name)).append(",");
     text.append(json_of(line)).append("}");
     comma = ",\n";
   }

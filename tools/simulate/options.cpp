@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#define CXXOPTS_NO_REGEX  // to compile std::regex takes longer than all else here
 #include <cxxopts.hpp>
 #include <limits>
 #include <support/command_line.hpp>

@@ -6,19 +6,9 @@
 #include <system_error>
 #include <tumble/scene/scene_error.hpp>
 
-#include "interrupts.hpp"
+#include "check_plan.hpp"
 #include "live_page.hpp"
-
-namespace tumble::simulate {
-template <class Real>
-ExitCode run(const Options&);
-template <class Real>
-ExitCode check_plan(const Options&);
-extern template ExitCode run<float>(const Options&);
-extern template ExitCode run<double>(const Options&);
-extern template ExitCode check_plan<float>(const Options&);
-extern template ExitCode check_plan<double>(const Options&);
-}  // namespace tumble::simulate
+#include "run.hpp"
 
 namespace tumble::simulate {
 namespace {

@@ -2,7 +2,7 @@
 /// Where every body was at each recorded moment, as CSV or as JSON Lines.
 #pragma once
 
-#include <nlohmann/json.hpp>
+#include <support/json_text.hpp>
 
 #include "body_record.hpp"
 #include "output_file.hpp"
@@ -52,7 +52,7 @@ class JsonLinesFile {
     for_each_body(scene, [&](const std::string& name, const BodyRecord& body) {
       const std::array<double, 13> numbers = state_of(body);
       text.append("{\"time\":").append(text_of(time));
-      text.append(",\"body\":").append(nlohmann::json(name).dump());
+      text.append(",\"body\":").append(support::json_text(name));
       const auto list = [&](const char* key, std::size_t first, std::size_t last) {
         text.append(",\"").append(key).append("\":");
         for (std::size_t i = first; i < last; ++i)

@@ -46,6 +46,13 @@ class AnyEffect {
   EffectTraits<Real> traits_;
 };
 
+/// The effect in the form `Erased`. One deleter serves all forms: std::make_shared() would compile
+/// one for each.
+template <class Erased, class Real, class Effect>
+std::shared_ptr<const AnyEffect<Real>> shared_as(const Effect& effect) {
+  return std::unique_ptr<const AnyEffect<Real>>(new Erased(effect));
+}
+
 /// @cond the base class says what it does
 /// What prepared() returns, of an effect in the form `Erased`.
 template <class Erased, class Real, class Effect>
@@ -53,7 +60,7 @@ std::shared_ptr<const AnyEffect<Real>> prepared_as([[maybe_unused]] Effect effec
                                                    [[maybe_unused]] Real time_step) {
   if constexpr (requires { effect.prepare(time_step); }) {
     effect.prepare(time_step);
-    return std::make_shared<const Erased>(effect);
+    return shared_as<Erased, Real>(effect);
   } else {
     return nullptr;
   }

@@ -33,7 +33,7 @@ class OneByOne final : public BodyStore<Real> {
   /// The form in which its steps run an effect or a motion.
   template <class Effect>
   static std::shared_ptr<const AnyEffect<Real>> erased(const Effect& effect) {
-    return std::make_shared<const EffectOf<Real, Effect>>(effect);
+    return shared_as<EffectOf<Real, Effect>, Real>(effect);
   }
 
   /// One step. @return the body that diverged, if one did: all are then as they were before,

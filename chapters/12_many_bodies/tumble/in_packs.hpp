@@ -38,7 +38,7 @@ class InPacks final : public BodyStore<Real> {
   /// The form in which its steps run an effect or a motion.
   template <class Effect>
   static std::shared_ptr<const AnyEffect<Real>> erased(const Effect& effect) {
-    return std::make_shared<const PackedEffectOf<Real, width, Effect>>(effect);
+    return shared_as<PackedEffectOf<Real, width, Effect>, Real>(effect);
   }
 
   /// So many threads take part in each step from now on; without a call, one.

@@ -13,7 +13,6 @@ namespace tumble {
 template <class Real, int width>
 class PackedEffect {
  public:
-  virtual ~PackedEffect() = default;
   /// Runs the effect's function on those bodies of `packs` that lie in the packs from `begin` to
   /// before `end`; on all pairs if it joins two. `act` says which part of its work a rotor does.
   virtual void run_on_packs(PackedBodies<Real, width>& bodies, const Members& members,
@@ -27,6 +26,9 @@ class PackedEffect {
   /// What an effect of the force phase gives to each of these pairs, without giving it to them.
   virtual void find_pushes(const PackedBodies<Real, width>& bodies, std::span<const BodyPair> pairs,
                            std::span<PairPush<Real>> pushes, Real time) const = 0;
+
+ protected:
+  ~PackedEffect() = default;  // the world owns it as an AnyEffect
 };
 
 /// The effect with each of its numbers `width` times over. An effect of the user's that has no

@@ -62,14 +62,12 @@ template <class Real, class Backend, class Effect>
 void add_for_all(const Object& object, Scene<Real, Backend>& scene, const Effect& effect) {
   const std::string name = object.has("name") ? object["name"].text() : std::string(Effect::name);
   const Named<Effect> named{effect, name};
-  if (!object.has("bodies")) {
-    object.value().guarded([&] { return scene.world.add(named); });
-    return;
-  }
   std::vector<BodyHandle> bodies;
-  for (const Targets& targets : read_targets(object["bodies"], scene))
-    bodies.insert(bodies.end(), targets.bodies.begin(), targets.bodies.end());
-  object.value().guarded([&] { return scene.world.add(named, bodies); });
+  if (object.has("bodies"))
+    for (const Targets& targets : read_targets(object["bodies"], scene))
+      bodies.insert(bodies.end(), targets.bodies.begin(), targets.bodies.end());
+  object.value().guarded(
+      [&] { return bodies.empty() ? scene.world.add(named) : scene.world.add(named, bodies); });
 }
 
 /// An effect that is fixed to a place of the body, which the file gives in the model's axes. Each
