@@ -42,7 +42,7 @@ function tidy(html) {
     )
     .replace(/(<a\b[^>]*?) name="[^"]*"(?=[ >])/g, '$1')
     .replace(/ (align|valign|border|cellspacing|cellpadding)="[^"]*"/g, '')
-    .replace(/<a class="code hl_function" href="[^"]*#a\w+">([A-Z]\w*::\w+)<\/a>/g, '$1') // an enumerator, and no free function of its name
+    .replace(/(?<=\.)<a class="code hl_function" href="[^"]*#a\w+">(\w+)<\/a>|<a class="code hl_function" href="[^"]*#a\w+">([A-Z]\w*::\w+)<\/a>/g, '$1$2') // a member, and no free function of its name
     .replace(/&lt;tt&gt;(.*?)&lt;\/tt&gt;/g, '<code>$1</code>') // `code` in a heading
     .replace(/<a href="[^"]*">More\.\.\.<\/a>/g, '')
     .replace(/<p >/g, '<p>')

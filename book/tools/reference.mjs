@@ -381,18 +381,19 @@ export class Reference {
     );
   }
 
-  /** Whether a header brings the other along. */
-  #brings(header, other) {
-    return (this.included.get(header) ?? []).some(each => each === other || this.#brings(each, other));
+  /** The headers that one brings along. */
+  #brought_by(header, known = new Set()) {
+    for (const other of this.included.get(header) ?? []) if (!known.has(other)) this.#brought_by(other, known.add(other));
+    return known;
   }
 
   /** How a header is used, with what a program includes for it: the headers of the names in it that no other of them brings along. */
   #example(header) {
     const of = this.examples.get(header.name.split('/').at(-1));
     if (!of) return '';
-    const linked = [...of.lines.join('').matchAll(/<a class="code[^"]*" href="([^"]*)"/g)].map(([, href]) => this.places.get(href)?.replace(/#.*/, '') ?? href.replace(/#.*/, ''));
+    const linked = [...of.lines.join('').matchAll(/(?<!\.)<a class="code[^"]*" href="([^"]*)"/g)].map(([, href]) => this.places.get(href)?.replace(/#.*/, '') ?? href.replace(/#.*/, ''));
     const used = new Set(this.headers.filter(({file, name}) => linked.includes(file) || of.names.includes(name.split('/').at(-1))).map(({name}) => name));
-    const needed = [...used].filter(name => ![...used].some(other => other !== name && this.#brings(other, name))).sort();
+    const needed = [...used].filter(name => ![...used].some(other => other !== name && this.#brought_by(other).has(name))).sort();
     const line = html => `<div class="line">${html}</div>`;
     const lines = [...needed.map(name => line(`<span class="preprocessor">#include &lt;${name}&gt;</span>`)), line(''), ...of.lines.map(line)];
     const caption = `<figcaption>${escape(of.test)}: <a href="${of.file}#${of.line}"><code>${escape(this.written[of.file].title.replace(/ Source File$/, '').split('/').at(-1))}</code></a></figcaption>`;

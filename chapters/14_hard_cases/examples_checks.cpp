@@ -306,7 +306,7 @@ TEST_CASE("A world turns by another rule and steps by another scheme") {
 }
 
 TEST_CASE("A planet chooses its own steps, and comes back to where the exact orbit does") {
-  //! [kepler.hpp]
+  //! [embedded_steps.hpp kepler.hpp]
   Particle<double> planet = make_particle(1.0, {1, 0, 0}, {0, 1.2, 0});
   const auto attract = [](Particle<double>& p, double /*time*/) {
     p.force = -p.position / std::pow(p.position.norm(), 3);  // N, for 1 kg and GM = 1 m³/s²
@@ -316,7 +316,7 @@ TEST_CASE("A planet chooses its own steps, and comes back to where the exact orb
                                                         {.position = 1e-10, .velocity = 1e-10});
   CHECK(counts.steps < 100);
   CHECK((planet.position - orbit.at(orbit.period()).position).norm() < 1e-8);  // m
-  //! [kepler.hpp]
+  //! [embedded_steps.hpp kepler.hpp]
 }
 
 TEST_CASE("A top under a torque chooses its own steps, to a tolerance in radians") {

@@ -6,6 +6,7 @@
 #include <support/random_world.hpp>
 #include <support/shipped_scenes.hpp>
 #include <support/tumbling_problems.hpp>
+#include <tumble/energy.hpp>
 #include <tumble/scene/portable_random.hpp>
 #include <tumble/scene/read_scene_file.hpp>
 

@@ -38,8 +38,7 @@ Real mass_of(const Particle<Real>& particle) {
 template <class Real>
 void require_mass(std::string_view name, Real mass) {
   if (!(mass > 0)) reject(name, mass, "kg", "it must be greater than 0");
-  if (std::isinf(mass))
-    reject(name, mass, "kg", "for a body that nothing can move, use make_static_particle");
+  require_finite(name, mass, "kg");
   const Real smallest =
       std::numeric_limits<Real>::min();  // the smallest number with all its digits
   require_between(name, mass, "kg", smallest, 1 / smallest);
@@ -53,6 +52,8 @@ template <class Real>
 Particle<Real> make_particle(Real mass, const Vec3<Same<Real>>& position = Vec3<Real>::Zero(),
                              const Vec3<Same<Real>>& velocity = Vec3<Real>::Zero()) {
   static_assert(std::is_floating_point_v<Real>, "write the mass with a decimal point: 2.0, not 2");
+  if (mass > std::numeric_limits<Real>::max())
+    reject("mass", mass, "kg", "for a body that nothing can move, use make_static_particle");
   require_mass("mass", mass);
   require_finite("position", position, "m");
   require_finite("velocity", velocity, "m/s");
