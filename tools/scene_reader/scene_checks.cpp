@@ -365,7 +365,7 @@ TEST_CASE("A scene is read from a file and stepped, and a mistake in one is told
   Scene<double> scene = read_scene_file<double>(file);
   const BodyHandle handle = scene.world.find("handle");
   while (scene.world.time() < 1) scene.world.step();  // s
-  CHECK(energy_of(scene.world).motion > 0);           // J
+  CHECK(energy_of(scene.world).turning > 0);          // J
   CHECK(scene.world.name_of(handle) == "handle");
   try {
     read_scene<double>(R"({"duration": 1, "bodies": [{"name": "stone"}]})", "mine.json");

@@ -3,6 +3,7 @@
 #define JSON_HAS_FILESYSTEM 0  // WASI's C++ library has no files, and no text of ours is one
 #define JSON_HAS_EXPERIMENTAL_FILESYSTEM 0
 #include <first_scene.hpp>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <support/live.hpp>
 #include <tumble/scene/keys.hpp>
