@@ -395,9 +395,9 @@ export class Reference {
     const used = new Set(this.headers.filter(({file, name}) => linked.includes(file) || of.names.includes(name.split('/').at(-1))).map(({name}) => name));
     const needed = [...used].filter(name => ![...used].some(other => other !== name && this.#brought_by(other).has(name))).sort();
     const line = html => `<div class="line">${html}</div>`;
-    const lines = [...needed.map(name => line(`<span class="preprocessor">#include &lt;${name}&gt;</span>`)), line(''), ...of.lines.map(line)];
+    const includes = [...needed.map(name => line(`<span class="preprocessor">#include &lt;${name}&gt;</span>`)), line('')];
     const caption = `<figcaption>${escape(of.test)}: <a href="${of.file}#${of.line}"><code>${escape(this.written[of.file].title.replace(/ Source File$/, '').split('/').at(-1))}</code></a></figcaption>`;
-    return `<figure class="listing">${caption}${at_left_edge(`<div class="fragment">${lines.join('\n')}</div>`)}</figure>`;
+    return `<figure class="listing">${caption}<div class="fragment">${includes.join('\n')}\n${at_left_edge(`${of.lines.map(line).join('\n')}</div>`)}</figure>`;
   }
 
   #page(header) {
@@ -420,7 +420,7 @@ export class Reference {
       ...this.#by_description(shown).map(group => {
         const [{id, right}] = group;
         const goes_on = /^<p>\s*The same\b/.test(this.descriptions.get(id)?.doc ?? ''); // it says so of what stands before it
-        return {html: this.#member(group, header.name, taken, 'h2'), headings: [{level: 2, id, html: escape(name_in(right))}], is_used: !goes_on && example.includes(`#${id}"`)};
+        return {html: this.#member(group, header.name, taken, 'h2'), headings: [{level: 2, id, html: escape(name_in(right))}], is_used: !goes_on && (example.includes(`#${id}"`) || new RegExp(`\\b${name_in(right)}<\\w+>\\(`).test(plain(example)))};
       }),
     ];
     const ordered = [...parts.filter(({is_used}) => is_used), ...parts.filter(({is_used}) => !is_used)];
