@@ -167,7 +167,7 @@
     const asked = name_in(question);
     const named = prepared.places.filter(({document}) => asked && has_name(document, asked)).map(({document}) =>
       hits.find(hit => hit.document === document) ?? {document, covered: 1, score: 0});
-    named.sort((one, other) => other.score - one.score);
+    named.sort((one, other) => Boolean(one.document.is_row) - Boolean(other.document.is_row) || other.score - one.score); // a field comes after functions
     if (named.length) hits.splice(0, hits.length, ...hits.filter(hit => !named.includes(hit)));
     const is_foreseen = hits[0]?.document.asked?.includes(question.trim());
     hits.splice(asked?.is_certain && !is_foreseen ? 0 : 1, 0, ...named);

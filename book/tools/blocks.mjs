@@ -82,6 +82,7 @@ export class Blocks {
       map: () => this.#map(),
       chapters: () => this.#chapters(),
       headers: () => this.#headers(),
+      source: () => this.#source(),
       names: () => () => this.reference.names(), // once all pages are read
       scene_keys: () => scene_keys(settings.source),
       exercises: () => list_of_exercises(exercises, pages),
@@ -375,6 +376,12 @@ export class Blocks {
       return `<li><a href="${page.file}">${escape(page.name)}</a><br>${escape(page.question ?? '')}${adds}</li>`;
     };
     return `<ol class="map">${this.pages.chapters.filter(page => !page.further).reverse().map(item).join('')}</ol>`;
+  }
+
+  /** Where a reader of this book gets the course, if git knows it. */
+  #source() {
+    const {commit} = this.values.colophon;
+    return commit.startsWith('none') ? '' : `<p><a href="tumble.zip">The whole course</a> is in this book, as commit ${escape(commit.split(',')[0])}. Unpack it, and in its folder:</p>`;
   }
 
   #headers() {

@@ -1,5 +1,6 @@
 // Builds the book: node book.mjs SETTINGS.json [--so-far CHAPTERS]
 // With --so-far only these chapters, a list with commas, have their results; in the others' place stands that they are being made.
+import {execFileSync} from 'node:child_process';
 import {
   copyFileSync,
   existsSync,
@@ -173,6 +174,12 @@ function copy_theme(folder, names, live_scripts) {
   write_fonts(settings, folder, names);
 }
 
+/** The course itself, as it stands in git, for whoever finds the book alone. */
+function pack_source(folder) {
+  if (settings.colophon.commit.startsWith('none')) return;
+  execFileSync('git', ['archive', '--format=zip', '--prefix=tumble/', '-o', join(folder, 'tumble.zip'), 'HEAD'], {cwd: settings.source});
+}
+
 /** The finished book takes the place of the old one at once; a folder that is not a book stays as it is. */
 function publish(fresh, folder) {
   if (existsSync(folder)) {
@@ -208,6 +215,7 @@ function build() {
   rmSync(fresh, {recursive: true, force: true});
   mkdirSync(join(fresh, 'previews'), {recursive: true});
   copy_theme(fresh, write_pages(fresh, pages, written, directives), directives.makers.live_scripts);
+  pack_source(fresh);
   publish(fresh, settings.folder);
 
   if (!made) tell_red([...new Set(pages.chapters.map(page => page.chapter))], results);

@@ -22,7 +22,8 @@ function told_by(program, ...options) {
 
 function commit() {
   const name = told_by('git', 'rev-parse', '--short=12', 'HEAD');
-  if (!name) return 'none: this copy was built outside git';
+  // Inside somebody else's folder git would name a commit that knows nothing of this one.
+  if (!name || !told_by('git', 'ls-tree', '--name-only', 'HEAD')) return 'none: this copy was built outside git';
   return told_by('git', 'status', '--porcelain') ? `${name}, modified` : name;
 }
 

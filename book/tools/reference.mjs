@@ -269,10 +269,19 @@ export class Reference {
     return groups;
   }
 
+  /** Each type that has a page leads to it; the name that is declared needs no link to itself. */
+  #with_types(html, id) {
+    const parts = html.split(/(<a [^>]*>[\s\S]*?<\/a>|<[^>]*>|&\w+;)/);
+    return parts.map(part => {
+      if (part.startsWith('<a ')) return part.includes(`#${id.replace(/^\w+-/, '')}"`) ? part.replace(/<[^>]*>/g, '') : part;
+      return /^[<&]/.test(part) ? part : part.replace(/\b[A-Z]\w+\b/g, word => (this.by_class.has(word) ? `<a class="el" href="${this.by_class.get(word)}">${word}</a>` : word));
+    }).join('');
+  }
+
   #declaration({id, template, left, right}, address = '') {
     const about = this.descriptions.get(id);
     const line = about?.line ? ` <a class="line-link" href="${about.line}">source</a>` : '';
-    return `<p class="declaration"${address}>${declared(template, declaration(`${about?.before ?? ''}${left} ${right}`))}${line}</p>`;
+    return `<p class="declaration"${address}>${declared(template, this.#with_types(declaration(`${about?.before ?? ''}${left} ${right}`), id))}${line}</p>`;
   }
 
   #member([first, ...overloads], owner, taken, level) {
@@ -359,7 +368,7 @@ export class Reference {
       .map(row => ({...row, id: `${id}-${row.id}`}));
     const fields = rows.filter(({kind}) => /attribs/.test(kind));
     const functions = rows.filter(({kind}) => !/attribs|nested/.test(kind) && kind !== 'friends');
-    header.fields.push(...fields.map(row => ({id: row.id, owner: name, name: name_in(row.right)})));
+    header.fields.push(...[...fields, ...functions.filter(row => this.#asked(row))].map(row => ({id: row.id, owner: name, name: name_in(row.right)})));
     const told_by_all = functions.filter(row => this.#asked(row));
     const asked = told_by_all.filter(row => name_in(row.right) !== 'broadcast'); // of no use to a reader
     const members = functions.filter(row => !told_by_all.includes(row));

@@ -51,7 +51,8 @@ tumble_live.figures.throw = {
     const {with_unit} = tumble_live;
     const last = name => columns[name].at(-1);
     const by_formula = tumble_live.answered('half_the_step') ? `, and ½ g h t is ${with_unit(last('half g h t'), 'm')}` : '';
+    const off = Math.abs(columns['exact distance'].at(-1) - columns.distance.at(-1));
     return `After ${with_unit(last('time'), 's')} the stepped ball is ${with_unit(last('below the parabola'), 'm')} below the parabola${by_formula}. ` +
-      `Forward it is off by ${with_unit(Math.abs(columns['exact distance'].at(-1) - columns.distance.at(-1)), 'm', 2)}.`;
+      (off < 1e-9 ? 'Forward it is right, to rounding.' : `Forward it is off by ${with_unit(off, 'm', 2)}.`);
   },
 };

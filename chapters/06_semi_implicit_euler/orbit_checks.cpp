@@ -45,7 +45,7 @@ double energy_error(int steps_per_radian, int first, int last) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("On an orbit kick and drift keep the angular momentum", Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("On an orbit kick and drift keeps the angular momentum", Real, EVERY_PRECISION) {
   Particle<Real> body = satellite(Real(0.5));
   const Real start = angular_momentum(body), time_step = Real(0.02);
   const int steps = 2000;

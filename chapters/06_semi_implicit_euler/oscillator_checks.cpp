@@ -50,7 +50,7 @@ long double phase_per_step(Real wh) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("Kick and drift keep v² + ω²x² − hω²xv of an oscillator", Real,
+TEST_CASE_TEMPLATE("Kick and drift keeps v² + ω²x² − hω²xv of an oscillator", Real,
                    EVERY_PRECISION) {
   const Real time_step = Real(0.05), wh = frequency<Real> * time_step;
   Particle<Real> particle = stretched_by_a_metre<Real>();

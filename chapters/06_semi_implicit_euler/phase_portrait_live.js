@@ -4,6 +4,7 @@
   /** Until the page's first question is answered there are only the circle and the start. */
   const is_open = () => live.answered('two_lines');
   const rules = ['explicit Euler', 'kick, then drift', 'implicit Euler'];
+  const colours = [1, 0, 3]; // as in the chapter's other figures
 
   live.figures.phase_portrait = {
     title: 'Where does each rule lead the weight?',
@@ -31,14 +32,16 @@
           const plot = new live.Plot(painter, palette, size, {label: '*ωx*', unit: 'm/s', least: -reach, most: reach},
             {label: '*v*', unit: 'm/s', least: -reach, most: reach}, {equal: true});
           picture.plot = plot;
-          plot.line(columns['exact scaled place'], columns['exact velocity'], palette.bodies[0]);
-          if (is_open()) plot.line(columns['curve scaled place'], columns['curve velocity'], palette.bodies[2], {dash: [6, 4]});
+          const colour = palette.bodies[colours[values.rule]];
+          plot.line(columns['exact scaled place'], columns['exact velocity'], palette.ink, {dash: [2, 3]});
+          if (is_open()) plot.line(columns['curve scaled place'], columns['curve velocity'], colour, {dash: [6, 4]});
           const shown = is_open() ? Math.floor(time / values.h + 1e-9) + 1 : 1;
           const [x, v] = [columns['scaled place'].subarray(0, shown), columns.velocity.subarray(0, shown)];
-          plot.line(x, v, palette.bodies[1], {width: 1, opacity: 0.6});
-          plot.points(x, v, palette.bodies[1]);
-          plot.points([x.at(-1)], [v.at(-1)], palette.bodies[1], 6);
-          plot.legend([['exact', palette.bodies[0]], [rules[values.rule], palette.bodies[1]]]);
+          plot.line(x, v, colour, {width: 1, opacity: 0.6});
+          plot.points(x, v, colour);
+          plot.points([x.at(-1)], [v.at(-1)], colour, 6);
+          const curve = is_open() && columns['curve velocity'].some(Number.isFinite) ? [['its curve', colour, [6, 4]]] : [];
+          plot.legend([['exact', palette.ink, [2, 3]], [rules[values.rule], colour], ...curve]);
         },
         drag(plot, at, {values}) {
           const [scaled, v] = plot.value_at(at);
@@ -58,10 +61,11 @@
           const plot = new live.Plot(painter, palette, size, {label: 'steps', unit: '', least: 0, most: last},
             {label: 'energy', unit: 'relative', least: 10 ** Math.floor(Math.log10(least)), most: 10 ** Math.ceil(Math.log10(most)), log: true});
           picture.plot = plot;
-          plot.line([0, last], [1, 1], palette.bodies[0]);
+          const colour = palette.bodies[colours[values.rule]];
+          plot.line([0, last], [1, 1], palette.ink, {dash: [2, 3]});
           if (!is_open()) return plot.ask();
-          plot.line(steps.subarray(0, energies.length), energies, palette.bodies[1]);
-          plot.legend([['exact', palette.bodies[0]], [rules[values.rule], palette.bodies[1]]]);
+          plot.line(steps.subarray(0, energies.length), energies, colour);
+          plot.legend([['exact', palette.ink, [2, 3]], [rules[values.rule], colour]]);
         },
       },
     ],

@@ -32,14 +32,14 @@
         key: ([right], {values}) => ({h: values.h * 1.1 ** right}),
       },
       {
-        label: 'Speed against time: the exact solution as a line, the steps as points.',
+        label: 'Velocity against time: the exact solution as a line, the steps as points.',
         aspect: 1.25,
         draw(picture, {columns}) {
           const {painter, palette, size} = picture;
           const far = columns.speed.reduce((most, value) => Math.max(most, Math.abs(value)), 1);
           const least = columns.speed.reduce((a, b) => Math.min(a, b), 0);
           const plot = new live.Plot(painter, palette, size, {label: 'time', unit: 's', least: 0, most: columns.time.at(-1)},
-            {label: 'speed', unit: 'm/s', least: least < 0 ? -Math.min(far, 4) * 1.05 : 0, most: Math.min(far, 4) * 1.05});
+            {label: 'velocity', unit: 'm/s', least: least < 0 ? -Math.min(far, 4) * 1.05 : 0, most: Math.min(far, 4) * 1.05});
           picture.plot = plot;
           plot.line(columns['exact time'], columns['exact speed'], palette.bodies[0]);
           plot.line(columns.time, columns.speed, palette.bodies[1], {width: 1, opacity: 0.6});

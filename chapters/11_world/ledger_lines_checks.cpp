@@ -145,7 +145,7 @@ no effect takes or gives energy, but the sum has changed by more than a tenth of
   // Sixteen such steps lose a sixteenth of the kinetic energy; and a damper may take what it likes.
   for (int n = 0; n < 15; ++n) ledger.step(world);
   CHECK(energies_of(ledger, world) ==
-        "kinetic + stored = sum, J: 0 + 64 = 64 at the start, 1.02e+03 + -1.02e+03 = 0 now\n");
+        "kinetic + stored = sum, J: 0 + 64 = 64 at the start, 1024 + -1024 = 0 now\n");
   world.add(SpringToPoint<double>{.spring = {.stiffness = 1, .damping = 1}}, {world.find("stone")});
   ledger.step(world);
   CHECK(energies_of(ledger, world).find("too long") == std::string::npos);

@@ -270,7 +270,7 @@ TEST_CASE_TEMPLATE("A body that is given the velocity towards a path is there af
 }
 
 TEST_CASE_TEMPLATE(
-    "No member of an effect goes unheard: another form of it, or nearly its name, is none", Real,
+    "A member of an effect in another form, or with a common slip in its name, is refused", Real,
     float, double) {
   static_assert(HeardMembers<Real, Plain<Real>>::value);
   static_assert(HeardMembers<Real, Heard<Real>>::value);

@@ -13,7 +13,7 @@ using Wide = long double;
 }  // namespace
 
 TEST_CASE_TEMPLATE(
-    "An integration ends where it shall, and no step goes beyond, but for two roundings", Real,
+    "An integration ends where it is told to, and no step goes beyond, but for two roundings", Real,
     EVERY_PRECISION) {
   const auto problem = heavy_top<Real>("", 3);
   using Forces = Weight<Real>;

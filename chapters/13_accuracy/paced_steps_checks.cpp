@@ -149,7 +149,8 @@ TEST_CASE_TEMPLATE("The pace that is carried along stays true to the pace of the
   }
 }
 
-TEST_CASE("A paced integration ends where it shall, and what it can't be asked for is refused") {
+TEST_CASE(
+    "A paced integration ends where it is told to, and what it can't be asked for is refused") {
   const auto problem = slow_top<double>();
   const auto carried = [&](double seconds, double angle, double least = 1) {
     Topd top = problem.start;

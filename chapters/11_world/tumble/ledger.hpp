@@ -166,7 +166,7 @@ std::string energies_of(const Ledger<Real>& ledger, const World<Real, Backend>& 
   char text[256];
   std::snprintf(
       text, sizeof text,
-      "kinetic + stored = sum, J: %.3g + %.3g = %.3g at the start, %.3g + %.3g = %.3g now\n",
+      "kinetic + stored = sum, J: %.4g + %.4g = %.4g at the start, %.4g + %.4g = %.4g now\n",
       before, stored_before, before + stored_before, after, stored, after + stored);
   const bool has_drifted =
       std::abs(after + stored - before - stored_before) > ledger.largest_kinetic() / 10;

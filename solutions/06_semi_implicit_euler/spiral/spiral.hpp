@@ -1,5 +1,5 @@
 /// @file
-/// Exercise: a planet that shall stay.
+/// Exercise: a planet that is to stay.
 #pragma once
 
 #include <cmath>
