@@ -56,6 +56,7 @@
     });
   }
 
+  /** Of two sides that face each other one is marked, so that one sees whether it has turned over. */
   function box([a, b, c], cuts) {
     const solid = new Faces();
     const size = [a, b, c];
@@ -70,7 +71,7 @@
           return solid.corner(...point);
         };
         for (let i = 0; i < cuts; ++i)
-          for (let j = 0; j < cuts; ++j) solid.face([at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)]);
+          for (let j = 0; j < cuts; ++j) solid.face([at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)], side > 0);
       }
     return solid;
   }

@@ -274,7 +274,7 @@ export class Reference {
     const parts = html.split(/(<a [^>]*>[\s\S]*?<\/a>|<[^>]*>|&\w+;)/);
     return parts.map(part => {
       if (part.startsWith('<a ')) return part.includes(`#${id.replace(/^\w+-/, '')}"`) ? part.replace(/<[^>]*>/g, '') : part;
-      return /^[<&]/.test(part) ? part : part.replace(/\b[A-Z]\w+\b/g, word => (this.by_class.has(word) ? `<a class="el" href="${this.by_class.get(word)}">${word}</a>` : word));
+      return /^[<&]/.test(part) ? part : part.replace(/\b[A-Z]\w+\b/g, word => (this.by_class.get(word) ? `<a class="el" href="${this.by_class.get(word)}">${word}</a>` : word));
     }).join('');
   }
 
@@ -368,10 +368,10 @@ export class Reference {
       .map(row => ({...row, id: `${id}-${row.id}`}));
     const fields = rows.filter(({kind}) => /attribs/.test(kind));
     const functions = rows.filter(({kind}) => !/attribs|nested/.test(kind) && kind !== 'friends');
-    header.fields.push(...[...fields, ...functions.filter(row => this.#asked(row))].map(row => ({id: row.id, owner: name, name: name_in(row.right)})));
     const told_by_all = functions.filter(row => this.#asked(row));
     const asked = told_by_all.filter(row => name_in(row.right) !== 'broadcast'); // of no use to a reader
     const members = functions.filter(row => !told_by_all.includes(row));
+    header.fields.push(...[...fields, ...asked].map(row => ({id: row.id, owner: name, name: name_in(row.right)})));
     const parts = parts_of(header.text);
     let part;
     const told = this.#by_description(members).map(group => {

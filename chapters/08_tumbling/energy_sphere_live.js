@@ -26,8 +26,17 @@
     const n = step_at(state);
     const camera = {target: [0, 0, 0], distance: 7.2, ...view};
     const parts = live.once(columns, 'box', () => [{box: box_of(state)}]);
-    live.draw_body(picture, camera, 'thrown box', parts, [columns['q real'][n], ...point(columns, 'q', n)]);
-    const project = player.projection(camera, size);
+    const orientation = [columns['q real'][n], ...point(columns, 'q', n)];
+    live.draw_body(picture, camera, 'thrown box', parts, orientation);
+    const project = player.projection(camera, size), {back} = player.picture_axes(view), matrix = player.matrix_of(orientation);
+    // Where the sphere's axes come out of the box, on the sides that one sees.
+    columns.axis.forEach((axis, number) => {
+      for (const side of [-1, 1]) {
+        const out = player.turned(matrix, [0, 1, 2].map(k => (k === axis ? side * (parts[0].box[axis] / 2 + 0.1) : 0)));
+        const [x, y] = project(out);
+        if (player.dot(out, back) > 0) painter.text(String(number + 1), x, y, 'center', palette.ink);
+      }
+    });
     const mark = (vector, words, colour, beside) => {
       const end = project(player.scaled(vector, 1.35));
       live.arrow(painter, project([0, 0, 0]), end, colour);
