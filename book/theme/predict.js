@@ -13,7 +13,9 @@
     said.className = 'predicted';
     said.setAttribute('role', 'status');
     fold.before(said);
+    const choices = [...form.querySelectorAll('input[type="radio"]')];
     const show = text => {
+      for (const choice of choices) choice.checked = choice.value === text;
       said.textContent = text ? `You predicted: ${text}. Now look.` : '';
       form.classList.add('answered');
       fold.open = true;
@@ -32,8 +34,7 @@
     } catch { /* as above */ }
     if (kept !== null) show(kept);
     for (const input of form.querySelectorAll('input')) {
-      if (input.type === 'radio') input.checked = input.value === kept;
-      else input.value = (kept ?? '').split(' ')[0];
+      if (input.type !== 'radio') input.value = (kept ?? '').split(' ')[0];
       input.addEventListener('change', () => {
         if (input.value) keep(input.type === 'radio' ? input.value : `${input.value} ${input.dataset.unit}`.trim());
       });

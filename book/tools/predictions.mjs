@@ -1,12 +1,15 @@
 // Questions with a place to answer, and the gates before what answers them.
 import {escape} from './text.mjs';
 
-/** Choices, or "number UNIT"; what happens is folded until the reader has chosen. The name is the browser's key, once in the book. */
+/**
+ * Choices, or "number UNIT"; what happens is folded until the reader has chosen. The name is the browser's key, once in the book. The
+ * choices are no group of the browser's: in one the arrow keys would answer on their way to the next, so predict.js keeps them to one.
+ */
 export function prediction(name, question, choices, answer) {
   const [, unit] = /^number ?(.*)$/.exec(choices.join(';')) ?? [];
   const inputs = unit !== undefined
     ? [`<label><input type="number" inputmode="decimal" step="any" data-unit="${escape(unit)}"> ${escape(unit)} <button>Answer</button></label>`]
-    : choices.map(choice => `<label><input type="radio" name="${name}" value="${escape(choice)}"> ${escape(choice)}</label>`);
+    : choices.map(choice => `<label><input type="radio" value="${escape(choice)}"> ${escape(choice)}</label>`);
   return `<form class="prediction unindexed" id="predict_${name}" data-prediction="${name}">` +
     `<fieldset><legend>${escape(question)}</legend>${inputs.join('')}</fieldset>` +
     `<details class="fold"><summary>What happens</summary><p>${escape(answer)}</p></details></form>`;
