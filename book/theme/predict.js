@@ -5,6 +5,37 @@
     for (const gate of document.querySelectorAll(`[data-gate="${name}"]`)) gate.classList.add('open');
   };
 
+  /** The browser's memory, if it keeps one. */
+  const recall = key => {
+    try {
+      return localStorage.getItem(key);
+    } catch {
+      return null;
+    }
+  };
+  const remember = (key, text) => {
+    try {
+      localStorage.setItem(key, text);
+    } catch { /* a browser that keeps nothing */ }
+  };
+  const button = (text, act) => Object.assign(document.createElement('button'), {type: 'button', textContent: text, onclick: act});
+
+  const never = 'tumble.never-ask';
+  const forms = [...document.querySelectorAll('form.prediction')];
+  function never_ask() {
+    remember(never, 'yes');
+    for (const form of forms) form.dispatchEvent(new Event('shown'));
+    offer_questions();
+  }
+  function ask_again() {
+    for (const key of Object.keys(localStorage)) if (key === never || (key.startsWith('tumble.prediction.') && !recall(key))) localStorage.removeItem(key);
+    location.reload();
+  }
+  /** Who reads without questions can have them back. */
+  function offer_questions() {
+    forms[0]?.append(button('Ask me again', ask_again));
+  }
+
   function keep_prediction(form) {
     const name = form.dataset.prediction,
       key = `tumble.prediction.${name}`;
@@ -22,17 +53,16 @@
       open_gates(name);
     };
     const keep = text => {
-      try {
-        localStorage.setItem(key, text);
-      } catch { /* a browser that keeps nothing */ }
+      remember(key, text);
       show(text);
       dispatchEvent(new Event('predicted')); // a figure draws the guess
     };
-    let kept = null; // null until the reader answers; empty for one who only wants to see
-    try {
-      kept = localStorage.getItem(key);
-    } catch { /* as above */ }
+    const kept = recall(key); // null until the reader answers; empty for one who only wants to see
     if (kept !== null) show(kept);
+    else if (recall(never)) keep('');
+    form.addEventListener('shown', () => {
+      if (recall(key) === null) keep('');
+    });
     for (const input of form.querySelectorAll('input')) {
       if (input.type !== 'radio') input.value = (kept ?? '').split(' ')[0];
       input.addEventListener('change', () => {
@@ -56,7 +86,9 @@
     target.scrollIntoView();
   }
 
-  for (const form of document.querySelectorAll('form.prediction')) keep_prediction(form);
+  for (const form of forms) keep_prediction(form);
+  if (recall(never)) offer_questions();
+  else document.querySelector('.gate .shut')?.append(' ', button('Never ask', never_ask));
   addEventListener('hashchange', follow_address);
   follow_address();
 })();

@@ -47,6 +47,18 @@ test('"Just show me" opens them by the keyboard, which goes on from there, and t
   assert.equal(await form(name).getByRole('status').textContent(), '');
 });
 
+test('"Never ask" opens all gates of all pages, and "Ask me again" shuts them.', async () => {
+  await page.goto(address(chapter));
+  await page.getByRole('button', {name: 'Never ask'}).first().click();
+  assert.deepEqual(await state_of(name), [open, open, open]);
+  await page.goto(address('step_limits.html'));
+  assert.deepEqual(await state_of('nutation'), [open, open]);
+  await page.getByRole('button', {name: 'Ask me again'}).click();
+  await page.waitForFunction(() => !document.querySelector('[data-gate].open'));
+  assert.deepEqual(await state_of('nutation'), [shut, shut]);
+  assert.equal(await page.evaluate(() => localStorage.length), 0);
+});
+
 test('"Answer first" leads to the question, a number of which is answered by Enter.', async () => {
   await page.goto(address('chapter_06_semi_implicit_euler.html'));
   await page.locator('[data-gate="swings_64"] a').first().click();
