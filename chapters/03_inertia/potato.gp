@@ -1,6 +1,6 @@
 @drawing 560,350
 set output name.".svg"
-set title "Where do a potato's three axes come from?"
+set title "A potato's three axes are found from its skin alone"
 unset border
 unset tics
 unset grid

@@ -1,4 +1,4 @@
-set title "How many particles does half the error take?"
+set title "A lattice needs far fewer particles than chance does"
 set xlabel "particles"
 set ylabel "relative error of the tensor"
 set logscale xy

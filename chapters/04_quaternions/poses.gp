@@ -1,6 +1,6 @@
 @drawing 620,245
 set output name.".svg"
-set title "Where do two quarter turns leave the book?"
+set title "Two quarter turns in the other order leave the book elsewhere"
 unset border
 unset tics
 unset grid

@@ -1,4 +1,4 @@
-set title "How wrong are three turns in a row?"
+set title "The error of three turns in a row grows with the square of the angle"
 set xlabel "angle of the whole turn (rad)"
 set ylabel "error (rad)"
 set logscale xy

@@ -207,6 +207,10 @@ TEST_CASE_TEMPLATE("A body that cannot be is refused by name, value, unit and ru
   MassProperties<Real> massless = brick<Real>();
   massless.mass = 0;
   CHECK(complaint(massless) == "kite: mass is 0 kg; it must be greater than 0");
+  const Real huge = std::numeric_limits<Real>::max();
+  MassProperties<Real> heavy = brick<Real>();
+  heavy.mass = huge;  // its inverse is below the normal numbers
+  CHECK(complaint(heavy).find("kite: mass is ") == 0);
   using Vector = Vec3<Real>;
   check_refuses_bad_vectors<Real>("kite: centre of mass", "m", [](const Vector& bad) {
     MassProperties<Real> lost = brick<Real>();
@@ -216,6 +220,11 @@ TEST_CASE_TEMPLATE("A body that cannot be is refused by name, value, unit and ru
   check_refuses_bad_vectors<Real>("kite: position", "m", [](const Vector& bad) {
     make_rigid_body("kite", brick<Real>(), {.position = bad});
   });
+  MassProperties<Real> far = brick<Real>();
+  far.centre_of_mass.x() = huge;  // and the model as far again from the world's origin
+  const std::string too_far = complaint(far, {.position = far.centre_of_mass});
+  CHECK(too_far.find("kite: centre of mass in the world is (inf, ") == 0);
+  CHECK(too_far.find(") m; every component must be finite") != std::string::npos);
   CHECK(complaint(brick<Real>(), {.orientation = {.real = 0}})
             .find("kite: orientation is (0, 0, 0, 0)") == 0);
   CHECK(complaint(brick<Real>(), {.orientation = {.real = 2}})
@@ -226,7 +235,6 @@ TEST_CASE_TEMPLATE("A body that cannot be is refused by name, value, unit and ru
   check_refuses_bad_vectors<Real>("kite: angular velocity", "rad/s", [](const Vector& bad) {
     make_rigid_body<Real>("kite", brick<Real>(), {}, Vector::Zero(), bad);
   });
-  const Real huge = std::numeric_limits<Real>::max();
   // About x its moment is more than 1 kg m², so that the momentum leaves the range.
   const std::string too_much = complaint(brick<Real>(), {}, Vector::Zero(), Vector(huge, 0, 0));
   CHECK(too_much.find("kite: angular momentum is (") == 0);

@@ -1,4 +1,4 @@
-set title "How far does the weight get?"
+set title "How far the weight can swing grows with the step, up to the limit"
 set xlabel "{/:Italic ωh}"
 set ylabel "largest |{/:Italic x}| (m)"
 set logscale y

@@ -1,4 +1,4 @@
-set title "What becomes of the energy?"
+set title "Explicit Euler gains energy; kick, then drift stays in a band"
 set xlabel "swings"
 set ylabel "energy (J)"
 set logscale y

@@ -1,6 +1,6 @@
 @drawing 520,420
 set output name.".svg"
-set title "What becomes of the ellipse?"
+set title "Explicit Euler leaves the ellipse; kick, then drift slowly turns it"
 set xlabel "{/:Italic x} (smallest distance = 1)"
 set ylabel "{/:Italic y}"
 set size ratio -1

@@ -6,7 +6,7 @@ set xlabel "{/:Italic x} (m)"
 set ylabel "{/:Italic v} (m/s)"
 set size ratio -1
 set xrange [0.2:1.6]
-set xtics 0.8
+set xtics (0.4, 0.8, 1.2)
 set yrange [-1.4:0.5]
 set ytics 0.5
 of(kind) = strcol(1) eq kind ? column(2) : NaN

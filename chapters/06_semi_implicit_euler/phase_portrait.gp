@@ -1,6 +1,6 @@
 @drawing 480,470
 set output name.".svg"
-set title "With which order does the weight swing farther every time?"
+set title "Drift with the old velocity, and every swing is wider than the last"
 set xlabel "{/:Italic ωx} (m/s)"
 set ylabel "{/:Italic v} (m/s)"
 set size ratio -1

@@ -1,4 +1,4 @@
-set title "Where does the nose go?"
+set title "With ω on the wrong side, the nose goes round another axis"
 unset border
 unset tics
 unset grid

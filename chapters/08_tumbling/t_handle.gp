@@ -1,5 +1,5 @@
 @drawing 630,280
-set title "What becomes of the spin about the shaft?"
+set title "The spin about the shaft turns over, again and again"
 set xlabel "time (s)"
 set ylabel "rate (rad/s)"
 set ytics 5

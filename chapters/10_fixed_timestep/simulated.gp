@@ -1,6 +1,6 @@
 @drawing 430,390
 set output name.".svg"
-set title "Which of the two games feels worse?"
+set title "With the cap the game falls behind evenly; without it, it leaps"
 set xlabel "wall-clock time (s)"
 set ylabel "simulated time (s)"
 set xrange [0:10]

@@ -1,4 +1,4 @@
-set title "How long do the frames get?"
+set title "Without a cap, long frames make longer ones"
 set xlabel "wall-clock time (s)"
 set ylabel "duration of a frame (ms)"
 set logscale y

@@ -1,4 +1,4 @@
-set title "How far does the ball move in each frame?"
+set title "Drawn at its last state the ball stutters; between two it glides"
 set xlabel "frame"
 set ylabel "position (cm)"
 set xtics 4

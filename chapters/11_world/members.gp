@@ -1,6 +1,6 @@
 @drawing 480,370
 set output name.".svg"
-set title "Which bodies does each part of the step visit?"
+set title "Each part of the step visits only the bodies that it concerns"
 unset grid
 unset border
 unset key

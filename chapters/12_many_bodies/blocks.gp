@@ -1,5 +1,5 @@
 @drawing 480,500
-set title "The cache holds two blocks: in which order do the passes visit them?"
+set title "The cache holds two blocks: block by block, each is fetched once"
 unset border; unset tics; unset grid; unset key
 set lmargin 0; set rmargin 0; set bmargin at screen 0.01; set tmargin at screen 0.92
 set xrange [0:480]

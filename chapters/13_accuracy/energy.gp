@@ -1,5 +1,5 @@
 @drawing 560,420
-set title "Which methods keep the energy?"
+set title "Splitting keeps the energy within a band; Runge–Kutta rules let it drift"
 set xlabel "time (s)"
 set ylabel "relative error of the energy"
 set logscale y

@@ -1,5 +1,5 @@
 @drawing 560,400
-set title "Which methods keep the angular momentum?"
+set title "All but the classical Runge–Kutta rule keep the angular momentum"
 set xlabel "time (s)"
 set ylabel "relative error of {/:Italic L} in the world"
 set logscale y

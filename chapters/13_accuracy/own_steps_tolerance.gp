@@ -1,5 +1,5 @@
 @drawing 545,400
-set title "How many steps does a smaller tolerance cost?"
+set title "The pair 8(5,3) needs the fewest steps for a small tolerance"
 set xlabel "tolerance (m/s and m/s²)"
 set ylabel "steps along the orbit"
 set logscale xy

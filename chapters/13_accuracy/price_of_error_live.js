@@ -119,6 +119,10 @@
     const place = value => left + (right - left) * Math.max(0, Math.min(1, Math.log(value / axis.least) / Math.log(axis.most / axis.least)));
     painter.text('order', 6, 12, 'left', palette.ink);
     painter.text(by_time ? 'error' : 'price', size.width - 6, 12, 'right', palette.ink);
+    for (const mark of by_time ? [1e-10, 1e-5, 1] : [1, 1e3, 1e6].filter(ns => ns > axis.least && ns < axis.most)) {
+      painter.line([[place(mark), top], [place(mark), size.height - 6]], palette.ink, 1, 0.2);
+      painter.text(by_time ? live.shown(mark, 1) : time(mark), place(mark), 12, 'center', palette.ink);
+    }
     rows.forEach((name, row) => {
       const y = top + (row + 0.5) * height;
       const its = row === exact ? {price: exact_price(state), error: 0} : places.find(({rung}) => rung === row);

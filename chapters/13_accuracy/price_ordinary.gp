@@ -1,5 +1,5 @@
 @drawing 545,480
-set title "An ordinary body: what does an error cost?"
+set title "What an error costs, for an ordinary body"
 set xlabel "time for a simulated second (ns)"
 set ylabel "error after 10 s (rad)"
 set logscale xy

@@ -1,5 +1,5 @@
 @drawing 560,470
-set title "How is a step divided into kicks and drifts?"
+set title "Each scheme divides its step into kicks and drifts of its own"
 set xlabel "time, as a part of the step"
 set xrange [-0.02:1.02]
 set yrange [0.8:12.6]

@@ -165,8 +165,8 @@ class World {
   }
 
   /// Sets the angular velocity.
-  /// @throws std::invalid_argument if a component is not finite, nor the angular momentum then, if
-  /// the body is a point, or if it would turn about a locked axis.
+  /// @throws std::invalid_argument if the body is a point, if the angular velocity or the angular
+  /// momentum that belongs to it is not finite, or if it would turn about a locked axis.
   void set_angular_velocity(BodyHandle body, const Vec3<Same<Real>>& angular_velocity) {
     require_top(body);
     change_state(body, [&](RigidBody<Real>& changed) {

@@ -1,12 +1,6 @@
-// What another project may do with tumble::tumble. The README shows the lines between its marks.
+// What another project may count on with tumble::tumble, tumble::exact and tumble::scene.
 #include <cmath>
-#include <iostream>
 #include <numbers>
-// README
-#include <tumble/gravity.hpp>
-#include <tumble/solids.hpp>
-#include <tumble/world.hpp>
-// end
 #include <tumble/exact/oscillator.hpp>
 #ifdef HAS_SCENES
 #include <tumble/scene/read_scene.hpp>
@@ -43,15 +37,5 @@ bool reads_scenes() {
 }  // namespace
 
 int main() {
-  // clang-format off
-  // README
-  tumble::World<double> world(tumble::steps_per_second(240));
-  const auto brick = tumble::mass_properties(tumble::Box<double>{{0.1, 0.2, 0.3}}, 2.0);  // m and kg
-  world.add("brick", tumble::make_rigid_body<double>("brick", brick, {{0, 0, 1}}, {3, 0, 4}, {1, 5, 0}).body);
-  world.add(tumble::Gravity<double>{});
-  for (int n = 0; n < 120; ++n) world.step();
-  std::cout << world.body(world.find("brick")).centre.position.transpose() << " m\n";
-  // end
-  // clang-format on
   return rounds_twice() && has_exact_solutions() && reads_scenes() ? 0 : 1;
 }
