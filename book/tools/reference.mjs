@@ -55,8 +55,7 @@ function descriptions_in(html, is_of_struct) {
     const doc = /<div class="memdoc">([\s\S]*)<\/div>\s*<\/div>\s*(?:<\/div>)?\s*$/.exec(block)?.[1] ?? '';
     const line = /Definition at line <a class="el" href="([^"]*)"/.exec(doc)?.[1];
     const parameters = [...block.matchAll(/<td class="paramtype">([\s\S]*?)<\/td>\s*<td class="paramname"><em>(\w+)<\/em>/g)]
-      .filter(([, type]) => is_quantity(plain(type)))
-      .map(([, , name]) => name);
+      .map(([, type, name]) => ({name, has_unit: is_quantity(plain(type))}));
     const kept = with_own_names(doc).replace(/^\s*<b>Initial value:<\/b><div class="fragment">([\s\S]*?)<\/div><!-- fragment -->/, (whole, value) =>
       is_of_struct || plain(value).length <= longest_initial ? whole : '').replace(/<p class="definition">[\s\S]*?<\/p>/g, '').replace(/<p>Implement(s|ed in) <a [\s\S]*?<\/p>/g, '');
     found.set(id, {doc: kept.trim(), line, parameters});
@@ -135,8 +134,9 @@ export class Reference {
     this.written = written;
     this.headers = headers;
     this.lessons = lessons;
-    const {names, of} = JSON.parse(readFileSync(join(source, 'book/pages/parameters.json'), 'utf8'));
+    const {inner, names, of} = JSON.parse(readFileSync(join(source, 'book/pages/parameters.json'), 'utf8'));
     this.parameters = names;
+    this.inner = new Set(inner); // what the library itself uses, and stands in a header that users need
     this.parameters_of = of;
     this.asked_of_effects = members_of_effects(source);
     this.examples = examples_in(written);
@@ -246,16 +246,17 @@ export class Reference {
     return anchor && this.anchors.has(file) && !this.anchors.get(file).has(anchor) ? file : place;
   }
 
+  /** What a function is given: each quantity, and what else is told of that function by name. */
   #given(owner, name, parameters) {
-    const rows = parameters.flatMap(parameter => {
-      const known = this.parameters_of[`${owner}/${name}`]?.[parameter] ?? this.parameters_of[name]?.[parameter] ?? this.parameters[parameter];
+    const rows = parameters.flatMap(({name: parameter, has_unit}) => {
+      const known = this.parameters_of[`${owner}/${name}`]?.[parameter] ?? (has_unit && (this.parameters_of[name]?.[parameter] ?? this.parameters[parameter]));
       return known ? [[parameter, ...known]] : [];
     });
     if (!rows.length) return '';
     const line = ([parameter, what, unit, axes]) =>
       `<tr><td><code>${parameter}</code></td><td>${escape(what)}</td><td>${escape(unit ?? '')}</td><td>${escape(axes ?? '')}</td></tr>`;
     return (
-      `<div class="scroll"><table class="given"><thead><tr><th scope="col">quantity</th><th scope="col">what</th><th scope="col">unit</th>` +
+      `<div class="scroll"><table class="given"><thead><tr><th scope="col">argument</th><th scope="col">what</th><th scope="col">unit</th>` +
       `<th scope="col">axes</th></tr></thead><tbody>${rows.map(line).join('')}</tbody></table></div>`
     );
   }
@@ -432,7 +433,10 @@ export class Reference {
         return {html: this.#member(group, header.name, taken, 'h2'), headings: [{level: 2, id, html: escape(name_in(right))}], is_used: !goes_on && (example.includes(`#${id}"`) || new RegExp(`\\b${name_in(right)}<\\w+>\\(`).test(plain(example)))};
       }),
     ];
-    const ordered = [...parts.filter(({is_used}) => is_used), ...parts.filter(({is_used}) => !is_used)];
+    const is_inner = ({headings: [{html}], is_used}) => this.inner.has(html) && !is_used;
+    const inner = parts.filter(is_inner), others = parts.filter(part => !part.is_used && !is_inner(part));
+    const apart = inner.length && inner.length < parts.length ? [{html: '<h2 class="part" id="inner">Used by the library itself</h2>', headings: [{level: 2, id: 'inner', html: '<b>Used by the library itself</b>'}]}] : [];
+    const ordered = [...parts.filter(({is_used}) => is_used), ...others, ...apart, ...inner];
     const headings = ordered.flatMap(part => part.headings).filter(({level, html}, n, all) => level > 2 || all.findIndex(each => each.level === 2 && each.html === html) === n);
     const [, told] = /<h2 class="groupheader">Detailed Description<\/h2>\s*<div class="textblock">([\s\S]*?)(?:<p class="definition">|<\/div>\s*(?:<h2|$))/.exec(contents) ?? [, `<p>${escape(header.brief)}</p>`];
     const also = aliases.length

@@ -121,12 +121,13 @@ double slope_of(const Curve& curve) {
 void tumble::support::run_live(Live& live) {
   const auto which =
       static_cast<std::size_t>(live.choice("problem", 0, std::size(tumbling_problems)));
-  // Which rung is lit, the exact solution after the last, and what one has for a simulated second
-  // change only how it is drawn: the page knows the prices.
+  // Which rung is lit, the exact solution after the last, what one has for a simulated second and
+  // whether all rungs are shown change only how it is drawn: the page knows the prices.
   live.choice("method", start_at, std::size(turning_ladder<double>) + 1);
   live.choice("budget", 0, 2);
   const double wanted = live.knob("wanted", "rad", 1e-4, 1e-10, 0.1);
   live.knob("spent", "ns", 1000, 10, 1e6);
+  live.choice("rungs", 0, 2);
   const Search& search = continued(which);
   if (!is_complete(search)) return live.go_on();
   live.column("seconds", "s").push_back(search.seconds);

@@ -8,9 +8,14 @@
     'Dormand-Prince 8', 'splitting, Kahan-Li 8', 'splitting, Sofroniou-Spaletta'];
   const exact = rungs.length; // the last row
   const rows = [...rungs, 'exact solution'];
+  const few = ['momentum-carrying', 'implicit midpoint', 'splitting', 'Runge-Kutta', 'Dormand-Prince 5', 'splitting, Blanes-Moan 6',
+    'Dormand-Prince 8', 'exact solution'].map(name => rows.indexOf(name));
   const [least_error, most_error] = [1e-13, 10]; // of the errors' axis
   /** Until the page's first question is answered the exact solution is as grey as the rest, and no answer is told. */
   const is_open = () => live.answered('price_of_error');
+
+  /** The rows that are shown: of the whole ladder or of a few rungs, and of the one that is lit. */
+  const shown_rows = ({values}) => [...rows.keys()].filter(row => values.rungs === 1 || few.includes(row) || row === values.method);
 
   /** What the book's build measured: ns for a step of a rung, or for an answer of the exact solution. */
   function price_of(name, problem) {
@@ -33,14 +38,14 @@
     return best.n;
   }
 
-  /** The rungs that the budget allows, the best first: {rung, name, step, price, error}. */
+  /** The shown rungs that the budget allows, the best first: {rung, name, step, price, error}. */
   function ranking(state) {
-    const {columns, values} = state, [seconds] = columns.seconds;
+    const {columns, values} = state, [seconds] = columns.seconds, shown = shown_rows(state);
     return curves_of(state).map(({name, errors, prices}, rung) => {
       const steps = columns[`steps ${rung}`];
       const n = values.budget === 1 ? best_within(values.spent, {errors, prices}) : steps.indexOf(columns.needed[rung]);
       return {rung, name, step: seconds / steps[n], price: prices[n], error: values.budget === 1 ? errors[n] : columns.reached[rung]};
-    }).filter(({step, price}) => step > 0 && price > 0)
+    }).filter(({rung, step, price}) => shown.includes(rung) && step > 0 && price > 0)
       .sort((one, other) => (values.budget === 1 ? one.error - other.error : one.price - other.price));
   }
 
@@ -84,11 +89,11 @@
   function draw_errors(picture, state) {
     const {painter, palette, size} = picture;
     const {columns, values} = state;
-    const curves = curves_of(state);
+    const curves = curves_of(state), shown = shown_rows(state).filter(row => row !== exact);
     const plot = new live.Plot(painter, palette, size, price_axis(state),
       {label: 'error at the end', unit: 'rad', log: true, least: least_error, most: most_error});
     picture.plot = plot;
-    for (const {prices, errors} of curves) plot.line(prices, errors, palette.ink, {width: 1, opacity: 0.35});
+    for (const rung of shown) plot.line(curves[rung].prices, curves[rung].errors, palette.ink, {width: 1, opacity: 0.35});
     const price = exact_price(state);
     if (price > 0 && is_open()) {
       plot.line([price, price], [least_error, most_error], palette.bodies[2], {width: values.method === exact ? 3 : 2, dash: [2, 3]});
@@ -111,20 +116,20 @@
   function draw_rows(picture, state) {
     const {painter, palette, size} = picture;
     const {columns, values} = state;
-    const places = ranking(state), by_time = values.budget === 1;
-    const [top, height] = [24, (size.height - 30) / rows.length];
-    picture.row_at = y => Math.max(0, Math.min(rows.length - 1, Math.floor((y - top) / height)));
+    const places = ranking(state), by_time = values.budget === 1, shown = shown_rows(state);
+    const [top, height] = [24, Math.min(48, (size.height - 30) / shown.length)];
+    picture.row_at = y => shown[Math.max(0, Math.min(shown.length - 1, Math.floor((y - top) / height)))];
     const named = 34, [left, right] = [named + Math.max(...rows.map(name => painter.width_of(name))) + 10, size.width - 62];
     const axis = by_time ? {least: least_error, most: most_error} : price_axis(state);
     const place = value => left + (right - left) * Math.max(0, Math.min(1, Math.log(value / axis.least) / Math.log(axis.most / axis.least)));
     painter.text('order', 6, 12, 'left', palette.ink);
     painter.text(by_time ? 'error' : 'price', size.width - 6, 12, 'right', palette.ink);
     for (const mark of by_time ? [1e-10, 1e-5, 1] : [1, 1e3, 1e6].filter(ns => ns > axis.least && ns < axis.most)) {
-      painter.line([[place(mark), top], [place(mark), size.height - 6]], palette.ink, 1, 0.2);
+      painter.line([[place(mark), top], [place(mark), top + height * shown.length]], palette.ink, 1, 0.2);
       painter.text(by_time ? live.shown(mark, 1) : time(mark), place(mark), 12, 'center', palette.ink);
     }
-    rows.forEach((name, row) => {
-      const y = top + (row + 0.5) * height;
+    shown.forEach((row, n) => {
+      const name = rows[row], y = top + (n + 0.5) * height;
       const its = row === exact ? {price: exact_price(state), error: 0} : places.find(({rung}) => rung === row);
       const is_told = row !== exact || is_open();
       const colour = !is_told ? palette.ink : row === exact ? palette.bodies[2] : row === values.method ? palette.bodies[1] : palette.ink;
@@ -192,6 +197,7 @@
       budget: {label: 'What you have', choices: ['an error that you allow', 'a time that you can spend']},
       wanted: {label: 'Largest error allowed', log: true, also: {budget: 0}},
       spent: {label: 'Time for a simulated second', log: true, also: {budget: 1}, words: time},
+      rungs: {label: 'Rungs', choices: ['a few', 'the whole ladder']},
     },
     panels: [
       {
@@ -209,7 +215,10 @@
         aspect: 0.8,
         draw: draw_rows,
         press: ({row_at}, [, y]) => ({method: row_at(y)}),
-        key: ([, up], {values}) => ({method: values.method - up}),
+        key([, up], state) {
+          const shown = shown_rows(state), at = shown.indexOf(state.values.method) - up;
+          return {method: shown[Math.max(0, Math.min(shown.length - 1, at))]};
+        },
       },
     ],
     finding(state) {

@@ -106,13 +106,13 @@ test('A time buys the most accurate run that it pays for, and the exact solution
     live.answered = () => is_answered;
     return figure.finding(live.state_of(figure, run, 0, values));
   };
-  assert.match(told(true, 0, 10, 1, 1e-4, 400), /^For 400\sns .*“Runge-Kutta”: with steps of 0[.]028\ss/); // 362 of them, the next 512
-  assert.match(told(true, 0, 10, 1, 1e-4, 400), /The next, “splitting”/);
-  assert.match(told(true, 0, 10, 1, 1e-4, 10), /^For 10\sns .*“splitting”: with a single step/);
-  assert.match(told(false, 0, 21, 0, 1e-4, 400), /stays grey until/);
-  assert.match(told(true, 0, 21, 0, 1e-4, 400), /for 100\sns a simulated second/);
-  assert.doesNotMatch(told(false, 0, 11, 0, 1e-4, 400), /thousandth/);
-  assert.match(told(true, 0, 11, 0, 1e-4, 400), /order is 4: a thousandth of its error costs 5[.]\d times/);
+  assert.match(told(true, 0, 10, 1, 1e-4, 400, 0), /^For 400\sns .*“Runge-Kutta”: with steps of 0[.]028\ss/); // 362 of them, the next 512
+  assert.match(told(true, 0, 10, 1, 1e-4, 400, 0), /The next, “splitting”/);
+  assert.match(told(true, 0, 10, 1, 1e-4, 10, 0), /^For 10\sns .*“splitting”: with a single step/);
+  assert.match(told(false, 0, 21, 0, 1e-4, 400, 0), /stays grey until/);
+  assert.match(told(true, 0, 21, 0, 1e-4, 400, 0), /for 100\sns a simulated second/);
+  assert.doesNotMatch(told(false, 0, 11, 0, 1e-4, 400, 0), /thousandth/);
+  assert.match(told(true, 0, 11, 0, 1e-4, 400, 0), /order is 4: a thousandth of its error costs 5[.]\d times/);
   live.tables = tables;
 });
 

@@ -50,7 +50,7 @@ test('Each field and each function that a header documents stands in the referen
 test('The unit and the axes in the table of what a function takes are those that its text names beside the argument.', () => {
   const {names, of} = JSON.parse(readFileSync(join(source, 'book/pages/parameters.json'), 'utf8'));
   const rows = [...Object.values(names), ...Object.values(of).flatMap(each => Object.values(each))];
-  const units = [...new Set(rows.map(([, unit]) => unit))].filter(unit => /^[\w /()²³⁻]+$/.test(unit) && !['1', 'any'].includes(unit));
+  const units = [...new Set(rows.map(([, unit]) => unit))].filter(unit => unit && /^[\w /()²³⁻]+$/.test(unit) && !['1', 'any'].includes(unit));
   const literally = text => text.replace(/[()/.]/g, '\\$&');
   const any_unit = units.sort((a, b) => b.length - a.length).map(literally).join('|');
   let compared = 0;

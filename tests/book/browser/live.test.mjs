@@ -213,10 +213,13 @@ test('A press on a name lights its rung, a slider chooses its budget, and the ex
   await telling('The exact solution is lit');
   for (const n of [0, 1]) assert.notEqual(await drawn(n), grey[n], `picture ${n}`);
   await press(0.08);
-  await telling('“steady” is lit');
+  await telling('“momentum-carrying” is lit');
   await names.press('ArrowDown');
   await names.press('ArrowDown');
-  await telling('“explicit, |L| restored” is lit');
+  await telling('“splitting” is lit');
+  await figure.getByLabel('Rungs').selectOption('1');
+  await names.press('ArrowUp');
+  await telling('“splitting by axes” is lit');
   await figure.getByLabel('Time for a simulated second').press('ArrowRight');
   await telling(/^For .* a simulated second/);
   assert.equal(await figure.getByLabel('What you have').inputValue(), '1');
