@@ -2,12 +2,15 @@
 // whose name it bears, and each is run.
 #include <doctest/doctest.h>
 
+#include <map>
+#include <numbers>
 #include <sstream>
 #include <tumble/adaptive_ladder.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/drag.hpp>
 #include <tumble/drawing.hpp>
 #include <tumble/energy.hpp>
+#include <tumble/exact/free_top.hpp>
 #include <tumble/exact/kepler.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/gyroscope.hpp>
@@ -16,6 +19,8 @@
 #include <tumble/ledger.hpp>
 #include <tumble/mesh_mass_properties.hpp>
 #include <tumble/orientation.hpp>
+#include <tumble/reaction_wheel.hpp>
+#include <tumble/reduced_steps.hpp>
 #include <tumble/snapshot_file.hpp>
 #include <tumble/solids.hpp>
 #include <tumble/spheres.hpp>
@@ -307,14 +312,14 @@ TEST_CASE("Ten thousand bodies are stepped in packs, on two threads") {
 }
 
 TEST_CASE("A world turns by another rule and steps by another scheme") {
-  //! [turning_rungs.hpp scheme.hpp]
+  //! [turning_rungs.hpp turning_methods.hpp scheme.hpp]
   World<double> world(steps_per_second(60));
   const auto solid = mass_properties(Box<double>{{0.1, 0.2, 0.3}}, 2.0);
   world.add("box", make_rigid_body("box", solid, {}, Vec3d(0, 0, 0), Vec3d(0.1, 5, 0.1)).body);
   world.turn_by(SplittingSuzuki{});  // order 4
   world.step_by(Scheme::suzuki);
   CHECK(world.plan().accuracy.order == 4);
-  //! [turning_rungs.hpp scheme.hpp]
+  //! [turning_rungs.hpp turning_methods.hpp scheme.hpp]
 }
 
 TEST_CASE("A planet chooses its own steps, and comes back to where the exact orbit does") {
@@ -341,4 +346,75 @@ TEST_CASE("A top under a torque chooses its own steps, to a tolerance in radians
   const double kept = top.angular_momentum_body.norm() / Vec3d(0.1, 3, 0.1).norm();
   CHECK(std::abs(kept - std::exp(-1)) < 1e-7);
   //! [embedded_steps.hpp]
+}
+
+TEST_CASE("A free top is taken to where the exact solution has it, by steps of its own choice") {
+  //! [reduced_steps.hpp free_top.hpp]
+  Top<double> top{.angular_momentum_body = {0.1, 3, 0.1}, .inverse_moments = {1, 0.5, 0.4}};
+  const exact::FreeTop<double> solution(top);
+  const StepCounts counts = integrate_free_top<DormandPrince853>(top, 10.0, 1e-9);  // s; rad/s
+  CHECK(counts.steps < 200);
+  const Quaternion<double> apart = conjugate(top.orientation) * solution.at(10.0).orientation;
+  CHECK(rotation_vector_of(apart).norm() < 1e-8);  // rad: 10 s of 1e-9 rad in each
+  //! [reduced_steps.hpp free_top.hpp]
+}
+
+TEST_CASE("A toy gyroscope is set on its tip, sinks and comes up again") {
+  //! [gyroscope.hpp]
+  const auto disc = mass_properties(Cylinder<double>{0.03, 0.01}, 0.1);  // m; kg
+  const Gyroscope<double> toy = on_its_tip(disc, 0.04, 9.81);            // m; m/s²
+  const double tilt = std::numbers::pi / 3, spin = 400;                  // rad; rad/s
+  Top<double> top = set_spinning(toy, tilt, spin);                       // and let go
+  const double lowest = lowest_cosine(toy, std::cos(tilt), spin);
+  for (int n = 0; n < 1000; ++n) {
+    add_weight(top, toy);
+    kick(top, 1e-3);  // s
+    drift(top, 1e-3);
+    clear_torque(top);
+    CHECK(axis_of(top).z() > lowest - 1e-3);
+    CHECK(axis_of(top).z() < std::cos(tilt) + 1e-3);
+  }
+  //! [gyroscope.hpp]
+}
+
+TEST_CASE("A handle stays that of its body while others come and go") {
+  //! [handles.hpp]
+  World<double> world(steps_per_second(60));
+  const BodyHandle red = world.add("red", make_particle(1.0));
+  const BodyHandle blue = world.add("blue", make_particle(2.0));
+  std::map<BodyHandle, int> score{{red, 3}, {blue, 5}};  // what a program remembers of each
+  world.remove(red);
+  CHECK(!world.contains(red));
+  CHECK(score.at(world.find("blue")) == 5);
+  CHECK(mass_of(world.body(blue).centre) == 2);  // kg
+  //! [handles.hpp]
+}
+
+TEST_CASE("A plan says which bodies each part of the step visits, and why") {
+  //! [plan.hpp]
+  World<double> world(steps_per_second(60));
+  world.add("drop", make_particle<double>(0.001, {0, 0, 10}));  // kg; m
+  world.add(Gravity<double>{});
+  world.add(Magnus<double>{.strength = 1e-3});  // kg
+  const Plan plan = world.plan();
+  std::string said;
+  for (const PlanRow& row : plan.rows)
+    if (row.visited == 0) said += row.effect + ": " + row.reason + '\n';
+  CHECK(said.find("Magnus") != std::string::npos);  // a point does not spin
+  CHECK(plan.passes() == 3);                        // gravity, the kick and the drift
+  CHECK(plan.warnings.empty());
+  //! [plan.hpp]
+}
+
+TEST_CASE("A wheel that is spun up turns its body the other way") {
+  //! [reaction_wheel.hpp]
+  World<double> sky(steps_per_second(50));
+  const auto hull =
+      mass_properties(Box<double>{{1, 1, 1}}, 120.0);  // m; kg: 20 kg m² about each axis
+  const BodyHandle probe = sky.add("probe", make_rigid_body("probe", hull).body);
+  sky.add(ReactionWheel<double>{.axis = {0, 1, 0}, .torque = 0.5, .until = 2}, {probe});  // N m; s
+  for (int n = 0; n < 200; ++n) sky.step();
+  const Vec3d turning = angular_velocity_body(sky.body(probe).top);
+  CHECK(std::abs(turning.y() + 0.5 * 2 / 20) < 1e-12);  // rad/s
+  //! [reaction_wheel.hpp]
 }

@@ -361,7 +361,7 @@ TEST_CASE("A file that is not there, or is a folder, is an error that names it")
 
 TEST_CASE("A scene is read from a file and stepped, and a mistake in one is told with its place") {
   const std::filesystem::path path = scenes_folder() / "t_handle.json";
-  //! [read_scene_file.hpp read_scene.hpp]
+  //! [read_scene_file.hpp read_scene.hpp scene.hpp]
   Scene<double> scene = read_scene_file<double>(path);
   const BodyHandle handle = scene.world.find("handle");
   while (scene.world.time() < 1) scene.world.step();  // s
@@ -372,5 +372,5 @@ TEST_CASE("A scene is read from a file and stepped, and a mistake in one is told
   } catch (const SceneError& error) {
     CHECK(error.pointer == "/bodies/0");
   }
-  //! [read_scene_file.hpp read_scene.hpp]
+  //! [read_scene_file.hpp read_scene.hpp scene.hpp]
 }
