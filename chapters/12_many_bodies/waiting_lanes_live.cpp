@@ -61,7 +61,7 @@ Count counted(const Bounce& bounce) {
 }  // namespace
 
 void tumble::support::run_live(Live& live) {
-  const int shown = live.choice("width", 0, 5);  // 2 to this power
+  const int shown = live.choice("width", 2, 5);  // 2 to this power
   const int order = live.choice("order", 0, 3);
   Bounce bounce{.ground = live.knob("ground", "rad/s", 50, 20, 100), .height = {}};
   live.knob("branch", "", 4, 1, 20);
