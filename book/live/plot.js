@@ -159,16 +159,25 @@
       this.note('your guess', [at, y.least], palette.ink, at > (x.least + x.most) / 2 ? 'right' : 'left');
     }
 
-    /** What the colours mean, at the top right: [[words, colour, dash]]. */
+    /** What the marks mean, at the top right: [[words, colour, mark]]; a mark is the dash of a line, or 'dot' or 'cross'. */
     legend(entries) {
-      if (this.painter.is_silent) return;
-      let right = this.box.left + this.box.width;
-      for (const [words, colour, dash = []] of [...entries].reverse()) {
-        this.painter.text(words, right, 10, 'right', colour);
-        right -= this.painter.width_of(words) + 5;
-        this.painter.line([[right - 16, 10], [right, 10]], colour, 2, 1, dash);
-        right -= 28;
+      const {painter, box} = this;
+      if (painter.is_silent) return;
+      const wide = ([words]) => 21 + painter.width_of(words) + 12;
+      let left = box.left + box.width + 12 - entries.reduce((sum, entry) => sum + wide(entry), 0);
+      for (const entry of entries) {
+        const [words, colour, mark = []] = entry;
+        if (mark === 'dot') painter.disc(left + 10, 10, 3, colour);
+        else if (mark === 'cross') this.cross([left + 10, 10], colour);
+        else painter.line([[left, 10], [left + 16, 10]], colour, 2, 1, mark);
+        painter.text(words, left + 21, 10, 'left', colour);
+        left += wide(entry);
       }
+    }
+
+    /** A cross at a place in the picture. */
+    cross([x, y], colour) {
+      for (const way of [-4, 4]) this.painter.line([[x - 4, y - way], [x + 4, y + way]], colour, 1.5, 1);
     }
   }
 

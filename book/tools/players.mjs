@@ -39,9 +39,10 @@ export function player_files(source) {
   return {script: joined('.js'), style: joined('.css')};
 }
 
-function view(scene, text, still) {
+/** The title tells those apart that stand side by side. */
+function view(scene, text, still, has_title) {
   return (
-    `<div class="player-view"><p class="player-title">${escape(scene.recording.title)}</p>${still}` +
+    `<div class="player-view">${has_title ? `<p class="player-title">${escape(scene.recording.title)}</p>` : ''}${still}` +
     `<script type="application/json" class="player-recording">${text.trim().replace(/</g, '\\u003c')}</script></div>`
   );
 }
@@ -52,7 +53,7 @@ export function player(recordings, says, source) {
   try {
     const scenes = scenes_of(recordings.map(({text}) => JSON.parse(text)), 16);
     const stills = stills_of(scenes, light_palette(source));
-    views = recordings.map(({text}, n) => view(scenes[n], text, stills[n]));
+    views = recordings.map(({text}, n) => view(scenes[n], text, stills[n], recordings.length > 1));
   } catch (error) {
     const names = recordings.map(({name}) => `"${name}"`).join(' and ');
     throw new BookError(`the recording ${names} cannot be replayed: ${error.message}`);

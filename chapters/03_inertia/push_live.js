@@ -44,9 +44,10 @@
           const angle = (values.angle * Math.PI) / 180;
           const tail = [values.at - 0.3 * values.impulse * Math.cos(angle), -0.3 * values.impulse * Math.sin(angle)];
           live.arrow(painter, plot.place(tail), plot.place([values.at, 0]), palette.ink, 3);
+          plot.note('push', tail, palette.ink);
           const [rest] = columns['at rest'];
           if (Number.isFinite(rest)) plot.points([rest], [0], palette.bodies[2], 5);
-          plot.legend([['centre', palette.bodies[1]], ['handle’s end', palette.bodies[3], [3, 3]], ['still at first', palette.bodies[2]]]);
+          plot.legend([['centre', palette.bodies[1]], ['handle’s end', palette.bodies[3], [3, 3]], ['still at first', palette.bodies[2], 'dot']]);
         },
         drag(plot, at, {figure, values}, begins) {
           const [x, y] = plot.value_at(at);

@@ -6,6 +6,7 @@ set xrange [0:2.1]
 set yrange [0.8:40]
 set ytics (1, 2, 5, 10, 20)
 set samples 2001
+set label 3 "limit" at 1.98, 28 right textcolor rgb "#555555"
 set arrow from 2, graph 0 to 2, graph 1 nohead linecolor rgb "#555555"
 set label 1 "1/√(1 − {/:Italic ω}²{/:Italic h}²/4)" at 1.72, 4 right textcolor linetype 7
 set label 2 "2000 steps" at 0.98, 1.5 right textcolor linetype 1

@@ -1,4 +1,4 @@
-set title "The energy of a tumbling handle that nothing touches, by four rules"
+set title "Only the splitting keeps the energy of a handle that nothing touches"
 set xlabel "time (s)"
 set ylabel "energy / start"
 set yrange [0:2.5]

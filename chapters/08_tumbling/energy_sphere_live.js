@@ -103,8 +103,8 @@
     const plot = new live.Plot(painter, palette, size, {label: 'time', unit: 's', least: 0, most: 12},
       {label: 'relative to the start', unit: '', least, most});
     picture.plot = plot;
-    plot.line(columns.time, columns.momentum, palette.bodies[2], {dash: [6, 4]});
     plot.line(columns.time, columns.energy, palette.bodies[1]);
+    plot.line(columns.time, columns.momentum, palette.bodies[2], {dash: [6, 4]}); // on top: often both are 1
     const n = step_at(state);
     plot.points([columns.time[n]], [columns.energy[n]], palette.bodies[1], 4);
     plot.legend([['|*L*|', palette.bodies[2], [6, 4]], ['energy', palette.bodies[1]]]);

@@ -1,4 +1,4 @@
-set title "A step is three turns, and ends beside the loop"
+set title "A step is three turns, about 2, 3 and 2 again, and ends beside the loop"
 set size ratio -1
 unset border
 unset tics
@@ -7,6 +7,8 @@ unset key
 set xrange [-1.15:1.15]
 set yrange [-1.15:1.15]
 set label 1 "about 3" at -0.3, 0.47 left textcolor linetype 3
+set label 3 "loop" at 0.02, 0.36 left textcolor linetype 7
+set label 4 "after each step" at 0.22, -0.8 left textcolor linetype 1
 set label 2 "about 2" at -0.3, 0.14 right textcolor linetype 2
 plot "sphere.tsv" using 1:2 with lines linecolor rgb "#555555" linewidth 1, \
      "polhode_through.tsv" using 1:2 with lines linestyle 7, \

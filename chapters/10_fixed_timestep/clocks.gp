@@ -1,4 +1,4 @@
-set title "A clock that adds up time drifts, and in float it stops; counted steps do neither"
+set title "Summed time drifts, and in float it stops; counted steps err by rounding alone"
 set xlabel "time (s)"
 set ylabel "clock is off by (s)"
 set logscale xy

@@ -1,4 +1,4 @@
-set title "Gravity pays in, the drag takes out, and the tether borrows"
+set title "Gravity and the tether lend and take back; the drag only takes"
 set xlabel "time (s)"
 set ylabel "energy (J)"
 set rmargin 13

@@ -370,9 +370,27 @@ TEST_CASE_TEMPLATE("A body can be replaced by a heavier one, which keeps its nam
   heavier.centre.inverse_mass = -1;
   CHECK(complaint_of_any([&] { world.replace(ball, heavier); }) ==
         "ball: inverse mass is -1 1/kg; it must be 0 or more");
-  const BodyHandle point = world.add("point", make_particle<Real>(1));
+}
+
+TEST_CASE_TEMPLATE("A point can be replaced by a heavier point, and by nothing else", Real,
+                   EVERY_PRECISION) {
+  World<Real> world(steps_per_second(1));
+  const BodyHandle point = world.add("point", make_particle<Real>(1, {0, 0, 0}, {3, 0, 0}));
+  world.add(SpringToPoint<Real>{.spring = {.stiffness = 1}, .anchor = {8, 0, 0}}, {point});
+  Particle<Real> heavier = make_particle<Real>(4, {4, 0, 0}, {3, 0, 0});
+  heavier.force = {100, 0, 0};  // is dropped
+  world.replace(point, heavier);
+  world.step();
+  CHECK(world.body(point).centre.velocity.x() == 4);  // 1 N/m by 4 m on 4 kg for 1 s
+  CHECK(world.name_of(point) == "point");
+  heavier.inverse_mass = -1;
+  CHECK(complaint_of_any([&] { world.replace(point, heavier); }) ==
+        "point: inverse mass is -1 1/kg; it must be 0 or more");
+  const BodyHandle ball = world.add("ball", ball_body<Real>({0, 0, 0}));
   CHECK(complaint_of_any([&] { world.replace(point, world.body(ball)); }) ==
-        "'point' is a point: it has no orientation");
+        "'point' is a point: replace it by a Particle");
+  CHECK(complaint_of_any([&] { world.replace(ball, world.body(ball).centre); }) ==
+        "'ball' is no point: replace it by a RigidBody");
 }
 
 TEST_CASE_TEMPLATE("A body that does nothing to the others changes no bit of how they move", Real,

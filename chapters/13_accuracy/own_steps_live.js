@@ -19,7 +19,7 @@
     const n = step_at(state);
     plot.line(columns.x.subarray(n, n + 2), columns.y.subarray(n, n + 2), palette.ink, {width: 3});
     plot.points([columns.x[n]], [columns.y[n]], palette.ink, 5);
-    plot.legend([['exact', palette.bodies[0]], ['a dot a step', palette.bodies[1]]]);
+    plot.legend([['exact', palette.bodies[0]], ['a dot a step', palette.bodies[1], 'dot']]);
   }
 
   function draw_steps(picture, state) {
@@ -27,17 +27,14 @@
     const {columns} = state;
     const shortest = Math.min(...columns.step);
     const plot = new live.Plot(painter, palette, size, {label: 'time', unit: 's', least: 0, most: columns.time.at(-1)},
-      {label: 'time step', unit: 's', log: true, least: 10 ** Math.floor(Math.log10(shortest)), most: 10});
+      {label: 'time step (s) and distance (m)', unit: '', log: true, least: 10 ** Math.floor(Math.log10(shortest)), most: 10});
     picture.plot = plot;
     plot.line(columns.time, columns.distance, palette.bodies[0], {width: 1});
-    columns.tried.forEach((length, n) => {
-      const [x, y] = plot.place([columns['tried at'][n], length]);
-      for (const way of [-4, 4]) painter.line([[x - 4, y - way], [x + 4, y + way]], palette.bodies[2], 1.5, 1);
-    });
+    columns.tried.forEach((length, n) => plot.cross(plot.place([columns['tried at'][n], length]), palette.bodies[2]));
     plot.points(columns.time.subarray(0, columns.step.length), columns.step, palette.bodies[1], 2.5);
     const n = step_at(state);
     plot.points([columns.time[n]], [columns.step[n]], palette.ink, 5);
-    plot.legend([['distance (m)', palette.bodies[0]], ['step', palette.bodies[1]], ['rejected', palette.bodies[2]]]);
+    plot.legend([['distance (m)', palette.bodies[0]], ['step (s)', palette.bodies[1], 'dot'], ['rejected', palette.bodies[2], 'cross']]);
   }
 
   live.figures.own_steps = {

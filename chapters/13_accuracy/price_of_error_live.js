@@ -109,7 +109,10 @@
       plot.note('allowed', [plot.x.most, values.wanted], palette.ink, 'right');
     }
     const [first] = ranking(state);
-    if (first) plot.points([first.price], [first.error], palette.bodies[0], 6);
+    if (!first) return;
+    plot.points([first.price], [first.error], palette.bodies[0], 6);
+    const [x, y] = plot.place([first.price, first.error]), words = values.budget === 1 ? 'most accurate:' : 'cheapest:';
+    write(picture, [words, first.name], [x - 12 - Math.max(...[words, first.name].map(line => painter.width_of(line))), y + 4], palette.bodies[0]);
   }
 
   /** A row for each rung with its order and what it makes of the budget, as a dot and in numbers. One presses a name to light it. */

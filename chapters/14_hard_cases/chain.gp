@@ -1,4 +1,4 @@
-set title "One NaN, and half a second later every body is lost"
+set title "One NaN goes from bead to bead until all of them are lost"
 set xlabel "step"
 set ylabel "beads of 40 that are nowhere"
 set yrange [-2:42]

@@ -9,7 +9,8 @@ set xrange [10:2e4]
 set yrange [1e-15:10]
 set ytics 1e-15, 1e5
 unset key
-set label 1 "phase, in float and double" at 13, 0.3 left textcolor linetype 2
+set label 1 "phase, float" at 13, 0.6 left textcolor linetype 2
+set label 4 "phase, double" at 13, 0.05 left textcolor linetype 1
 set label 2 "{/:Italic L}, float" at 2000, 3e-6 center textcolor linetype 4
 set label 3 "{/:Italic L}, double" at 250, 1e-12 center textcolor linetype 3
 plot for [i=2:5] "long_run.tsv" using 1:i with lines linestyle i-1

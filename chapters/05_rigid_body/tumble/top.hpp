@@ -41,8 +41,11 @@ Vec3<Real> moments_of(const Top<Real>& top) {
   return free_part<Real>(top, top.inverse_moments.cwiseInverse());
 }
 
-/// Locks the turning about one body axis (0, 1 or 2): the top no longer turns about it, and torque
-/// about it is borne by whatever does the locking.
+/// Locks the turning about one body axis (0, 1 or 2): the top no longer turns about it, its angular
+/// momentum about it is 0, and torque about it is borne by whatever does the locking. Body axes are
+/// the principal axes in the order that make_rigid_body() gives them, not the model's. The model's
+/// z axis is rotate(model_in_body.orientation, {0, 0, 1}) in them: lock the component that is ±1.
+/// A line that is no principal axis can't be locked so.
 template <class Real>
 void lock_axis(Top<Real>& top, int axis) {
   top.inverse_moments[axis] = 0;

@@ -15,7 +15,7 @@ struct LinearDamping {
   static constexpr std::string_view name = "linear damping";
   static constexpr Quantities reads = quantity::velocity;
   static constexpr Phase phase = Phase::damping;
-  Real rate = 0;      ///< k, 1/s
+  Real rate = 0;      ///< k, 1/s, 0 or more
   Real fraction = 1;  ///< e^(−k h), which prepare() computes
 
   void check() const { checked_damping_rate(rate, "linear damping"); }
@@ -45,7 +45,7 @@ struct AngularDamping {
   static constexpr std::string_view name = "angular damping";
   static constexpr Quantities reads = quantity::spin;
   static constexpr Phase phase = Phase::damping;
-  Real rate = 0;      ///< k, 1/s
+  Real rate = 0;      ///< k, 1/s, 0 or more
   Real fraction = 1;  ///< e^(−k h), which prepare() computes
 
   void check() const { checked_damping_rate(rate, "angular damping"); }
@@ -72,7 +72,7 @@ template <class Real>
 struct QuadraticDrag {
   static constexpr std::string_view name = "quadratic drag";
   static constexpr Quantities reads = quantity::velocity;
-  Real coefficient = 0;                  ///< ½ ρ C A, kg/m, see drag_coefficient()
+  Real coefficient = 0;                  ///< ½ ρ C A, kg/m, 0 or more: see drag_coefficient()
   Vec3<Real> wind = Vec3<Real>::Zero();  ///< m/s, world axes
 
   void check() const {
@@ -141,10 +141,10 @@ template <class Real>
 struct Buoyancy {
   static constexpr std::string_view name = "buoyancy";
   static constexpr Quantities reads = quantity::position;
-  Real density = 1000;        ///< ρ of the liquid, kg/m³
-  Real radius = 0;            ///< r of the balls, m
+  Real density = 1000;        ///< ρ of the liquid, kg/m³, 0 or more
+  Real radius = 0;            ///< r of the balls, m, 0 or more
   Real surface = 0;           ///< the height z of the surface, m
-  Real gravity = Real(9.81);  ///< m/s², downwards along −z
+  Real gravity = Real(9.81);  ///< m/s², downwards along −z, 0 or more
 
   void check() const {
     require_not_negative("density of the liquid", density, "kg/m^3");

@@ -12,7 +12,8 @@ namespace tumble {
 template <class Real>
 class Drawing {
  public:
-  /// Notes where all bodies are. To be called before the first step and after each.
+  /// Notes where all bodies are, at rest or not. To be called before the first step and after each.
+  /// Of very many bodies one may rather read World::bodies() and interpolate those that are drawn.
   template <class Backend>
   void note(const World<Real, Backend>& world) {
     for (const BodyHandle handle : world.handles()) {
@@ -38,12 +39,11 @@ class Drawing {
   /// a straight line, as that of a free body does; its origin need not.
   /// @throws std::out_of_range if the body has not been noted.
   Pose<Real> pose(BodyHandle body, Same<Real> fraction) const {
-    const auto found = drawn_.find(body.slot);
-    if (found == drawn_.end() || found->second.handle != body || !found->second.is_noted)
+    const Drawn& drawn = body.slot < drawn_.size() ? drawn_[body.slot] : Drawn();
+    if (drawn.handle != body || !drawn.is_noted)
       throw std::out_of_range("body " + std::to_string(body.slot) + ", generation " +
                               std::to_string(body.generation) +
                               ", can't be drawn: note() has not seen it");
-    const Drawn& drawn = found->second;
     return composed(interpolated(drawn.before, drawn.now, fraction), drawn.model_in_body);
   }
 
@@ -57,12 +57,13 @@ class Drawing {
 
   /// A slot is used again when its body is gone; then all begins anew.
   Drawn& drawn_of(BodyHandle body) {
+    if (body.slot >= drawn_.size()) drawn_.resize(body.slot + 1);
     Drawn& drawn = drawn_[body.slot];
     if (drawn.handle != body) drawn = {.handle = body};
     return drawn;
   }
 
-  std::unordered_map<std::uint32_t, Drawn> drawn_;
+  std::vector<Drawn> drawn_;  // by slot
 };
 
 }  // namespace tumble

@@ -59,7 +59,7 @@ template <class Real>
 struct PointGravity {
   static constexpr std::string_view name = "point gravity";
   static constexpr Quantities reads = quantity::mass | quantity::position;
-  Real strength = 0;                       ///< G M, m³/s²
+  Real strength = 0;                       ///< G M, m³/s², 0 or more
   Vec3<Real> centre = Vec3<Real>::Zero();  ///< m, world axes
 
   void check() const {

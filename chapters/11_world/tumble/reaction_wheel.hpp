@@ -19,7 +19,7 @@ struct ReactionWheel {
   Real momentum = 0;            ///< h before the motor runs, relative to the body, kg m²/s
   Real torque = 0;              ///< ḣ while it runs, N m
   Real from = 0;                ///< s, when the motor starts
-  Real until = std::numeric_limits<Real>::infinity();  ///< s, when it stops
+  Real until = std::numeric_limits<Real>::infinity();  ///< s, when it stops: not before it starts
   std::string name = "reaction wheel";                 ///< what plans and errors call it
 
   /// What the wheel holds at `time` (s), kg m²/s, body axes.

@@ -58,7 +58,9 @@ Real number_of(const std::string& text) {
 }  // namespace detail
 
 /// Writes a snapshot as text: a line that says what it is, the numbers in hexadecimal, so that none
-/// is rounded, and a checksum.
+/// is rounded, and a checksum. It has how all bodies move and the time, and no body, effect, mass
+/// or name: who loads it makes the same scene first. Whether it was written, the stream's state
+/// says.
 template <class Real>
 void write_snapshot(std::ostream& out, const Snapshot<Real>& snapshot) {
   std::ostringstream text;

@@ -9,9 +9,9 @@ namespace tumble {
 /// What a spring is made of: a stiffness, a damper beside it and the length at which it rests.
 template <class Real>
 struct Spring {
-  Real stiffness = 0;       ///< k, N/m
-  Real damping = 0;         ///< c, N s/m
-  Real rest_length = 0;     ///< l₀, m
+  Real stiffness = 0;       ///< k, N/m, 0 or more
+  Real damping = 0;         ///< c, N s/m, 0 or more
+  Real rest_length = 0;     ///< l₀, m, 0 or more
   bool only_pulls = false;  ///< a tether: slack where it is shorter than at rest, and never pushes
 };
 
@@ -67,7 +67,8 @@ Vec3<Real> velocity_of_arm(const BodyState<Real>& body, const Vec3<Same<Real>>& 
 }
 
 /// A spring from a point of the body to a point of the world. A place in a model's axes, as scene
-/// files have it, is led to body axes by point_outward(model_in_body, place).
+/// files have it, is led to body axes by point_outward(model_in_body, place)
+/// of pose.hpp.
 template <class Real>
 struct SpringToPoint {
   Spring<Real> spring = {};                ///< how it pulls

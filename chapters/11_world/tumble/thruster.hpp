@@ -14,7 +14,7 @@ struct Thruster {
   Vec3<Real> force_body = Vec3<Real>::Zero();  ///< F, N, body axes
   Vec3<Real> point = Vec3<Real>::Zero();       ///< p, where it acts: from the centre, m, body axes
   Real from = 0;                               ///< s, when it starts to burn
-  Real until = std::numeric_limits<Real>::infinity();  ///< s, when it stops
+  Real until = std::numeric_limits<Real>::infinity();  ///< s, when it stops: not before it starts
   std::string name = "thruster";                       ///< what plans and errors call it
 
   void check() const {

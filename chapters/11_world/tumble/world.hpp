@@ -34,10 +34,9 @@ template <class Real, class Backend = OneByOne<Real>>
 class World {
  public:
   /// A world without bodies, whose steps last `step`, by default 1/60 s, and whose bodies turn by
-  /// `rule` where their moments differ, by default Splitting.
-  /// @throws std::invalid_argument if the step is negative or longer than an hour. In a step
-  /// of 0 s no force, kick or drift moves anything; what effects write by themselves they still
-  /// write.
+  /// `rule` where their moments differ, by default Splitting. In a step of 0 s no force, kick or
+  /// drift moves anything; what effects write by themselves they still write.
+  /// @throws std::invalid_argument if the step is negative or longer than an hour.
   template <TurningRule<Real> Rule = Splitting>
   explicit World(const StepLength& step = {}, const Rule& rule = {})
       : time_{.step = step},
@@ -52,8 +51,8 @@ class World {
   /// Here each number is checked by itself, and not whether a body can have such moments. Its
   /// orientation is normalised, and forces that were gathered in it are dropped: see push_at().
   /// @throws std::invalid_argument if the name is empty or taken, if a number is not finite, if an
-  /// inverse mass or moment is negative, if the orientation is not nearly of norm 1, or if there is
-  /// angular momentum about a locked axis. What nearly is, checked_orientation() says.
+  /// inverse mass or moment is negative, if the orientation is not nearly of norm 1, as
+  /// checked_orientation() has it, or if there is angular momentum about a locked axis.
   BodyHandle add(const std::string& name, const Particle<Real>& point) {
     registry_.require_free(name);
     return append_body(name, point, nullptr);
@@ -123,21 +122,26 @@ class World {
 
   // --- Changes while it runs --------------------------------------------------------------------
 
-  /// Puts another body in the place of one that is not a point: with another mass, say. It keeps
-  /// its name and its effects.
-  /// @throws std::invalid_argument if it is a point, or if add() would not take the other.
+  /// Puts another body in the place of one that is not a point, or another point in the place of a
+  /// point: with another mass, say. It keeps its name and its effects. A top holds L and not ω:
+  /// with other moments it turns at another rate, unless set_angular_velocity() sets the old one
+  /// again.
+  /// @throws std::invalid_argument if one is a point and the other is not, or if add() would not
+  /// take the other.
   void replace(BodyHandle body, const RigidBody<Real>& by) {
     require_between_steps("a body can't be replaced");
     check_body(name_of(body), by.centre);
     check_body(name_of(body), by.top);
-    require_top(body);
-    change_log_.note({"'", name_of(body), "' was replaced"});
-    limit_changed_ |= planner_.is_limiting(registry_.index_of(body));
+    require_kind(body, false);
     RigidBody<Real> kept = by;
     kept.top.orientation = renormalized(by.top.orientation);
-    clear_forces(kept);
-    backend_.set_body(registry_.index_of(body), kept);
-    planner_.change_body(registry_.index_of(body), named_bodies());
+    put_in_place(body, kept);
+  }
+  void replace(BodyHandle body, const Particle<Real>& by) {
+    require_between_steps("a body can't be replaced");
+    check_body(name_of(body), by);
+    require_kind(body, true);
+    put_in_place(body, {.centre = by, .top = {}});
   }
 
   /// Puts the centre of mass there.
@@ -198,6 +202,7 @@ class World {
 
   /// The same of a force at the centre of mass, of a torque about it, or of both. A torque does not
   /// turn a point.
+  /// @throws std::invalid_argument if a component is not finite.
   void push(BodyHandle body, const Push<Real>& push) {
     require_between_steps("a push for the next step can't be given");
     require_finite(name_of(body) + ": force", push.force, "N");
@@ -351,6 +356,8 @@ class World {
     for (auto& [number, effect] : prepared)
       planner_.replace_effect(number, std::move(effect), named_bodies());
   }
+
+  // --- Save and go back -------------------------------------------------------------------------
 
   /// How all bodies move now, and the time: with restore() a step, or a thousand, can be taken
   /// back. Effects, masses, names, the length of a step and pushes for the next one are not in it.
@@ -582,6 +589,21 @@ class World {
     checkpoints_.forget_all();
     ++time_.ticks;
     planner_.end_inputs(named_bodies());
+  }
+
+  void require_kind(BodyHandle body, bool as_point) const {
+    if (is_point(body) == as_point) return;
+    throw std::invalid_argument(
+        joined({"'", name_of(body), "' is ", as_point ? "no" : "a", " point: replace it by a ",
+                as_point ? "RigidBody" : "Particle"}));
+  }
+
+  void put_in_place(BodyHandle body, RigidBody<Real> by) {
+    change_log_.note({"'", name_of(body), "' was replaced"});
+    limit_changed_ |= planner_.is_limiting(registry_.index_of(body));
+    clear_forces(by);
+    backend_.set_body(registry_.index_of(body), by);
+    planner_.change_body(registry_.index_of(body), named_bodies());
   }
 
   [[noreturn]] void throw_failure(BodyIndex diverged) {

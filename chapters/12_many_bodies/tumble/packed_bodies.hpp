@@ -72,7 +72,9 @@ class PackedArray {
  public:
   using Packed = Element<Pack<Real, width>>;
 
+  /// How many there are, without the lanes that are left over.
   std::size_t size() const { return size_; }
+  /// A copy of one, all of its numbers: who wants the positions alone reads packs().
   Element<Real> operator[](BodyIndex i) const { return lane_of(packs_[i / width], lane(i)); }
   void set(BodyIndex i, const Element<Real>& element) {
     set_lane(packs_[i / width], lane(i), element);
@@ -89,6 +91,7 @@ class PackedArray {
     if (array.size_ % width == 0) array.packs_.pop_back();
   }
 
+  /// All as they lie, `width` to an element; lane_of() takes one out of it.
   std::vector<Packed>& packs() { return packs_; }
   const std::vector<Packed>& packs() const { return packs_; }
 

@@ -31,7 +31,7 @@ inline float rough_exp2(float exponent) {
 //! [step_control]
 class StepControl {
  public:
-  /// Of a method whose error in one step falls as h to this power.
+  /// Of a method whose error, measured against what a step is allowed, falls as h to this power.
   explicit StepControl(int power) : power_(static_cast<float>(power)) {}
 
   /// The factor for a step whose error was the root of `square`, of which 1 is allowed.
