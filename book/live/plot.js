@@ -138,7 +138,7 @@
     /** In place of what a question asks for, until it is answered. */
     ask() {
       const {left, top, width, height} = this.box;
-      this.painter.text('answer first', left + width / 2, top + height / 2, 'center', this.palette.ink);
+      this.painter.text('answer first', left + width / 2, top + 0.3 * height, 'center', this.palette.ink);
     }
 
     /** Words beside a point, in its colour. */

@@ -39,10 +39,10 @@ export function player_files(source) {
   return {script: joined('.js'), style: joined('.css')};
 }
 
-/** The title tells those apart that stand side by side. */
-function view(scene, text, still, has_title) {
+/** A title of one letter tells apart what stands side by side, and says nothing of what stands alone. */
+function view(scene, text, still, is_alone) {
   return (
-    `<div class="player-view">${has_title ? `<p class="player-title">${escape(scene.recording.title)}</p>` : ''}${still}` +
+    `<div class="player-view">${scene.recording.title.length > 1 || !is_alone ? `<p class="player-title">${escape(scene.recording.title)}</p>` : ''}${still}` +
     `<script type="application/json" class="player-recording">${text.trim().replace(/</g, '\\u003c')}</script></div>`
   );
 }
@@ -53,7 +53,7 @@ export function player(recordings, says, source) {
   try {
     const scenes = scenes_of(recordings.map(({text}) => JSON.parse(text)), 16);
     const stills = stills_of(scenes, light_palette(source));
-    views = recordings.map(({text}, n) => view(scenes[n], text, stills[n], recordings.length > 1));
+    views = recordings.map(({text}, n) => view(scenes[n], text, stills[n], recordings.length === 1));
   } catch (error) {
     const names = recordings.map(({name}) => `"${name}"`).join(' and ');
     throw new BookError(`the recording ${names} cannot be replayed: ${error.message}`);

@@ -24,7 +24,7 @@
     panels: [
       {
         label: 'A hammer on ice from above, with its push as an arrow, the path of its centre and that of one end, and the point that stands still at first.',
-        aspect: 1.5,
+        aspect: 1.9,
         draw(picture, {columns, values, time}) {
           const {painter, palette, size} = picture;
           const ends = [path(columns, values, -0.15), path(columns, values, 0.18)].flat();

@@ -17,7 +17,7 @@
       v: {label: 'Initial velocity'},
     },
     duration: ({columns}) => Math.min(12, columns.time.at(-1)),
-    still_time: 12,
+    still_time: 7,
     card: {is_told: true}, // whose sentence tells it as well
     panels: [
       {

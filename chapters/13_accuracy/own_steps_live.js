@@ -27,7 +27,7 @@
     const {columns} = state;
     const shortest = Math.min(...columns.step);
     const plot = new live.Plot(painter, palette, size, {label: 'time', unit: 's', least: 0, most: columns.time.at(-1)},
-      {label: 'time step (s) and distance (m)', unit: '', log: true, least: 10 ** Math.floor(Math.log10(shortest)), most: 10});
+      {label: '', unit: '', log: true, least: 10 ** Math.floor(Math.log10(shortest)), most: 10});
     picture.plot = plot;
     plot.line(columns.time, columns.distance, palette.bodies[0], {width: 1});
     columns.tried.forEach((length, n) => plot.cross(plot.place([columns['tried at'][n], length]), palette.bodies[2]));

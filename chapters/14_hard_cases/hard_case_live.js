@@ -52,7 +52,7 @@
   }
 
   live.figures.hard_case = {
-    title: 'Each case breaks other rules, and each rule breaks in its own way',
+    title: 'Which rule survives which case?',
     knobs: {
       case: {label: 'Case', choices: cases},
       rung: {label: 'Rung of the ladder', choices: rungs},
