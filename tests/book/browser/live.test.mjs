@@ -217,7 +217,7 @@ test('A press on a name lights its rung, a slider chooses its budget, and the ex
   await names.press('ArrowDown');
   await names.press('ArrowDown');
   await telling('“splitting” is lit');
-  await figure.getByLabel('Rungs').selectOption('1');
+  await figure.getByLabel('Rungs', {exact: true}).selectOption('1');
   await names.press('ArrowUp');
   await telling('“splitting by axes” is lit');
   await figure.getByLabel('Time for a simulated second').press('ArrowRight');
