@@ -23,7 +23,7 @@ tumble_live.figures.throw = {
         plot.line(columns['exact distance'], columns['exact height'], palette.bodies[0]);
         plot.points(columns.distance, columns.height, palette.bodies[1], 3);
         arrow(painter, plot.place([0, 0]), plot.place([values.forward / 4, values.up / 4]), palette.ink);
-        plot.note('velocity', [values.forward / 4, values.up / 4], palette.ink);
+        plot.note('velocity', [values.forward / 4, values.up / 4], palette.ink, 'right');
         plot.legend([['exact', palette.bodies[0]], ['stepped', palette.bodies[1], 'dot']]);
       },
       drag(plot, at) {
