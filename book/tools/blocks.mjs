@@ -198,7 +198,7 @@ export class Blocks {
       : this.results.table(...this.#of(page, reference)));
     // Most cells are numbers: a word among them, such as "rounding", stands where its number would.
     const is_number = (_, column) => {
-      const filled = rows.map(row => row[column]).filter(Boolean);
+      const filled = rows.map(row => row[column]).filter(text => text && !/^[-–]$/.test(text)); // a dash tells nothing
       return filled.filter(text => /^-?[\d.]+(e[+-]?\d+)?( ?(×|%|[nµm]?s))?$/.test(text)).length * 2 >= Math.max(1, filled.length);
     };
     return table(escape(caption), columns.map((text, column) => ({text, is_number: is_number(text, column)})),

@@ -7,8 +7,9 @@ unset key
 set xrange [-1.15:1.15]
 set yrange [-1.15:1.15]
 set label 1 "about 3" at -0.3, 0.47 left textcolor linetype 3
-set label 3 "loop" at 0.02, 0.36 left textcolor linetype 7
-set label 4 "after each step" at 0.22, -0.8 left textcolor linetype 1
+set label 3 "loop" at 0.36, 0.13 left textcolor linetype 7
+set label 4 "after each step" at 0.36, -1.06 left textcolor linetype 1
+set arrow 4 from 0.42, -0.98 to 0.17, -0.77 nohead linecolor rgb "#555555"
 set label 2 "about 2" at -0.3, 0.14 right textcolor linetype 2
 plot "sphere.tsv" using 1:2 with lines linecolor rgb "#555555" linewidth 1, \
      "polhode_through.tsv" using 1:2 with lines linestyle 7, \
