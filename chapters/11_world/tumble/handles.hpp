@@ -18,6 +18,7 @@ struct BodyHandle {
   std::uint32_t slot = 0;
   std::uint32_t generation = 0;
   std::uint64_t family = 0;
+  // NOLINTNEXTLINE(modernize-use-nullptr): the 0 that it means is the compiler's
   friend auto operator<=>(const BodyHandle&, const BodyHandle&) = default;
 };
 

@@ -36,8 +36,7 @@ void blend(Top<Pack<Real, width>>& pack, const Top<Pack<Real, width>>& changed,
 //! [visit_whole]
 template <class Packs, class Kernel>
 [[gnu::flatten]] void visit_whole(const Kernel& kernel, Packs* begin, const Packs* end) {
-  // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): the copy is wanted, see the next
-  // line
+  // NOLINTNEXTLINE(performance-unnecessary-copy-initialization): the copy is wanted
   const Kernel own_kernel = kernel;  // nobody else can change it meanwhile: it stays in registers
   for (Packs* packs = begin; packs != end; ++packs) own_kernel(*packs);
 }
