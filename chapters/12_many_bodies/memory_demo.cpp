@@ -1,4 +1,7 @@
-// How often a step asks for memory: each new and each delete of this program is counted.
+// How often a step asks for memory: each `new` of this program is counted.
+#include <algorithm>
+#include <array>
+#include <atomic>
 #include <cstdlib>
 #include <new>
 #include <support/record.hpp>

@@ -172,8 +172,8 @@
       : ratio < 1.05 ? `The next, “${second.name}”, ${verb} as much.` : `The next, “${second.name}”, ${verb} ${live.shown(ratio, 2)} times as much.`;
     const steps = first.step === seconds ? 'a single step' : `steps of ${with_unit(first.step, 's', 2)}`;
     return by_time
-      ? `${asked}, as measured when this book was made, the most accurate rung is “${first.name}”: with ${steps} it errs by ${with_unit(first.error, 'rad', 2)} after ${with_unit(seconds, 's')}. ${next}`
-      : `${asked} the cheapest rung is “${first.name}”, with ${steps}: ${time(first.price)} for each simulated second, as measured when this book was made. ${next}`;
+      ? `${asked}, as measured when this book was made, the most accurate of these rungs is “${first.name}”: with ${steps} it errs by ${with_unit(first.error, 'rad', 2)} after ${with_unit(seconds, 's')}. ${next}`
+      : `${asked} the cheapest of these rungs is “${first.name}”, with ${steps}: ${time(first.price)} for each simulated second, as measured when this book was made. ${next}`;
   }
 
   /** What the lit rung is like. */
