@@ -9,5 +9,5 @@ set yrange [1e-4:0.1]
 set xtics 50000
 set rmargin 21
 unset key
-plot for [i=2:3] "own_steps_pace.tsv" using 1:(column(i)) with lines linestyle i-1, \
+plot for [i=2:3] "symmetric_steps_pace.tsv" using 1:(column(i)) with lines linestyle i-1, \
      for [i=2:3] "" using ($1 == 100000 ? 100000 : NaN):(column(i)):(columnhead(i)) with labels left offset 0.5,0 textcolor linetype i-1
