@@ -73,6 +73,14 @@
     write(picture, [words], [x + width < picture.size.width ? x + 8 : x - width + 4, y], colour);
   }
 
+  /** The order of a grey line, where it leaves the picture or ends. */
+  function draw_order({painter, palette}, plot, {errors, prices}, order) {
+    const last = errors.findLastIndex((error, n) => error >= least_error && prices[n] > 0);
+    if (last < 0) return;
+    const [x, y] = plot.place([prices[last], errors[last]]);
+    painter.text(String(order), x + 4, Math.min(y + 3, plot.box.top + plot.box.height - 9), 'left', palette.ink);
+  }
+
   /** The lit rung: its line, its runs as dots, and its name and slope where it falls. */
   function draw_lit(picture, plot, {name, errors, prices}, slope) {
     const {palette} = picture, colour = palette.bodies[1];
@@ -94,6 +102,8 @@
       {label: 'error at the end', unit: 'rad', log: true, least: least_error, most: most_error});
     picture.plot = plot;
     for (const rung of shown) plot.line(curves[rung].prices, curves[rung].errors, palette.ink, {width: 1, opacity: 0.35});
+    if (values.rungs === 0)
+      for (const rung of shown) if (rung !== values.method) draw_order(picture, plot, curves[rung], columns.order[rung]);
     const price = exact_price(state);
     if (price > 0 && is_open()) {
       plot.line([price, price], [least_error, most_error], palette.bodies[2], {width: values.method === exact ? 3 : 2, dash: [2, 3]});
@@ -204,7 +214,7 @@
     },
     panels: [
       {
-        label: 'Error against price, both axes logarithmic: a grey line for each rung, one of them lit with its slope, and the budget as a dashed line with a dot where the best rung meets it.',
+        label: 'Error against price, both axes logarithmic: a grey line for each rung, its order at its end, one of them lit with its slope, and the budget as a dashed line with a dot where the best rung meets it.',
         aspect: 0.8,
         draw: draw_errors,
         drag(plot, at, {values}) {
