@@ -21,6 +21,10 @@ export function at_left_edge(fragment) {
     });
 }
 
+/** A block of commands line by line, and what each of them is told to do apart, which on a phone stands below it. */
+const with_lines = commands => commands.replace(/\n$/, '').split('\n').map(line =>
+  `<span class="line">${`${line}\n`.replace(/^(\S.*?\S)( {3,})(\S.*\n)$/, (_, command, blanks, told) => `${command}${far(blanks)}<span class="told">${told}</span>`)}</span>`).join('');
+
 /** Puts the directives' blocks where their markers stand, and gives each listing its caption. */
 function with_blocks(html, blocks) {
   return html
@@ -45,6 +49,7 @@ function tidy(html) {
     .replace(/(?<=\.)<a class="code hl_function" href="[^"]*#a\w+">(\w+)<\/a>|<a class="code hl_function" href="[^"]*#a\w+">([A-Z]\w*::\w+)<\/a>/g, '$1$2') // a member, and no free function of its name
     .replace(/&lt;tt&gt;(.*?)&lt;\/tt&gt;/g, '<code>$1</code>') // `code` in a heading
     .replace(/<a href="[^"]*">More\.\.\.<\/a>/g, '')
+    .replace(/(<pre class="fragment">)([\s\S]*?)(?=<\/pre>)/g, (_, tag, commands) => tag + with_lines(commands))
     .replace(/<p >/g, '<p>')
     .replace(/<p>\s*<\/p>/g, '')
     .replace(/<tt>/g, '<code>')
