@@ -163,9 +163,10 @@
       hits.push({document, covered, score: score * covered ** 2 * (is_the_name ? 1.2 : document.weight)});
     }
     hits.sort((one, other) => other.score - one.score);
-    // A name of the code that is written as one leads to it; a word that may be one has it second.
+    // A name of the code that is written as one leads to it; words that may be one have it second, if it is meant for users.
     const asked = name_in(question);
-    const named = prepared.places.filter(({document}) => asked && has_name(document, asked)).map(({document}) =>
+    const is_meant = ({weight}) => asked.is_certain || weight > 0.25;
+    const named = prepared.places.filter(({document}) => asked && has_name(document, asked) && is_meant(document)).map(({document}) =>
       hits.find(hit => hit.document === document) ?? {document, covered: 1, score: 0});
     named.sort((one, other) => Boolean(one.document.is_row) - Boolean(other.document.is_row) || other.score - one.score); // a field comes after functions
     if (named.length) hits.splice(0, hits.length, ...hits.filter(hit => !named.includes(hit)));

@@ -437,7 +437,14 @@ export class Reference {
     const inner = parts.filter(is_inner), others = parts.filter(part => !part.is_used && !is_inner(part));
     const apart = inner.length && inner.length < parts.length ? [{html: '<h2 class="part" id="inner">Used by the library itself</h2>', headings: [{level: 2, id: 'inner', html: '<b>Used by the library itself</b>'}]}] : [];
     const ordered = [...parts.filter(({is_used}) => is_used), ...others, ...apart, ...inner];
-    const headings = ordered.flatMap(part => part.headings).filter(({level, html}, n, all) => level > 2 || all.findIndex(each => each.level === 2 && each.html === html) === n);
+    // A list names each function once, and the members of a class once below it.
+    const listed = new Set();
+    let owner;
+    const headings = ordered.flatMap(part => part.headings).filter(({level, html}) => {
+      owner = level === 2 ? html : owner;
+      const called = level === 2 ? html : `${owner}::${html}`;
+      return !listed.has(called) && listed.add(called);
+    });
     const [, told] = /<h2 class="groupheader">Detailed Description<\/h2>\s*<div class="textblock">([\s\S]*?)(?:<p class="definition">|<\/div>\s*(?:<h2|$))/.exec(contents) ?? [, `<p>${escape(header.brief)}</p>`];
     const also = aliases.length
       ? `<p class="facts">Also: ${aliases.map(({id, right}) => `<code id="${id}">${declaration(right)}</code>`).join(', ')}.</p>`
