@@ -1,12 +1,18 @@
-// Worlds whose bodies several threads step, compiled so that every access to memory is watched.
+// Worlds whose bodies several threads step, and worlds that several threads ask, compiled so that
+// every access to memory is watched.
 #include <cstdio>
 #include <string>
+#include <thread>
 #include <tumble/air_and_water.hpp>
+#include <tumble/energy.hpp>
 #include <tumble/gravity.hpp>
 #include <tumble/in_packs.hpp>
 #include <tumble/make_rigid_body.hpp>
 #include <tumble/solids.hpp>
 #include <tumble/springs.hpp>
+#include <tumble/world.hpp>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 using namespace tumble;
@@ -14,10 +20,10 @@ using namespace tumble;
 namespace {
 
 /// Points and boxes in turn, under an effect of each form, joined by springs criss-cross.
-template <class Real>
-ManyBodies<Real> net() {
-  constexpr std::size_t count = 3001;
-  ManyBodies<Real> world;
+template <class SomeWorld>
+SomeWorld net(std::size_t count) {
+  using Real = decltype(SomeWorld().time_step());
+  SomeWorld world;
   const auto shape = mass_properties(Box<Real>{{1, 2, 3}}, 2);
   std::vector<BodyHandle> bodies, joined;
   for (std::size_t n = 0; n < count; ++n) {
@@ -41,9 +47,26 @@ ManyBodies<Real> net() {
 
 template <class Real>
 void step() {
-  ManyBodies<Real> world = net<Real>();
+  auto world = net<ManyBodies<Real>>(3001);
   world.backend().use_threads(2);
   for (int n = 0; n < 3; ++n) world.step();
+}
+
+/// Two threads ask the same world all that it can answer.
+template <class SomeWorld>
+void ask() {
+  auto world = net<SomeWorld>(301);
+  world.step();
+  const BodyHandle body = world.find("1");
+  const auto questions = [&world = std::as_const(world), body] {
+    const auto answers = std::tuple(world.bodies(), world.body(body), world.name_of(body),
+                                    world.handles(), world.save(), world.plan(), world.warnings(),
+                                    world.step_limit(), world.change_log(), stored_energy(world));
+    if (std::get<3>(answers).size() != world.body_count()) std::puts("a handle is missing");
+  };
+  std::thread other(questions);
+  questions();
+  other.join();
 }
 
 }  // namespace
@@ -51,5 +74,7 @@ void step() {
 int main() {
   step<float>();
   step<double>();
-  std::puts("stepped");
+  ask<World<double>>();
+  ask<ManyBodies<float>>();
+  std::puts("stepped and asked");
 }
