@@ -21,8 +21,15 @@ export function table(caption, columns, rows, kind = 'table', sums = []) {
   const head = columns.map(({text}, column) => `<th scope="col"${mark(column)}>${escape(whole(text))}</th>`).join('');
   const are_cards = kind.includes('keys'); // where a phone has no room for the row
   const label = column => (are_cards ? ` data-label="${escape(columns[column].text)}"` : '');
-  const lines = some =>
-    some.map(row => `<tr>${row.map((cell, column) => `<td${mark(column)}${label(column)}>${shown(cell)}</td>`).join('')}</tr>`).join('');
+  /** A sentence in place of numbers takes the room of all that it stands for. */
+  const is_told = (row, column) => columns[column].is_number && /(\S+ ){3}/.test(row[column]) && row.slice(column + 1).every(cell => cell === '');
+  const cells = row => {
+    const told = row.findIndex((_, column) => is_told(row, column));
+    const numbers = told < 0 ? row : row.slice(0, told);
+    const rest = told < 0 ? '' : `<td colspan="${row.length - told}">${shown(row[told])}</td>`;
+    return numbers.map((cell, column) => `<td${mark(column)}${label(column)}>${shown(cell)}</td>`).join('') + rest;
+  };
+  const lines = some => some.map(row => `<tr>${cells(row)}</tr>`).join('');
   const foot = sums.length ? `<tfoot>${lines(sums)}</tfoot>` : '';
   return (
     `<figure class="${kind}">${caption ? `<figcaption>${caption}</figcaption>` : ''}<div class="scroll">` +
