@@ -6,6 +6,7 @@ import {live_figure, live_link} from './live.mjs';
 import {list_of_exercises, semester, wrong_answers} from './exercise_tables.mjs';
 import {figure} from './figures.mjs';
 import {player} from './players.mjs';
+import {group_of} from './pages.mjs';
 import {answers, gate, prediction} from './predictions.mjs';
 import {thumbnail} from './previews.mjs';
 import {BookError, table_in} from './results.mjs';
@@ -396,7 +397,7 @@ export class Blocks {
         const fold = parts.length
           ? `<details class="fold"><summary>${parts.length} more, which come with these</summary><ul class="headers">${parts.map(item).join('')}</ul></details>`
           : '';
-        return `<h2>${title}</h2><ul class="headers">${own.filter(({is_brought}) => !is_brought).map(item).join('')}</ul>${fold}`;
+        return `<h2><a class="anchor" id="${group_of({page})}"></a>${title}</h2><ul class="headers">${own.filter(({is_brought}) => !is_brought).map(item).join('')}</ul>${fold}`;
       })
       .join('');
   }

@@ -126,7 +126,7 @@ function write_pages(folder, pages, written, directives) {
   const names = new Set(['.dark-mode', '.light-mode']);
   for (const file of reachable(is_ours, [...by_file.keys()], name => finish(name).html)) {
     const {html, headings, title} = finish(file);
-    const page = by_file.get(file) ?? (reference.by_file.has(file) ? {file, under: 'reference.html', title, name: title, is_brought: reference.by_file.get(file).is_brought} : source_page(file, title));
+    const page = by_file.get(file) ?? (reference.by_file.has(file) ? {file, under: 'reference.html', title, name: title, is_brought: reference.by_file.get(file).is_brought, header: reference.by_file.get(file)} : source_page(file, title));
     const leads = page.leads && !page.is_being_made;
     const more = leads ? directives.makers.unquoted_failures(page.chapter) : '';
     const whole =

@@ -1,12 +1,19 @@
 // What surrounds the contents of a page: the sidebar, the way here, the table of contents, the pages before and after.
+import {group_of} from './pages.mjs';
 import {escape, plain} from './text.mjs';
+
+/** The headers of one chapter, in the order of the reference: those that programs include, and the one whose page this is. */
+const beside = ({headers}, current) => headers.filter(({page, is_brought, file}) => page === current.header.page && (!is_brought || file === current.file));
 
 function navigation(pages, current) {
   const item = page => {
     const here = page === current || page.file === current.under;
     const later = page.is_being_made ? ' <small>being made</small>' : '';
     const own = page.exercises?.length ? ` data-exercises="${page.exercises.join(' ')}"` : '';
-    return `<li${page.further ? ' class="further"' : ''}><a href="${page.file}"${own}${here ? ' aria-current="page"' : ''}>${escape(page.name)}${later}</a></li>`;
+    const is_around = page.file === current.under && current.header;
+    const below = is_around ? beside(pages, current).map(({file, name}) =>
+      `<li class="further"><a href="${file}"${file === current.file ? ' aria-current="page"' : ''}>${escape(name)}</a></li>`).join('') : '';
+    return `<li${page.further ? ' class="further"' : ''}><a href="${page.file}"${own}${here && !is_around ? ' aria-current="page"' : ''}>${escape(page.name)}${later}</a></li>${below}`;
   };
   const group = (title, list) => `<h2>${title}</h2><ul>${list.map(item).join('')}</ul>`;
   return (
@@ -29,8 +36,8 @@ function table_of_contents(headings) {
 }
 
 function neighbours(pages, current) {
-  const order = pages.all,
-    index = order.indexOf(current);
+  const order = current.header ? pages.headers : pages.all;
+  const index = order.indexOf(current.header ?? current);
   if (index < 0) return '';
   const link = (page, rel, word) =>
     page ? `<a rel="${rel}" href="${page.file}"><span>${word}</span> ${escape(page.name)}</a>` : '<span></span>';
@@ -42,7 +49,8 @@ function neighbours(pages, current) {
 
 function way_here(page, reference) {
   return page.under
-    ? `<nav class="way" aria-label="You are here"><a href="${reference.file}">${escape(reference.name)}</a> › ${escape(page.name)}</nav>`
+    ? `<nav class="way" aria-label="You are here"><a href="${reference.file}">${escape(reference.name)}</a> › ` +
+      `${page.header ? `<a href="${reference.file}#${group_of(page.header)}">${escape(page.header.page?.name ?? 'Common')}</a> › ` : ''}${escape(page.name)}</nav>`
     : '';
 }
 

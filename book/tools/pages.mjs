@@ -50,6 +50,9 @@ function brief(source, path) {
 const included_in = (source, path) =>
   [...readFileSync(join(source, path), 'utf8').matchAll(/^#include <(tumble\/[\w/]+\.hpp)>/gm)].map(([, name]) => name);
 
+/** The address of a header's group in the list of all headers. */
+export const group_of = ({page}) => `headers_of_${page?.id ?? 'all'}`;
+
 /**
  * What a reader's program may include: {path, name, brief, page, is_brought}, `page` being that of the chapter which explains it. Of a folder
  * with many, those are brought along that a header of the same folder includes and no program of the course does.

@@ -55,7 +55,7 @@ function descriptions_in(html, is_of_struct) {
     const doc = /<div class="memdoc">([\s\S]*)<\/div>\s*<\/div>\s*(?:<\/div>)?\s*$/.exec(block)?.[1] ?? '';
     const line = /Definition at line <a class="el" href="([^"]*)"/.exec(doc)?.[1];
     const parameters = [...block.matchAll(/<td class="paramtype">([\s\S]*?)<\/td>\s*<td class="paramname"><em>(\w+)<\/em>/g)]
-      .map(([, type, name]) => ({name, has_unit: is_quantity(plain(type))}));
+      .map(([, type, name]) => ({name, type: plain(type).trim(), has_unit: is_quantity(plain(type))}));
     const kept = with_own_names(doc).replace(/^\s*<b>Initial value:<\/b><div class="fragment">([\s\S]*?)<\/div><!-- fragment -->/, (whole, value) =>
       is_of_struct || plain(value).length <= longest_initial ? whole : '').replace(/<p class="definition">[\s\S]*?<\/p>/g, '').replace(/<p>Implement(s|ed in) <a [\s\S]*?<\/p>/g, '');
     found.set(id, {doc: kept.trim(), line, parameters});
@@ -134,10 +134,11 @@ export class Reference {
     this.written = written;
     this.headers = headers;
     this.lessons = lessons;
-    const {inner, names, of} = JSON.parse(readFileSync(join(source, 'book/pages/parameters.json'), 'utf8'));
+    const {inner, names, of, types} = JSON.parse(readFileSync(join(source, 'book/pages/parameters.json'), 'utf8'));
     this.parameters = names;
     this.inner = new Set(inner); // what the library itself uses, and stands in a header that users need
     this.parameters_of = of;
+    this.parameters_by_type = types;
     this.asked_of_effects = members_of_effects(source);
     this.examples = examples_in(written);
     const unknown = [...this.examples.keys()].filter(name => !headers.some(header => header.path.endsWith(`/${name}`)));
@@ -248,17 +249,16 @@ export class Reference {
 
   /** What a function is given: each quantity, and what else is told of that function by name. */
   #given(owner, name, parameters) {
-    const rows = parameters.flatMap(({name: parameter, has_unit}) => {
-      const known = this.parameters_of[`${owner}/${name}`]?.[parameter] ?? (has_unit && (this.parameters_of[name]?.[parameter] ?? this.parameters[parameter]));
+    const rows = parameters.flatMap(({name: parameter, has_unit, type}) => {
+      const known = this.parameters_of[`${owner}/${name}`]?.[parameter] ?? this.parameters_of[name]?.[parameter] ?? ((has_unit && this.parameters[parameter]) || this.parameters_by_type[owner]?.[type]);
       return known ? [[parameter, ...known]] : [];
     });
     if (!rows.length) return '';
-    const line = ([parameter, what, unit, axes]) =>
-      `<tr><td><code>${parameter}</code></td><td>${escape(what)}</td><td>${escape(unit ?? '')}</td><td>${escape(axes ?? '')}</td></tr>`;
-    return (
-      `<div class="scroll"><table class="given"><thead><tr><th scope="col">argument</th><th scope="col">what</th><th scope="col">unit</th>` +
-      `<th scope="col">axes</th></tr></thead><tbody>${rows.map(line).join('')}</tbody></table></div>`
-    );
+    const columns = ['argument', 'what', 'unit', 'axes'].map((head, n) => ({head, n})).filter(({n}) => rows.some(row => row[n]));
+    const cell = (text, n) => (n === 0 ? `<code>${text}</code>` : escape(text ?? ''));
+    const line = row => `<tr>${columns.map(({n}) => `<td>${cell(row[n], n)}</td>`).join('')}</tr>`;
+    const head = columns.map(({head}) => `<th scope="col">${head}</th>`).join('');
+    return `<div class="scroll"><table class="given"><thead><tr>${head}</tr></thead><tbody>${rows.map(line).join('')}</tbody></table></div>`;
   }
 
   /** Overloads that follow one another and have no words of their own stand below the first one's declaration. */
@@ -274,6 +274,7 @@ export class Reference {
   #with_types(html, id) {
     const parts = html.split(/(<a [^>]*>[\s\S]*?<\/a>|<[^>]*>|&\w+;)/);
     return parts.map(part => {
+      if (/^<a [^>]*>[a-z]/.test(part)) return part.replace(/<[^>]*>/g, ''); // an argument that is called like a function
       if (part.startsWith('<a ')) return part.includes(`#${id.replace(/^\w+-/, '')}"`) ? part.replace(/<[^>]*>/g, '') : part;
       return /^[<&]/.test(part) ? part : part.replace(/\b[A-Z]\w+\b/g, word => (this.by_class.get(word) ? `<a class="el" href="${this.by_class.get(word)}">${word}</a>` : word));
     }).join('');

@@ -83,7 +83,7 @@ export function search_script(source, documents) {
   for (const [address, ...asked] of places) {
     const document = documents.find(each => each.address === address);
     // A book that is being made lacks sections; a whole one must have them all.
-    if (document) document.asked = asked;
+    if (document) document.asked = [...(document.asked ?? []), ...asked];
     else if (!documents.some(each => each.is_being_made && each.address === address.replace(/#.*/, '')))
       throw new BookError(`${words_file}: there is no place ${address}`);
   }

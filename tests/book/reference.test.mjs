@@ -12,17 +12,18 @@ const headers = ['common', ...readdirSync(join(source, 'chapters')).map(name => 
   .filter(folder => existsSync(join(source, folder)))
   .flatMap(folder => readdirSync(join(source, folder)).filter(name => name.endsWith('.hpp')).map(name => join(folder, name)));
 
-/** The names of fields that have a note, and of functions that stand at the margin under a comment, in what is not left out. */
+/** The names of types, of fields that have a note, and of functions that stand at the margin under a comment, in what is not left out. */
 function documented(text) {
-  // A type with __attribute__ in it Doxygen does not read.
-  const shown = text.replace(/^ *Lanes lanes;.*$/gm, '').replace(/\/\/\/ @cond[\s\S]*?\/\/\/ @endcond/g, '').replace(/^namespace detail \{[\s\S]*?^\}  \/\/ namespace detail$/gm, '').replace(/^ (?:private|protected):[\s\S]*?^\};/gm, '');
+  const shown = text.replace(/\/\/\/ @cond[\s\S]*?\/\/\/ @endcond/g, '').replace(/^namespace detail \{[\s\S]*?^\}  \/\/ namespace detail$/gm, '').replace(/^ (?:private|protected):[\s\S]*?^\};/gm, '');
   const fields = [...shown.matchAll(/^ +(?:const )?[\w:]+(?:<.*>)? (\w+)(?: = [^;]*)?; +\/\/\/</gm)].map(match => match[1]);
   const functions = [...shown.matchAll(/^\/\/\/.*\n(?:\/\/!.*\n)?(?:template <.*>\n)?(?:inline |constexpr )*[\w:]+(?:<[\w:, <>]*>)? (\w+)\(/gm)].map(match => match[1]);
-  return {fields, functions};
+  const types = [...shown.matchAll(/^\/\/\/.*\n(?:\/\/!.*\n)?(?:template <.*>\n)?(?:class|struct) (\w+)(?: final)?(?: :[^;{]*)? \{/gm)].map(match => match[1]);
+  return {types, fields, functions};
 }
 
-test('Each field and each function that a header documents stands in the reference, on the page of that header.', () => {
-  let fields = 0,
+test('Each type, field and function that a header documents stands in the reference, on the page of that header.', () => {
+  let types = 0,
+    fields = 0,
     functions = 0;
   const absent = [];
   for (const path of headers) {
@@ -39,12 +40,14 @@ test('Each field and each function that a header documents stands in the referen
     if (named.includes('tumble')) absent.push(`${path}: what is called there like the namespace`);
     const told = documented(readFileSync(join(source, path), 'utf8'));
     absent.push(...told.fields.filter(name => !rows.includes(name)).map(name => `${path}: the field ${name}`));
+    absent.push(...told.types.filter(name => !headings.includes(name)).map(name => `${path}: the type ${name}`));
     absent.push(...told.functions.filter(name => !named.includes(name)).map(name => `${path}: the function ${name}`));
+    types += told.types.length;
     fields += told.fields.length;
     functions += told.functions.length;
   }
   assert.deepEqual(absent, []);
-  assert.ok(fields > 100 && functions > 200, `${fields} fields and ${functions} functions were found in the sources`);
+  assert.ok(types > 50 && fields > 100 && functions > 200, `${types} types, ${fields} fields and ${functions} functions were found in the sources`);
 });
 
 test('The unit and the axes in the table of what a function takes are those that its text names beside the argument.', () => {
@@ -61,7 +64,10 @@ test('The unit and the axes in the table of what a function takes are those that
       const [told, table] = member.split('<table class="given">');
       if (!table) continue;
       const declared = told.replace(/<[^>]*>/g, '');
-      for (const [, argument, unit, axes] of table.matchAll(/<tr><td><code>(\w+)<\/code><\/td><td>[^<]*<\/td><td>([^<]*)<\/td><td>([^<]*)<\/td>/g)) {
+      const heads = [...table.split('</thead>')[0].matchAll(/<th[^>]*>(\w+)<\/th>/g)].map(match => match[1]);
+      for (const [, row] of table.split('</table>')[0].matchAll(/<tr>(<td>.*?)<\/tr>/g)) {
+        const cells = [...row.matchAll(/<td>(.*?)<\/td>/g)].map(match => match[1].replace(/<[^>]*>/g, ''));
+        const [argument, unit, axes] = ['argument', 'unit', 'axes'].map(head => cells[heads.indexOf(head)] ?? '');
         const beside = new RegExp(`<code>${argument}</code>(?: is \\S+,)?(?: in | \\(| )(${any_unit})(?![\\w/²³])(?:, (world|body|model)\\b)?`).exec(told);
         if (beside) {
           compared += 1;

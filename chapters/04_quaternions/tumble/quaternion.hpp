@@ -28,16 +28,19 @@ Quaternion<Real> pure(const Vec3<Real>& vector) {
   return {.real = 0, .imaginary = vector};
 }
 
+/// Number by number; a sum of two orientations is none.
 template <class Real>
 Quaternion<Real> operator+(const Quaternion<Real>& p, const Quaternion<Real>& q) {
   return {.real = p.real + q.real, .imaginary = p.imaginary + q.imaginary};
 }
 
+/// All four numbers with the other sign: the same orientation.
 template <class Real>
 Quaternion<Real> operator-(const Quaternion<Real>& q) {
   return {.real = -q.real, .imaginary = -q.imaginary};
 }
 
+/// Each of the four numbers times the factor.
 template <class Real>
 Quaternion<Real> operator*(Same<Real> factor, const Quaternion<Real>& q) {
   return {.real = factor * q.real, .imaginary = factor * q.imaginary};

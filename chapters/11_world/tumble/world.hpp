@@ -19,16 +19,18 @@
 
 namespace tumble {
 
-/// Bodies and effects with a fixed time step. Every function that could change the plan tells the
-/// planner, so that the plan stays right. A copy of a world is another world in the same state, and
-/// knows the handles of the first. So it is a way back even after bodies and effects have come and
-/// gone: `world = copy` brings back those that went, with their names and handles, and takes away
-/// those that have come since. A handle that was given out since may then be given out once more.
+/// A scene's bodies and effects, with a fixed time step. Every function that could change the plan
+/// tells the planner, so that the plan stays right. A copy of a world is another world in the same
+/// state, and knows the handles of the first. So it is a way back even after bodies and effects
+/// have come and gone: `world = copy` brings back those that went, with their names and handles,
+/// and takes away those that have come since. A handle that was given out since may then be given
+/// out once more.
 ///
 /// `Backend` keeps the bodies in arrays and steps them, and changes no bit of how they move.
 ///
 /// Every function that is given a handle, but for contains(), throws std::out_of_range if that is
-/// stale, empty or another world's. An effect that changes the world inside a step meets
+/// stale, empty or another world's. It finds a body at once, however many there are, and looks for
+/// an effect among all of the scene. An effect that changes the world inside a step meets
 /// std::logic_error, and so does a `watch` of step(): changes come between steps.
 template <class Real, class Backend = OneByOne<Real>>
 class World {
@@ -43,6 +45,24 @@ class World {
         time_step_(time_step_of<Real>(step)),
         planner_(motions_of<Real, Backend>(rule)) {
     require_step_length(step, 0);
+  }
+
+  // --- The step ---------------------------------------------------------------------------------
+
+  /// One step. `watch` is called when all warnings are told, and before anything moves; it may look
+  /// at the world, and not change it.
+  /// @throws SimulationError if a number would become infinite or NaN, and whatever an effect
+  /// throws; the world is then as it was before the step. What push_at() gave is kept too, and acts
+  /// in the next step that can be taken; restore() drops it.
+  void step(const std::function<void()>& watch = {}) {
+    require_between_steps("another step can't be taken");
+    if (change_log_.is_pending()) report_changes();
+    const InsideStep inside(inside_);
+    if (watch) watch();
+    const std::optional<BodyIndex> diverged = backend_.step(step_plan(), step_time());
+    if (diverged) throw_failure(*diverged);
+    ++time_.ticks;
+    planner_.end_inputs(named_bodies());
   }
 
   // --- Bodies -----------------------------------------------------------------------------------
@@ -86,12 +106,12 @@ class World {
   std::size_t body_count() const { return registry_.size(); }
   /// How many of them are not points.
   std::size_t top_count() const { return named_bodies().top_count(); }
-  /// The body with that name.
+  /// The body with that name, looked up in a hash table.
   /// @throws std::invalid_argument if no body has that name.
   BodyHandle find(const std::string& name) const { return registry_.find(name); }
   /// Its name, or "body 7" of one without.
   std::string name_of(BodyHandle body) const { return registry_.name_of(registry_.index_of(body)); }
-  /// All bodies, in the order of the arrays.
+  /// All bodies, in the order of the arrays; each call makes the list anew.
   std::vector<BodyHandle> handles() const {
     std::vector<BodyHandle> handles;
     for (BodyIndex index = 0; index < registry_.size(); ++index)
@@ -114,7 +134,7 @@ class World {
   /// The body as it is now; a point has a top that is locked about every axis.
   RigidBody<Real> body(BodyHandle body) const { return backend_.body(registry_.index_of(body)); }
   /// All of them. Of a World a reference, const Bodies<Real>&, to its own arrays, which go on with
-  /// it; of ManyBodies a copy, Bodies<Real>, that each call makes anew.
+  /// it and hold as long as it does; of ManyBodies a copy, Bodies<Real>, that each call makes anew.
   decltype(auto) bodies() const { return backend_.bodies(); }
   /// What keeps and steps the bodies, for instance to set the number of threads.
   Backend& backend() { return backend_; }
@@ -256,7 +276,9 @@ class World {
     planner_.remove_effect(effect.number, named_bodies());
   }
 
-  /// The effect, whose type the caller must know. @throws std::invalid_argument if it is another.
+  /// The effect, whose type the caller must know. The reference holds until the effect is removed
+  /// or changed, or a step of another length is chosen. @throws std::invalid_argument if it is
+  /// another.
   template <class Effect>
   const Effect& effect(EffectHandle handle) const {
     const EffectInstance<Real>& instance = instance_of(handle);
@@ -292,7 +314,8 @@ class World {
   }
 
   /// From now on all bodies are stepped by `scheme`; until then by Scheme::semi_implicit_euler, of
-  /// order 1. Drag, damping and blows leave a scheme a lower order: plan() says which, and why.
+  /// order 1: see \ref schemes. Drag, damping and blows leave a scheme a lower order: plan() says
+  /// which, and why.
   void step_by(Scheme scheme) {
     require_between_steps("the scheme can't be changed");
     change_log_.note({"the scheme ", tumble::name_of(scheme), " was chosen"});
@@ -316,7 +339,7 @@ class World {
     planner_.add_motion({.effect = Backend::erased(motion)}, named_bodies());
   }
 
-  /// The effects of the scene, in the order in which they came.
+  /// The effects of the scene, in the order in which they came, until one comes or goes.
   const std::vector<EffectInstance<Real>>& effects() const { return step_plan().effects; }
   /// The name of the rule by which bodies turn whose moments differ.
   std::string turning_method() const { return turning_method_of(step_plan()); }
@@ -361,6 +384,7 @@ class World {
 
   /// How all bodies move now, and the time: with restore() a step, or a thousand, can be taken
   /// back. Effects, masses, names, the length of a step and pushes for the next one are not in it.
+  /// \ref world_changes shows this and the other ways back.
   Snapshot<Real> save() const { return snapshot_of(named_bodies(), planner_, time_); }
   /// All bodies move as they did when the snapshot was saved, and the steps from there on have the
   /// same bits, unless the scene has been changed since, or a push for one step was to come then:
@@ -392,7 +416,7 @@ class World {
 
   // --- The plan ---------------------------------------------------------------------------------
 
-  /// The plan as a table, computed when asked for and so never out of date.
+  /// The plan as a table, computed when asked for and so never out of date: \ref plan reads it.
   Plan plan() const {
     return {rows_of(planner_, named_bodies()), accuracy_of(step_plan()), warnings(),
             unknown_limits(step_plan())};
@@ -403,7 +427,7 @@ class World {
   }
 
   /// Up to which step no effect that has a response() can feed on itself, as the bodies are now;
-  /// infinite if none has one that limits it.
+  /// infinite if none has one that limits it. \ref step_limits derives it.
   StepLimit<Real> step_limit() const {
     return tumble::step_limit(step_plan(), named_bodies(), time());
   }
@@ -423,23 +447,7 @@ class World {
   /// From now on a warning is given to this function, and not to standard error.
   void on_warning(std::function<void(const std::string&)> tell) { tell_ = std::move(tell); }
 
-  // --- The step ---------------------------------------------------------------------------------
-
-  /// One step. `watch` is called when all warnings are told, and before anything moves; it may look
-  /// at the world, and not change it.
-  /// @throws SimulationError if a number would become infinite or NaN, and whatever an effect
-  /// throws; the world is then as it was before the step. What push_at() gave is kept too, and acts
-  /// in the next step that can be taken; restore() drops it.
-  void step(const std::function<void()>& watch = {}) {
-    require_between_steps("another step can't be taken");
-    if (change_log_.is_pending()) report_changes();
-    const InsideStep inside(inside_);
-    if (watch) watch();
-    const std::optional<BodyIndex> diverged = backend_.step(step_plan(), step_time());
-    if (diverged) throw_failure(*diverged);
-    ++time_.ticks;
-    planner_.end_inputs(named_bodies());
-  }
+  // --- Other runs ------------------------------------------------------------------------------
 
   /// The same step without members: each effect is asked about each body anew. See other_runs.hpp.
   void step_by_reference() {

@@ -89,9 +89,11 @@ struct SineCosineConstants<Pack<Real, width>> : SineCosineConstants<Real> {};
 
 template <class Real, int width>
 inline constexpr Real slowest_speed<Pack<Real, width>> = slowest_speed<Real>;
+/// @endcond
 
 }  // namespace tumble
 
+/// @cond the same
 /// The rounding of a pack is that of its numbers.
 template <class Real, int width>
 struct std::numeric_limits<tumble::Pack<Real, width>> : std::numeric_limits<Real> {};
