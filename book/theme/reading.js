@@ -41,12 +41,13 @@
 
   /** The last heading above the upper third of the window; at the foot of the page the last of all. */
   function heading_here() {
+    const shown = headings.filter(heading => heading.getClientRects().length); // what is shut has none
     const {scrollHeight, clientHeight, scrollTop} = document.scrollingElement;
     if (scrollTop > 0 && scrollTop + clientHeight >= scrollHeight - 2) {
-      const in_view = headings.filter(heading => heading.getBoundingClientRect().top < window.innerHeight);
+      const in_view = shown.filter(heading => heading.getBoundingClientRect().top < window.innerHeight);
       return in_view.at(-1);
     }
-    return headings.filter(heading => heading.getBoundingClientRect().top <= window.innerHeight / 3).at(-1);
+    return shown.filter(heading => heading.getBoundingClientRect().top <= window.innerHeight / 3).at(-1);
   }
 
   function mark_place() {

@@ -46,13 +46,17 @@ export class Formulas {
                 (_, tex) => `<span class="formula scroll">${this.#typeset(unescape(tex), true, page)}</span>`,
               )
               // A comma or full stop goes into the formula, or it could begin the next line.
-              .replace(/\\\(([\s\S]*?)\\\)([,.;:]?)/g, (_, tex, mark) =>
-                this.#typeset(unescape(tex) + (mark && `\\text{${mark}}`), false, page),
-              ),
+              .replace(/\\\(([\s\S]*?)\\\)([,.;:]?)/g, (_, tex, mark) => {
+                const set = this.#typeset(unescape(tex) + (mark && `\\text{${mark}}`), false, page);
+                return is_short(unescape(tex)) ? set.replace(/(?<=class="katex)(?=")/, ' whole') : set;
+              }),
       )
       .join('');
   }
 }
+
+/** A formula of a few letters, which no line should part. */
+const is_short = tex => tex.replace(/\\[a-zA-Z]+/g, 'x').replace(/[{}^_\s]/g, '').length <= 9;
 
 /** "path:line" of a formula; the reference has the name of its page alone. */
 function place_of(tex, {path, file, lines, expanded}) {
