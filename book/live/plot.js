@@ -205,7 +205,7 @@
   function draw_body({painter, palette, size}, camera, name, parts, orientation) {
     if (models.get(name)?.parts !== parts) {
       const recording = {title: '', seconds_between_frames: 1, bodies: [{name, parts}], frames: [[0, 0, 0, 1, 0, 0, 0]]};
-      models.set(name, {parts, scene: new globalThis.tumble_player.Scene(recording, 20)});
+      models.set(name, {parts, scene: new globalThis.tumble_player.Scene(recording, 32)});
     }
     const {scene} = models.get(name);
     scene.has_shadows = false; // it floats

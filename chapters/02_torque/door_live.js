@@ -31,7 +31,7 @@
   }
 
   live.figures.door = {
-    title: 'How does the place of a push decide what it turns?',
+    title: 'How strongly does a push turn the door from here?',
     hint: 'Drag along the door to push elsewhere; drag the arrow’s tail to turn the push.',
     knobs: {
       at: {label: 'Pushed at, from the hinge'},

@@ -20,4 +20,4 @@ plot "two_frames.tsv" using (of("plate")):3 with filledcurves closed fillstyle t
      "two_frames.tsv" using (of("answer")):3:4:5 with vectors head size 0.1,20 filled linetype 4 dashtype solid linewidth 2, \
      "two_frames.tsv" using (of("torque")):3:4:5 with vectors head size 0.12,20 filled linetype 2 dashtype solid linewidth 3, \
      "two_frames.tsv" using (of("its name") + 0.14):3:("torque") with labels left textcolor linetype 2, \
-     "two_frames.tsv" using (of("answer's name") + 0.06):($3 + 0.1):("axis it starts to turn about") with labels left textcolor linetype 4
+     "two_frames.tsv" using (of("answer's name") + 0.06):($3 + 0.17):("axis it starts to turn about") with labels left textcolor linetype 4

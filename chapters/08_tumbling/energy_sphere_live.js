@@ -24,7 +24,7 @@
     const {painter, palette, size, view} = picture;
     const {columns} = state;
     const n = step_at(state);
-    const camera = {target: [0, 0, 0], distance: 7.2, ...view};
+    const camera = {target: [0, 0, 0], distance: 6.1, ...view};
     const parts = live.once(columns, 'box', () => [{box: box_of(state)}]);
     const orientation = [columns['q real'][n], ...point(columns, 'q', n)];
     live.draw_body(picture, camera, 'thrown box', parts, orientation);
@@ -34,7 +34,7 @@
       for (const side of [-1, 1]) {
         const out = player.turned(matrix, [0, 1, 2].map(k => (k === axis ? side * (parts[0].box[axis] / 2 + 0.1) : 0)));
         const [x, y] = project(out);
-        if (player.dot(out, back) > 0) painter.text(String(number + 1), x, y, 'center', palette.ink);
+        if (player.dot(out, back) > 0.25 * Math.hypot(...out)) painter.text(String(number + 1), x, y, 'center', palette.ink);
       }
     });
     const mark = (vector, words, colour, beside) => {

@@ -1,5 +1,5 @@
 @drawing 540,420
-set title "Two rules keep the top up as it is; one keeps it up and turns it too slowly"
+set title "Splitting nods as the exact top does; steady barely nods, the rest sink or reel"
 set xlabel "time (s)"
 set ylabel "tilt (degree)"
 set xrange [0:1]

@@ -90,7 +90,7 @@
     duration: () => 12,
     still_time: 4,
     panels: [
-      {label: 'The ellipsoid on its plane, with the track of the contact on either.', turns: true, view: {azimuth: 0.5, elevation: -0.2}, draw: draw_rolling},
+      {label: 'The ellipsoid on its plane, with the track of the contact on either.', turns: true, view: {azimuth: 0.5, elevation: -0.45}, draw: draw_rolling},
       {label: 'The plane seen from above, with the herpolhode between its two circles.', draw: draw_herpolhode},
     ],
     finding({columns, values}) {

@@ -1,4 +1,4 @@
-set title "Summed time drifts, and in float it stops; counted steps err by rounding alone"
+set title "Summed time drifts, in float most of all; counted steps err by rounding alone"
 set xlabel "time (s)"
 set ylabel "clock is off by (s)"
 set logscale xy
@@ -8,4 +8,4 @@ set xrange [1:2e6]
 set yrange [1e-17:1e7]
 plot "clocks.tsv" using 1:2 with lines linestyle 2 title "  float t += h" at end, \
      "clocks.tsv" using 1:3 with lines linestyle 3 title "  double t += h" at end, \
-     "clocks.tsv" using 1:4 with points linestyle 1 title "  {/:Italic nh}" at end
+     "clocks.tsv" using 1:4 with points linestyle 1 title "      {/:Italic nh}" at end
