@@ -173,8 +173,9 @@ int try_own_effect(const Effect& effect) {
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("A thousand random worlds move by plan as when nothing is known of any body",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE(
+    "A thousand random worlds move by plan just as they do when nothing is known of any body", Real,
+    EVERY_PRECISION) {
   std::set<std::string> kinds;
   for (std::uint64_t seed = 1; seed <= 1000; ++seed) {
     CAPTURE(seed);
