@@ -73,7 +73,7 @@
     const often = word => counts.get(stem(word)) ?? 0;
     const parted = question.replace(/\w+/g, name => (often(name.toLowerCase()) ? name : name.replace(/([a-z])([A-Z])/g, '$1 $2').replaceAll('_', ' ')));
     const better = words_of(parted).map(word =>
-      word.length < 5 || often(word) ? word : vocabulary.filter(known => is_nearly(word, known)).sort((one, other) => often(other) - often(one))[0] ?? word);
+      word.length < 4 || often(word) ? word : vocabulary.filter(known => is_nearly(word, known)).sort((one, other) => often(other) - often(one))[0] ?? word);
     return better.join(' ') === words_of(question).join(' ') ? undefined : better.join(' ');
   }
 

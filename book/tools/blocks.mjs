@@ -173,7 +173,7 @@ export class Blocks {
     if (!text.trim()) throw new BookError(`the program ${program} printed nothing`);
     this.quoted.add(`${chapter}/${program}`);
     return `<figure class="listing output"><figcaption>What ${this.#program_link(chapter, program)} prints</figcaption>` +
-      `<pre class="unindexed">${escape(text.trimEnd())}</pre></figure>${this.#complaint(chapter, program)}`;
+      `<pre class="unindexed${text.trimEnd().split('\n').length > 15 ? ' long' : ''}">${escape(text.trimEnd())}</pre></figure>${this.#complaint(chapter, program)}`;
   }
 
   /** A file of the tree as it is, such as what a test knows that a tool prints. */
@@ -293,7 +293,7 @@ export class Blocks {
     if (asked?.page !== page) throw new BookError(`{{gate ${name}}} shuts what answers a prediction, and no prediction "${name}" stands before it on this page`);
     const is_near = !asked.is_gated; // the question stands just above its first gate
     asked.is_gated = true;
-    return gate(name, is_near ? '' : asked.question);
+    return gate(name, asked.question, is_near);
   }
 
   /** The answers of a page's predictions, each of which must have a gate; a mistake is added to `complaints`. */

@@ -47,6 +47,7 @@ function tidy(html) {
     .replace(/(<a\b[^>]*?) name="[^"]*"(?=[ >])/g, '$1')
     .replace(/ (align|valign|border|cellspacing|cellpadding)="[^"]*"/g, '')
     .replace(/(?<=\.)<a class="code hl_function" href="[^"]*#a\w+">(\w+)<\/a>|<a class="code hl_function" href="[^"]*#a\w+">([A-Z]\w*::\w+)<\/a>/g, '$1$2') // a member, and no free function of its name
+    .replace(/<a class="code hl_function" href="[^"]*">(\w+)<\/a>(?!\(|&lt;)/g, '$1') // a variable that is called like a function
     .replace(/&lt;tt&gt;(.*?)&lt;\/tt&gt;/g, '<code>$1</code>') // `code` in a heading
     .replace(/<a href="[^"]*">More\.\.\.<\/a>/g, '')
     .replace(/(<pre class="fragment">)([\s\S]*?)(?=<\/pre>)/g, (_, tag, commands) => tag + with_lines(commands))
@@ -110,7 +111,7 @@ export function finish_contents(contents, {blocks, sources, headers, is_page}) {
   const {html, headings} = with_headings(tidy(with_blocks(contents, blocks)), is_page);
   return {
     headings,
-    html: in_scrollers(with_heads(html))
+    html: in_scrollers(with_heads(html.replace(/<p>(?=(?:(?!<\/?p>)[\s\S])*:\s*<\/p>\s*<figure)/g, '<p class="leads">')))
       .replace(/href="header:([^"#]*)/g, (_, path) => `href="${headers.find(header => header.path === path).file}`)
       .replace(/href="source:([^"#]*)/g, (_, path) => {
         if (!sources.has(path)) throw new Error(`no page shows the source of ${path}`);

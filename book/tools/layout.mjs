@@ -36,11 +36,11 @@ function table_of_contents(headings) {
 }
 
 function neighbours(pages, current) {
-  const order = current.header ? pages.headers : pages.all;
+  const order = current.header ? pages.headers.filter(header => !header.is_brought || header === current.header) : pages.all;
   const index = order.indexOf(current.header ?? current);
   if (index < 0) return '';
   const link = (page, rel, word) =>
-    page ? `<a rel="${rel}" href="${page.file}"><span>${word}</span> ${escape(page.name)}</a>` : '<span></span>';
+    page ? `<a rel="${rel}" href="${page.file}"><span>${word}</span> ${current.header ? breakable(escape(page.name)) : escape(page.name)}</a>` : '<span></span>';
   return (
     `<nav class="neighbours" aria-label="Previous and next page">${link(order[index - 1], 'prev', '← Previous')}` +
     `${link(order[index + 1], 'next', 'Next →')}</nav>`

@@ -16,10 +16,10 @@ export function prediction(name, question, choices, answer) {
 }
 
 /** [opening, closing] of what answers the prediction: shut by the script alone, so that it is open without, and in no search. */
-export function gate(name, question) {
-  const asked = question && `: <i>${escape(question)}</i>`;
+export function gate(name, question, is_near) {
+  const asked = is_near ? '' : `: <i>${escape(question)}</i>`;
   return [
-    `<div class="gate unindexed" data-gate="${name}"><p class="shut"><a href="#predict_${name}">Answer first</a>${asked || ', then look.'} ` +
+    `<div class="gate${is_near ? '' : ' far'} unindexed" data-gate="${name}"><p class="shut"><a href="#predict_${name}">Answer first</a>${asked || ', then look.'} ` +
       '<button type="button">Just show me</button></p><div class="gated" tabindex="-1">',
     '</div></div>',
   ];

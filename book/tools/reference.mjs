@@ -134,11 +134,12 @@ export class Reference {
     this.written = written;
     this.headers = headers;
     this.lessons = lessons;
-    const {inner, names, of, types} = JSON.parse(readFileSync(join(source, 'book/pages/parameters.json'), 'utf8'));
+    const {inner, names, of, types, throws = {}} = JSON.parse(readFileSync(join(source, 'book/pages/parameters.json'), 'utf8'));
     this.parameters = names;
     this.inner = new Set(inner); // what the library itself uses, and stands in a header that users need
     this.parameters_of = of;
     this.parameters_by_type = types;
+    this.throws_by_type = throws; // {owner: {type: [[what, when]]}}
     this.asked_of_effects = members_of_effects(source);
     this.examples = examples_in(written);
     const unknown = [...this.examples.keys()].filter(name => !headers.some(header => header.path.endsWith(`/${name}`)));
@@ -159,6 +160,7 @@ export class Reference {
   #gather() {
     this.places = new Map(); // where a link of Doxygen's leads to in this reference
     this.descriptions = new Map();
+    this.told_apart = new Map(); // of a class those names that it tells of more than once: Doxygen's links in code lead to any of them
     const source_pages = new Map();
     for (const [file, {title}] of Object.entries(this.written))
       if (file.endsWith('_source.html')) source_pages.set(title.replace(/ Source File$/, ''), file);
@@ -185,6 +187,8 @@ export class Reference {
       const header = by_source.get(includes);
       if (!file.startsWith('namespace'))
         this.places.set(file, header ? `${header.file}#${this.#id_of(file)}` : own_line);
+      const groups = this.#by_description(rows_of(contents).map(row => ({...row, id: prefix + row.id}))).map(([{right}]) => name_in(right));
+      this.told_apart.set(file, new Set(groups.filter((name, n) => groups.indexOf(name) < n)));
       if (header) (header.compounds ??= []).push({file, source: own_line, line: Number(/#l(\d+)/.exec(own_line)?.[1])});
     }
     for (const header of this.headers) header.compounds?.sort((one, other) => one.line - other.line);
@@ -229,6 +233,7 @@ export class Reference {
     return html.replace(
       /<a ([^>]*)href="((?:namespace|struct|class|union|concept)\w*\.html)(#\w+)?"([^>]*)>([\s\S]*?)<\/a>/g,
       (_, before, file, anchor = '', after, text) => {
+        if (before.includes('code') && this.told_apart.get(file)?.has(text)) return text;
         const place = this.#present(this.places.get(file + anchor) ?? this.places.get(file));
         return place ? `<a ${before}href="${place}"${after}>${text}</a>` : text;
       },
@@ -249,11 +254,12 @@ export class Reference {
 
   /** What a function is given: each quantity, and what else is told of that function by name. */
   #given(owner, name, parameters) {
-    const rows = parameters.flatMap(({name: parameter, has_unit, type}) => {
-      const known = this.parameters_of[`${owner}/${name}`]?.[parameter] ?? this.parameters_of[name]?.[parameter] ?? ((has_unit && this.parameters[parameter]) || this.parameters_by_type[owner]?.[type]);
-      return known ? [[parameter, ...known]] : [];
-    });
-    if (!rows.length) return '';
+    const told = parameters.map(({name: parameter, has_unit, type}) => [parameter, this.parameters_of[`${owner}/${name}`]?.[parameter] ??
+      this.parameters_of[name]?.[parameter] ?? ((has_unit && this.parameters[parameter]) || this.parameters_by_type[owner]?.[type]), type]);
+    // A type says enough where the table is there for the others.
+    const by_type = type => this.parameters_by_type.any?.[type.replace(/<.*>/, '').replace(/\s*&/, ' &').trim()];
+    const rows = told.flatMap(([parameter, known, type]) => (known || by_type(type) ? [[parameter, ...(known || by_type(type))]] : []));
+    if (!told.some(([, known]) => known)) return '';
     const columns = ['argument', 'what', 'unit', 'axes'].map((head, n) => ({head, n})).filter(({n}) => rows.some(row => row[n]));
     const cell = (text, n) => (n === 0 ? `<code>${text}</code>` : escape(text ?? ''));
     const line = row => `<tr>${columns.map(({n}) => `<td>${cell(row[n], n)}</td>`).join('')}</tr>`;
@@ -296,13 +302,25 @@ export class Reference {
       return is_new ? ` id="${row.id}"` : '';
     };
     // What a function is given stands beside its declaration, before a derivation of many lines.
-    const doc = (about ? about.doc : brief && `<p>${brief}</p>`) || '';
+    const told = (about ? about.doc : brief && `<p>${brief}</p>`) || '';
+    const [exceptions = ''] = /<dl class="exception">[\s\S]*?<\/dl>/.exec(told) ?? [];
+    const doc = told.replace(exceptions, '');
     const given = this.#given(owner, name, about?.parameters ?? []);
     const [, begin, rest] = /^([\s\S]*?<\/p>)([\s\S]*)$/.exec(plain(doc).length > longest_before_given ? doc : '') ?? [, doc, ''];
     return (
       `<${level}${address(first)}>${escape(name)}</${level}>` +
-      this.#declaration(first) + overloads.map(row => this.#declaration(row, address(row))).join('') + begin + given + rest
+      this.#declaration(first) + overloads.map(row => this.#declaration(row, address(row))).join('') + begin + given + rest + this.#with_handles(exceptions, owner, name, about?.parameters ?? [])
     );
+  }
+
+  /** What a function throws, and with it what each throws that is given a handle. */
+  #with_handles(exceptions, owner, name, parameters) {
+    const types = parameters.filter(({name: parameter}) => !this.parameters_of[`${owner}/${name}`]?.[parameter]).map(({type}) => type);
+    const rows = [...new Set(types)].flatMap(type => this.throws_by_type[owner]?.[type] ?? [])
+      .map(([thrown, when]) => `<tr><td class="paramname">${escape(thrown)}</td><td>${escape(when)} </td></tr>`).join('');
+    if (!rows) return exceptions;
+    return exceptions ? exceptions.replace('</table>', `${rows}</table>`)
+      : `<dl class="exception"><dt>Exceptions</dt><dd><table class="exception">${rows}</table></dd></dl>`;
   }
 
   /** What a member is for that an effect has because the world asks for it. */
@@ -442,7 +460,7 @@ export class Reference {
     const listed = new Set();
     let owner;
     const headings = ordered.flatMap(part => part.headings).filter(({level, html}) => {
-      owner = level === 2 ? html : owner;
+      owner = level === 2 || html.startsWith('<b>') ? html : owner; // or a part of it
       const called = level === 2 ? html : `${owner}::${html}`;
       return !listed.has(called) && listed.add(called);
     });

@@ -19,14 +19,14 @@ export function without_empty({columns, rows}) {
 export function table(caption, columns, rows, kind = 'table', sums = []) {
   const mark = column => (columns[column].is_number ? ' class="number"' : '');
   const head = columns.map(({text}, column) => `<th scope="col"${mark(column)}>${escape(whole(text))}</th>`).join('');
-  const are_cards = kind.includes('keys'); // where a phone has no room for the row
+  const are_cards = kind.includes('keys') || (columns.length > 4 && kind === 'table'); // where a phone has no room for the row
   const label = column => (are_cards ? ` data-label="${escape(columns[column].text)}"` : '');
   /** A sentence in place of numbers takes the room of all that it stands for. */
   const is_told = (row, column) => columns[column].is_number && /(\S+ ){3}/.test(row[column]) && row.slice(column + 1).every(cell => cell === '');
   const cells = row => {
     const told = row.findIndex((_, column) => is_told(row, column));
     const numbers = told < 0 ? row : row.slice(0, told);
-    const rest = told < 0 ? '' : `<td colspan="${row.length - told}">${shown(row[told])}</td>`;
+    const rest = told < 0 ? '' : `<td colspan="${row.length - told}"${label(told)}>${shown(row[told])}</td>`;
     return numbers.map((cell, column) => `<td${mark(column)}${label(column)}>${shown(cell)}</td>`).join('') + rest;
   };
   const lines = some => some.map(row => `<tr>${cells(row)}</tr>`).join('');

@@ -55,11 +55,11 @@
           const apart = columns.part.map((_, n) => angle_of(columns['apart real'][n], columns['apart size'][n]));
           const product = columns.part.map(part => (part * part * values.first * values.second) / degrees);
           const plot = new live.Plot(painter, palette, size, {label: 'fraction of both turns', unit: '', least: 0, most: 1},
-            {label: 'the orders end apart', unit: '°', least: 0, most: 185});
+            {label: 'apart', unit: '°', least: 0, most: 185});
           picture.plot = plot;
           plot.line(columns.part, product, palette.bodies[0], {dash: [6, 4]});
           plot.line(columns.part, apart, palette.bodies[1]);
-          plot.legend([['product of the angles', palette.bodies[0], [6, 4]], ['as computed', palette.bodies[1]]]);
+          plot.legend([['estimate', palette.bodies[0], [6, 4]], ['exact', palette.bodies[1]]]);
         },
       },
     ],
