@@ -36,6 +36,8 @@
     } else plot.note(n === 2 ? 'not judged in this case' : 'no limit in this case', [x.least, 1e2], palette.ink);
     plot.line(columns[time], columns[column], palette.bodies[n]);
     plot.points(columns[time].slice(-1), columns[column].slice(-1), palette.bodies[n], 4);
+    const last = columns[time].at(-1);
+    if (n === 2 && last < 0.9 * columns.time.at(-1)) plot.note('judged until here', [last, columns[column].at(-1)], palette.bodies[n], last > Math.sqrt(x.least * x.most) ? 'right' : 'left');
     if (columns.diverged[0] > 0 && n === 0) plot.note('diverged', [columns.time.at(-1), 1e3], palette.bodies[n]);
   }
 
@@ -46,9 +48,9 @@
   });
 
   /** Whether an error has come to rest: its second half is hardly worse than its first. */
-  function course_of(times, errors) {
+  function course_of(words, times, errors) {
     const half = times.findIndex(time => time > times.at(-1) / 2);
-    return largest(errors) > 1.5 * largest(errors.slice(0, half)) ? 'The error is still growing' : 'The error has stopped growing';
+    return largest(errors) > 1.5 * largest(errors.slice(0, half)) ? `The error of ${words} is still growing` : `The error of ${words} has stopped growing`;
   }
 
   live.figures.hard_case = {
@@ -75,7 +77,7 @@
         (n === 2 ? columns[name].at(-1) : largest(columns[name])) > allowed(columns, n));
       const others = also.length > 0 ? `${also.map(other => other.words).join(' and ')} ${also.length > 1 ? 'are' : 'is'} beyond the limit too`
         : 'the rest is within its limits';
-      return `${start}fails by ${words}, ${off}; ${others}. ${course_of(columns[time], columns[column])}.`;
+      return `${start}fails by ${words}, ${off}; ${others}. ${course_of(words, columns[time], columns[column])}.`;
     },
   };
 })();
