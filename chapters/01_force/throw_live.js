@@ -1,6 +1,6 @@
 // How the thrown ball is drawn, and what there is to find.
 tumble_live.figures.throw = {
-  title: 'What decides how far the ball is off?',
+  title: 'What decides how far off the ball is?',
   hint: 'Drag the arrow in the picture to throw the ball differently.',
   knobs: {
     h: {label: 'Time step *h*', log: true},

@@ -4,7 +4,7 @@ unset key
 set size ratio -1
 set xrange [-2.9:2.9]
 set yrange [-2.1:2.1]
-set title "Two opposite forces turn the body and do not move it"
+set title "Two opposite forces turn the body but do not move it"
 data = "couple.tsv"
 x_of(kind) = strcol(1) eq kind ? column(2) : NaN
 plot data using (x_of("body")):3 with filledcurves closed fillstyle transparent solid 0.15 border linestyle 6 dashtype solid, \

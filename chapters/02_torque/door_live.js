@@ -104,11 +104,11 @@
     finding({columns, values}) {
       const {with_unit} = live;
       const push = `A push of ${with_unit(values.force, 'N')} at ${with_unit(values.angle, '°')} to the door, ${with_unit(values.at, 'm')} from the hinge`;
-      if (!is_open()) return `${push}. Say first what the three pushes make, and its torque is shown.`;
+      if (!is_open()) return `${push}. Say first what torques the three pushes make, and this one’s torque is shown.`;
       const [torque] = columns.torque, distance = Math.abs(columns.distance[0]);
       if (distance < 1e-9) return `${push}, makes no torque, however hard it is: its line runs through the hinge.`;
       return `${push}, makes a torque of ${with_unit(torque, 'N m')}, ${torque > 0 ? 'anticlockwise' : 'clockwise'}. Its line passes the hinge at ` +
-        `d = ${with_unit(distance, 'm')}, and ${with_unit(values.force, 'N')} × ${with_unit(distance, 'm')} is as much.`;
+        `d = ${with_unit(distance, 'm')}, and ${with_unit(values.force, 'N')} × ${with_unit(distance, 'm')} makes the same.`;
     },
   };
 })();

@@ -4,7 +4,7 @@ unset key
 set size ratio -1
 set xrange [-2.9:2.9]
 set yrange [-1.5:2.4]
-set title "The torque is the force times d, its line's distance from the centre"
+set title "The torque is the force times d, the distance of the force's line from the centre"
 data = "lever_arm.tsv"
 x_of(kind) = strcol(1) eq kind ? column(2) : NaN
 plot data using (x_of("body")):3 with filledcurves closed fillstyle transparent solid 0.15 border linestyle 6 dashtype solid, \

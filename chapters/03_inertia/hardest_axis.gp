@@ -8,7 +8,7 @@ set size ratio -1
 set xrange [-1.05:1.9]
 set yrange [-0.34:0.72]
 set margins 0, 0, 0, 2
-set title "A long box is easy to turn about its length alone"
+set title "A long box is easy to turn only about its length"
 data = "hardest_axis.tsv"
 is(kind) = strcol(1) eq kind ? column(2) : NaN
 plot data using (is("axis behind")):3:4:5 with vectors head filled linestyle 2 dashtype solid linewidth 2.5, \

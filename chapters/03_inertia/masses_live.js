@@ -84,7 +84,7 @@
       const [small, middle, large] = columns.moments;
       if (alike(small, middle) || alike(middle, large))
         return `Two moments are equal, ${with_unit(alike(small, middle) ? small : large, 'kg m²')} each. In the plane of their two axes every direction is as ` +
-          'principal as any other, and the drawn ones are an accident.';
+          'principal as any other, and those drawn are arbitrary.';
       const upright = ranks.findIndex((_, axis) => is_upright(columns, axis));
       const flat = Math.abs(large - small - middle) < 1e-9 * large ? ' Everything lies in one plane, so the largest is the sum of the other two.' : '';
       return `The axis towards you belongs to the ${ranks[upright]} moment. The middle one is ${with_unit(middle, 'kg m²')}, about ` +

@@ -1,4 +1,4 @@
-set title "No axis is easier than the one through the centre of mass"
+set title "No parallel axis is easier to turn about than the one through the centre of mass"
 set xlabel "where the axis crosses the rod, from its centre (m)"
 set ylabel "moment of inertia (kg m²)"
 set yrange [0:*]

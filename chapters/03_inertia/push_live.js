@@ -66,7 +66,7 @@
     finding({columns, values}) {
       const {shown, with_unit} = live;
       const [speed] = columns.speed, [spin] = columns.spin, [rest] = columns['at rest'], [centre] = columns.centre;
-      const moves = `The centre of mass, at ${with_unit(centre, 'm')}, moves at ${with_unit(speed, 'm/s')}, wherever it is pushed. `;
+      const moves = `The centre of mass, at ${with_unit(centre, 'm')}, moves at ${with_unit(speed, 'm/s')}, wherever the hammer is pushed. `;
       if (Math.abs(spin) < 1e-9) return `${moves}Pushed through it, the hammer does not turn.`;
       const stands = values.angle % 180 !== 0 ? 'No point of the hammer stands quite still unless the push is perpendicular to it.'
         : rest > -0.15 && rest < 0.15 ? `The point at ${with_unit(rest, 'm')} stands still for a moment: hold the hammer there, and the hand feels nothing.`

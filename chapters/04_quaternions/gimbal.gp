@@ -1,6 +1,6 @@
 @drawing 600,330
 set output name.".svg"
-set title "At a pitch of 90 degrees the first and the third axis are one"
+set title "At a pitch of 90 degrees the first and third axes coincide"
 unset border
 unset tics
 unset grid

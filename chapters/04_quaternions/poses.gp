@@ -1,6 +1,6 @@
 @drawing 420,440
 set output name.".svg"
-set title "Two quarter turns in the other order leave the book elsewhere"
+set title "Two quarter turns in the other order leave the book facing another way"
 unset border
 unset tics
 unset grid

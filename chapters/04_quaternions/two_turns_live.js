@@ -19,7 +19,7 @@
       const [left, top] = project(player.scaled(end, 1.1));
       painter.text(`*${letter}*`, left, top, 'center', palette.ink);
     });
-    painter.text(words, 10, 12, 'left', palette.ink);
+    painter.text(words, 10, size.height - 12, 'left', palette.ink);
   };
 
   live.figures.two_turns = {

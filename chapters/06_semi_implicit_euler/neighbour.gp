@@ -1,6 +1,6 @@
 @drawing 520,420
 set output name.".svg"
-set title "The steps lie on a curve of their own: that of a neighbour's energy"
+set title "The steps lie on a curve of their own, where a neighbouring energy is constant"
 set xlabel "angle (rad)"
 set ylabel "rate (rad/s)"
 set size ratio -1

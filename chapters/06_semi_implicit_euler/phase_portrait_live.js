@@ -73,7 +73,7 @@
       const {shown} = live;
       if (!is_open()) return 'Say first with which order the weight swings farther every time, and the steps are drawn.';
       const wh = values.w * values.h, energies = columns.energy;
-      if (energies[0] === 0 || (values.x === 0 && values.v === 0)) return 'A weight that rests where the spring is slack rests by every rule.';
+      if (energies[0] === 0 || (values.x === 0 && values.v === 0)) return 'A weight at rest where the spring is slack stays at rest under every rule.';
       const start = `With ωh = ${shown(wh)}`;
       if (values.rule === 0)
         return `${start} it spirals out: each step multiplies the energy by 1 + ${shown(energies[1] / energies[0] - 1)}, which is 1 + (ωh)².`;

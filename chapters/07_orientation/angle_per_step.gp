@@ -1,4 +1,4 @@
-set title "The first-order rule turns by less than half a turn, whatever is asked"
+set title "The first-order rule turns by less than half a turn, however much is asked for"
 set xlabel "asked for: {/:Italic ωh} (rad)"
 set ylabel "turned in one step (rad)"
 set xrange [0:6.2]

@@ -78,8 +78,8 @@
       const heights = columns['nose z'];
       const off = heights.reduce((most, z) => Math.max(most, Math.abs(z - heights[0])), 0);
       const second = values.side === 0
-        ? ' Multiplied on the left, the nose keeps its height.'
-        : ` Multiplied on the right, the nose leaves its height by up to ${live.shown(off)}: the body turns about its own axis.`;
+        ? ' With the turn multiplied on the left, the nose keeps its height.'
+        : ` With the turn multiplied on the right, the nose strays from its height by up to ${live.shown(off)}: the body turns about its own axis.`;
       return first + second;
     },
   };

@@ -1,4 +1,4 @@
-set title "Each tenfold cut in the wobble delays the flip by the same time"
+set title "Each tenfold cut in the wobble delays the flip by the same amount"
 set xlabel "wobble / spin"
 set ylabel "from flip to flip (s)"
 set logscale x

@@ -80,9 +80,9 @@
       const [sleeps] = columns.sleeps, [slow] = columns.slow, lowest = tilt_of(columns['lowest cosine'][0]);
       const round = Number.isFinite(slow) ? `It goes round at ${with_unit(rate, 'rad/s')} on average, and a steady precession would be at ${with_unit(slow, 'rad/s')}. `
         : 'It is too slow for its axis to go round steadily. ';
-      const sinks = `It sinks to ${with_unit(most, 'rad')}, and on paper to ${with_unit(lowest, 'rad')}.`;
+      const sinks = `It sinks to ${with_unit(most, 'rad')}; on paper it would sink to ${with_unit(lowest, 'rad')}.`;
       const upright = values.tilt < 0.1
-        ? ` On paper it stands upright from ${with_unit(sleeps, 'rad/s')} on, so that this one ${Math.abs(values.spin) >= sleeps ? 'sleeps' : 'falls'}.` : '';
+        ? ` On paper it stands upright from ${with_unit(sleeps, 'rad/s')} on, so this one ${Math.abs(values.spin) >= sleeps ? 'sleeps' : 'falls'}.` : '';
       return round + sinks + upright;
     },
   };

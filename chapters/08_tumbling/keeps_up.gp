@@ -1,5 +1,5 @@
 @drawing 540,420
-set title "Splitting nods as the exact top does; steady barely nods, the rest sink or reel"
+set title "Splitting nods as the exact top does; the steady rule barely nods; the rest sink or reel"
 set xlabel "time (s)"
 set ylabel "tilt (degree)"
 set xrange [0:1]

@@ -1,4 +1,4 @@
-set title "A step is three turns, about 2, 3 and 2 again, and ends beside the loop"
+set title "A step is three turns, about axes 2, 3 and 2 again, and ends beside the loop"
 set size ratio -1
 unset border
 unset tics

@@ -102,7 +102,7 @@
       const middle = Array.from(columns['semi-axes']).sort((a, b) => a - b)[1];
       return `The plane lies ${values.height > middle ? 'beyond' : 'within'} the middle semi-axis, ${with_unit(middle, 'rad/s')}, so the polhode goes ` +
         `round axis ${values.height > middle ? 1 : 3}. In 12 s the contact comes as near to the foot as ${with_unit(least, 'rad/s')} and as far as ` +
-        `${with_unit(most, 'rad/s')}; the circles have ${with_unit(columns.circles[0], 'rad/s')} and ${with_unit(columns.circles[1], 'rad/s')}. ` +
+        `${with_unit(most, 'rad/s')}; the circles’ radii are ${with_unit(columns.circles[0], 'rad/s')} and ${with_unit(columns.circles[1], 'rad/s')}. ` +
         `The contact leaves the plane by ${with_unit(off, 'rad/s', 2)} at most, which is the error of the steps.`;
     },
   };

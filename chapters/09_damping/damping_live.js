@@ -52,9 +52,9 @@
       const {shown} = live;
       const kh = values.rate * values.h, [left] = columns.fraction, [exact] = columns['exact fraction'];
       const start = `With k h = ${shown(kh)} a step leaves ${shown(left, 4)} of the speed, and ${shown(exact, 4)} would be right. `;
-      if (values.form === 0) return `${start}That is so for every step.`;
+      if (values.form === 0) return `${start}The exponential is right whatever the step.`;
       if (values.form === 3)
-        return `${start}The part was tuned for 60 steps a second; with another step the same number is another rate, ${shown(-Math.log(left) / values.h)} 1/s.`;
+        return `${start}The part was tuned for 60 steps a second; with another step the same number means another rate, ${shown(-Math.log(left) / values.h)} 1/s.`;
       if (left < -1) return `${start}The speed turns round in every step, and grows.`;
       if (left < 0) return `${start}The speed turns round in every step.`;
       return `${start}It never turns round, but it keeps too ${left < exact ? 'little' : 'much'} of its speed.`;

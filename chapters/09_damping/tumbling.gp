@@ -1,4 +1,4 @@
-set title "Damping takes energy all the time, yet the body first spins up"
+set title "Damping takes energy all the time, yet at first the body spins faster"
 set xlabel "time (s)"
 set ylabel "relative to the start"
 plot "tumbling.tsv" using 1:2 with lines linestyle 1 title "  angular speed" at end, \

@@ -115,7 +115,7 @@
       const dropped = columns.dropped[last];
       const screen = longest < 1000 ? with_unit(longest, 'ms') : with_unit(longest / 1000, 's');
       return `The longest of ${columns.frame.length} frames takes ${screen}. ` + (dropped > 0
-        ? `The caps dropped ${with_unit(dropped, 's')}, counted to the nanosecond: the world is late by as much.`
+        ? `The caps dropped ${with_unit(dropped, 's')}, counted to the nanosecond: the world is late by that much.`
         : `Nothing was dropped; at the end ${with_unit(columns.simulated[last], 's')} have been simulated.`);
     },
   };

@@ -1,4 +1,4 @@
-set title "Drawn at its last state the ball stutters; between two it glides"
+set title "Drawn at its last state the ball stutters; drawn between two it glides"
 set xlabel "frame"
 set ylabel "position (cm)"
 set xtics 4

@@ -1,4 +1,4 @@
-set title "In two steps a second the controller throws the satellite to and fro"
+set title "With two steps a second the controller throws the satellite to and fro"
 set xlabel "time (s)"
 set ylabel "angle about {/:Italic z} (rad)"
 set label 1 "2 a second" at 11, 0.22 right textcolor linetype 2

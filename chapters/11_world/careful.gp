@@ -1,4 +1,4 @@
-set title "Most nets bear little more than the limit, and some with arms far more"
+set title "Most nets bear little more than the limit; some held by arms bear far more"
 set xlabel "step, in units of the limit"
 set ylabel "nets that bear it (%)"
 set logscale y

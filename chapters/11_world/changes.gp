@@ -1,6 +1,6 @@
 @drawing 480,440
 set output name.".svg"
-set title "A change of the scene wakes only the passes that it calls for"
+set title "A change to the scene wakes only the passes that it calls for"
 set xlabel "step"
 set xrange [0:100]
 set yrange [10.5:-1.2]

@@ -1,4 +1,4 @@
-set title "What the wheel gets, the telescope gets with the other sign"
+set title "What the wheel gains, the telescope gains with the opposite sign"
 set xlabel "time (s)"
 set ylabel "momentum (N m s)"
 set xrange [0:40]

@@ -1,5 +1,5 @@
 @drawing 480,250
-set title "Packs of one colour have no pack of tops in common"
+set title "Packs of the same colour share no pack of tops"
 unset border; unset tics; unset grid; unset key
 set lmargin 0; set rmargin 0; set bmargin at screen 0.01; set tmargin at screen 0.84
 set xrange [0:480]

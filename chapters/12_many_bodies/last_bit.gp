@@ -1,5 +1,5 @@
 @drawing 480,380
-set title "One bit of one number, and half a minute later another motion"
+set title "Change one bit of one number, and half a minute later the motion is different"
 set xlabel "time (s)"
 set ylabel "distance (m)"
 set logscale y

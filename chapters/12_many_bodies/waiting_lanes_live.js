@@ -102,7 +102,7 @@
       const all = costs(state), alone = all[0].skipping, own = all[values.width];
       const start = `A ball is on the ground for ${shown(on_ground, 2)} % of the time. `;
       if (width === 1) return `${start}One by one, only the balls on the ground take the branch.`;
-      return `${start}Of the packs of ${width}, ${shown(packs, 2)} % hold one that is. If the branch is skipped where no lane needs it, they are ` +
+      return `${start}Of the packs of ${width}, ${shown(packs, 2)} % hold at least one such ball. If the branch is skipped where no lane needs it, they are ` +
         `${shown(alone / own.skipping, 2)} times as fast as one by one; with both branches always, ${shown(alone / own.both, 2)} times.`;
     },
   };

@@ -1,5 +1,5 @@
 @drawing 545,420
-set title "Half of the allowed error, by the longest step"
+set title "The longest step with less than half of the allowed error"
 set xlabel "time for a simulated second (ns)"
 set ylabel "error after 10 s (rad)"
 set logscale xy

@@ -55,7 +55,7 @@
       const {length: rejected} = columns.tried;
       const again = rejected === 0 ? 'none was rejected' : rejected === 1 ? 'one more was rejected' : `${rejected} more were rejected`;
       return `The round takes ${steps.length} steps, and ${again}. They last from ${with_unit(shortest, 's', 2)} to ${with_unit(longest, 's', 2)}; ` +
-        `all as short as the shortest, they would be ${shown(Math.ceil(columns.time.at(-1) / shortest), 2)}. ` +
+        `if all were as short as the shortest, there would be ${shown(Math.ceil(columns.time.at(-1) / shortest), 2)}. ` +
         `In the end the comet misses the point where it started by ${with_unit(columns.missed[0], 'm', 2)}.`;
     },
   };

@@ -1,5 +1,5 @@
 @drawing 560,400
-set title "A strong damper: the controller that sees one error hunts"
+set title "With a strong damper, the controller that sees only one error hunts"
 set xlabel "attempt"
 set ylabel "time step (ms)"
 set xrange [100:150]

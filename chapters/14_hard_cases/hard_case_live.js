@@ -77,7 +77,7 @@
         (n === 2 ? columns[name].at(-1) : largest(columns[name])) > allowed(columns, n));
       const others = also.length > 0 ? `${also.map(other => other.words).join(' and ')} ${also.length > 1 ? 'are' : 'is'} beyond the limit too`
         : 'the rest is within its limits';
-      return `${start}fails by ${words}, ${off}; ${others}. ${course_of(words, columns[time], columns[column])}.`;
+      return `${start}fails on ${words}, ${off}; ${others}. ${course_of(words, columns[time], columns[column])}.`;
     },
   };
 })();

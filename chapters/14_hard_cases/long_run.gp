@@ -1,5 +1,5 @@
 @drawing 540,420
-set title "The phase is lost in either precision; L goes by its roundings alone"
+set title "The phase is lost in either precision; L drifts by its roundings alone"
 set xlabel "time (s)"
 set ylabel "off by (rad)"
 set logscale xy

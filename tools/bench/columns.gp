@@ -1,5 +1,5 @@
 @drawing 480,330
-set title "Columns a power of two apart begin at one place of the cache"
+set title "Columns a power of two apart begin at the same place in the cache"
 set xlabel "place in a cache of 64 places, each as wide as a line"
 set ylabel "column"
 set xrange [-2:64]

@@ -1,5 +1,5 @@
 @drawing 545,470
-set title "The time per body hardly depends on their number until they outgrow a cache"
+set title "The time per body hardly depends on how many there are, until they outgrow a cache"
 set xlabel "bodies"
 set ylabel "time per body and step (ns)"
 set logscale xy

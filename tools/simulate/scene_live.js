@@ -174,7 +174,7 @@
   }
 
   live.figures.scene = {
-    title: 'A scene to edit: what does a step of it consist of?',
+    title: 'A scene to edit: what does each of its steps consist of?',
     knobs: {},
     duration: ({columns}) => columns.time.at(-1),
     still_time: 0.6,
