@@ -54,6 +54,19 @@ void write_energies(Notebook& notebook, const Orbit& orbit) {
       "at their start, %.0e by the pair, %.0e in transformed time.\n",
       last[0], last[1], last[2], last[3]);
   notebook.value("chosen_steps", std::to_string(chosen_steps / 100));
+  // As many steps of one length as were chosen.
+  Particled as_many = orbit.start;
+  orbit.evaluate_forces(as_many, 0);
+  double worst_as_many = 0, in_first_half = 0;
+  for (long n = 0; n < chosen_steps; ++n) {
+    step_by_row<Verlet>(as_many, orbit.evaluate_forces, 0.0,
+                        100 * round / static_cast<double>(chosen_steps));
+    worst_as_many = std::max(worst_as_many, std::abs(energy_of(as_many) / energy - 1));
+    if (2 * n < chosen_steps) in_first_half = worst_as_many;
+  }
+  expect(worst_as_many < 1.05 * in_first_half,
+         "a few equal steps err by much, but not by more and more");
+  notebook.value("as_many", number("%.2f", worst_as_many));
   expect(worst[0] < 1.5 * first[0], "with steps of one length the energy is bounded");
   expect(worst[1] > 1.8 * first[1] && worst[2] > 1.8 * first[2],
          "with steps that are chosen at their start it drifts, twice as far in twice the time");

@@ -1,4 +1,4 @@
-// Sixty-four questions as readers ask them, and where each must lead first. TUMBLE_BOOK is the folder of the book.
+// Seventy-two questions as readers ask them, and where each must lead first. TUMBLE_BOOK is the folder of the book.
 import assert from 'node:assert/strict';
 import {readFileSync} from 'node:fs';
 import {join} from 'node:path';
@@ -36,6 +36,14 @@ const questions = [
   ['collision', /effects\.html#effects_forms/],
   ['collisions between bodies', /effects\.html#effects_forms/],
   ['FetchContent', /reference\.html#reference_link/],
+  ['RK45', /reference\.html#task_own_step/],
+  ['half extents', /solids_8hpp\.html#box/],
+  ['glossary', /conventions\.html#conventions_words/],
+  ['what does step throw', /reference\.html#task_errors/],
+  ['forms.hpp', /forms_8hpp/],
+  ['box falls through the floor', /effects\.html#effects_forms/],
+  ['rotation matrix from quaternion', /chapter_04_quaternions\.html#into_and_out_of_a_matrix/],
+  ['exact solution free rigid body', /reference\.html#task_exact/],
   // Headings.
   ['parallel axis', /chapter_03_inertia\.html#inertia_parallel/],
   ['parallel axes theorem', /chapter_03_inertia\.html#inertia_parallel/],
@@ -91,7 +99,7 @@ for (const [question, place] of questions) {
   });
 }
 
-test('There are sixty-four questions.', () => assert.equal(questions.length, 64));
+test('There are seventy-two questions.', () => assert.equal(questions.length, 72));
 
 test('Where no place holds every word, the best for some of them comes, and the reader is told.', () => {
   const {hits, whole} = book_search.find('quaternion xylophone', prepared);
