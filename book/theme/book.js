@@ -15,7 +15,8 @@
   });
   // On a phone the first sentence comes before the contents.
   if (matchMedia('(max-width: 55rem)').matches) document.querySelector('.contents-table details')?.removeAttribute('open');
-  document.querySelector('#navigation [aria-current]')?.scrollIntoView({block: 'nearest'});
+  const here = document.querySelector('#navigation [aria-current]'), pages = document.querySelector('#navigation');
+  if (here) pages.scrollTop = here.offsetTop - pages.offsetTop - pages.clientHeight / 2;
 
   // A link to an exercise opens its card.
   const open_task = () => {

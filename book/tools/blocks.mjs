@@ -164,7 +164,8 @@ export class Blocks {
     const first = lines.findIndex((line, index) => index > marks[0] && line && !line.startsWith('//! ['));
     if (first >= marks[1]) throw new BookError(`the snippet ${match[2]} of ${path} is empty`);
     const shown = /(?:(?:tumble|support)\/)?[^/]+$/.exec(path)[0];
-    return {caption: `${source_link(path, first + 1, code(shown))}, line ${first + 1}`, command: `\\snippet ${path} ${match[2]}`};
+    const reference = this.pages.headers.some(header => header.path === path) ? ` <span class="on-screen">· <a href="header:${escape(path)}">reference</a></span>` : '';
+    return {caption: `${source_link(path, first + 1, code(shown))}, line ${first + 1}${reference}`, command: `\\snippet ${path} ${match[2]}`};
   }
 
   #output(page, argument) {

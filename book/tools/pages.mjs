@@ -55,7 +55,7 @@ export const group_of = ({page}) => `headers_of_${page?.id ?? 'all'}`;
 
 /**
  * What a reader's program may include: {path, name, brief, page, is_brought}, `page` being that of the chapter which explains it. Of a folder
- * with many, those are brought along that a header of the same folder includes and no program of the course does.
+ * with many, those are brought along that a header of the same folder includes and no program or example of the course does.
  */
 function public_headers(source, floors, chapters) {
   const of_chapter = name => chapters.find(page => page.chapter === name && !page.further);
@@ -67,7 +67,7 @@ function public_headers(source, floors, chapters) {
     {below: 'exact/tumble/exact', inside: 'tumble/exact', page: hard},
   );
   const programs = floors.flatMap(({folder}) =>
-    readdirSync(join(source, folder), {recursive: true}).filter(file => /(?<!_checks)\.cpp$/.test(file)).map(file => join(folder, file)));
+    readdirSync(join(source, folder), {recursive: true}).filter(file => /(?<!_checks)\.cpp$|examples_checks\.cpp$/.test(file)).map(file => join(folder, file)));
   const by_programs = new Set(programs.flatMap(path => included_in(source, path)));
   return folders.flatMap(({below, inside, page, only = /\.hpp$/}) => {
     const files = (existsSync(join(source, below)) ? readdirSync(join(source, below)) : []).filter(file => only.test(file) && file.endsWith('.hpp')).sort();

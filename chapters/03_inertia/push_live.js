@@ -11,7 +11,7 @@
   const path = (columns, at) => Array.from(columns.time, (_, n) => outline(columns, n, [[0, at]])[0]);
 
   live.figures.push = {
-    title: 'What does the place of the push change, and what does it leave alone?',
+    title: 'What does it change where you push, and what not?',
     hint: 'Drag in the picture to draw the push: it acts where you begin.',
     knobs: {
       at: {label: 'Where it is pushed'},

@@ -20,6 +20,7 @@ set label 3 "then about {/:Italic z}" at 6.8, -2 center textcolor linetype 1
 set label 4 "as it lies" at 0, -2 - below center textcolor linetype 7
 set label 5 "turned about {/:Italic z}" at 3.4, -2 - below center textcolor linetype 7
 set label 6 "then about {/:Italic x}" at 6.8, -2 - below center textcolor linetype 2
+set label 7 "its spine" at 1.1, 0.75 left textcolor linetype 2
 set arrow 1 from -1.4, -2.8 to 8.3, -2.8 nohead linecolor rgb "#b9c2c9"
 plot for [n=0:4] "poses.tsv" using (across(of(sprintf("page %d", n)))):(down($2, $3)) with filledcurves closed fillstyle solid 0.12 border linetype 7 dashtype solid linetype 7, \
      for [n=0:4] "poses.tsv" using (across(of(sprintf("spine %d", n)))):(down($2, $3)) with filledcurves closed fillstyle solid 0.75 border linetype 6 dashtype solid linetype 6, \
@@ -27,4 +28,5 @@ plot for [n=0:4] "poses.tsv" using (across(of(sprintf("page %d", n)))):(down($2,
      "poses.tsv" using (of("page 0")):($3 - below) with filledcurves closed fillstyle solid 0.12 border linetype 7 dashtype solid linetype 7, \
      "poses.tsv" using (of("spine 0")):($3 - below) with filledcurves closed fillstyle solid 0.75 border linetype 6 dashtype solid linetype 6, \
      "poses.tsv" using (of("cover 0")):($3 - below) with filledcurves closed fillstyle solid 0.5 border linetype 1 dashtype solid linetype 1, \
-     "poses.tsv" using (across(of("head"))):(down($2, $3)):4:5 with vectors head filled linetype 2 dashtype solid linewidth 1.6
+     "poses.tsv" using (across(of("head"))):(down($2, $3)):4:5 with vectors head filled linetype 2 dashtype solid linewidth 1.6, \
+     "poses.tsv" using (strcol(1) eq "head" && $2 < 1 ? $2 : NaN):($3 - below):4:5 with vectors head filled linetype 2 dashtype solid linewidth 1.6

@@ -57,10 +57,10 @@
           const {columns} = state;
           const [round, fine_round, tilts, fine_tilts] = live.once(columns, 'path', () =>
             [azimuths(columns, 'axis'), azimuths(columns, 'fine'), Array.from(columns['axis z'], tilt_of), Array.from(columns['fine z'], tilt_of)]);
-          const x = live.range_of([fine_round], {smallest: 1});
+          const x = live.range_of([fine_round], {smallest: 1}), y = live.range_of([fine_tilts, tilts], {smallest: 0.3});
           // Tilt grows downwards, as the top sinks.
           const plot = new live.Plot(painter, palette, size, {label: 'gone round', unit: 'rad', ...x},
-            {label: 'tilt', unit: 'rad', least: 3.2, most: 0});
+            {label: 'tilt', unit: 'rad', least: y.most, most: Math.max(0, y.least)});
           picture.plot = plot;
           plot.line(fine_round, fine_tilts, palette.bodies[0]);
           const n = step_at(state);

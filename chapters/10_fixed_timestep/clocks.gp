@@ -4,7 +4,7 @@ set ylabel "clock is off by (s)"
 set logscale xy
 set format x "10^{%T}"
 set format y "10^{%T}"
-set xrange [1:2e6]
+set xrange [1:4e6]
 set yrange [1e-17:1e7]
 plot "clocks.tsv" using 1:2 with lines linestyle 2 title "  float t += h" at end, \
      "clocks.tsv" using 1:3 with lines linestyle 3 title "  double t += h" at end, \

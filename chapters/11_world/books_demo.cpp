@@ -52,10 +52,10 @@ void compare_with_stored(support::Notebook& notebook, const World<double>& world
                   "gravity's books and the height differ by half a kick");
   support::expect(std::abs(drag - fall - half_kick) < 0.02 * half_kick,
                   "that is why the sum fell by less than the drag took");
-  notebook.value("fall", support::number("%.1f J", fall));
-  notebook.value("drag", support::number("%.1f J", drag));
-  notebook.value("gravity", support::number("%.1f J", gravity));
-  notebook.value("height", support::number("%.1f J", worth));
+  notebook.value("fall", support::number("%.2f J", fall));
+  notebook.value("drag", support::number("%.2f J", drag));
+  notebook.value("gravity", support::number("%.2f J", gravity));
+  notebook.value("height", support::number("%.2f J", worth));
 }
 
 template <class Real>

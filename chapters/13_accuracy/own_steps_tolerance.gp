@@ -3,7 +3,7 @@ set title "The pair 8(5,3) needs the fewest steps for a small tolerance"
 set xlabel "tolerance (m/s and m/s²)"
 set ylabel "steps along the orbit"
 set logscale xy
-set xrange [1e-2:1e-10] reverse
+set xrange [1.3e-2:1e-10] reverse
 set xtics ("10^{-2}" 1e-2, "10^{-4}" 1e-4, "10^{-6}" 1e-6, "10^{-8}" 1e-8, "10^{-10}" 1e-10)
 set yrange [20:3000]
 set ytics (20, 50, 100, 200, 500, 1000, 2000)

@@ -131,7 +131,8 @@ class World {
   /// Whether it has no orientation.
   bool is_point(BodyHandle body) const { return named_bodies().is_point(registry_.index_of(body)); }
 
-  /// The body as it is now; a point has a top that is locked about every axis.
+  /// The body as it is now; a point has a top that is locked about every axis. The orientation is
+  /// that of its principal axes: drawn_pose() has that of the model.
   RigidBody<Real> body(BodyHandle body) const { return backend_.body(registry_.index_of(body)); }
   /// All of them. Of a World a reference, const Bodies<Real>&, to its own arrays, which go on with
   /// it and hold as long as it does; of ManyBodies a copy, Bodies<Real>, that each call makes anew.

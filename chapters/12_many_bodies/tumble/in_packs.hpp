@@ -21,9 +21,11 @@ class InPacks final : public BodyStore<Real> {
   /// All bodies, copied out of the packs.
   Bodies<Real> bodies() const { return unpacked(state_.bodies); }
   /// The same as they lie, for whoever reads them without copying all. They go on with the world.
-  /// The centre of the body with index i = world.index_of(handle) is in centres.packs()[i / width],
-  /// in lane i % width: its x is position.x()[i % width]. So in memory stand `width` x, `width` y,
-  /// `width` z, then as many of each of the velocity, the force and the inverse mass.
+  /// The centre of the body with index i, which is `world.index_of(handle)`, is in
+  /// `centres.packs()[i / width]`, in lane `i % width`: its x is `position.x()[i % width]`. So in
+  /// memory stand `width` x, `width` y, `width` z, then as many of each of the velocity, the force
+  /// and the inverse mass. If the body is not a point, its top is in the same way number
+  /// `top_of[i]` of `tops`.
   const PackedBodies<Real, width>& packed_bodies() const { return state_.bodies; }
   /// Other bodies in their place.
   void set_bodies(const Bodies<Real>& bodies) { state_.bodies = packed<Real, width>(bodies); }
