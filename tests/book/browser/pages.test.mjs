@@ -147,6 +147,7 @@ for (const colourScheme of ['light', 'dark']) {
       const box = coloured.locator('[data-cut]').first();
       if (!await box.count()) continue;
       if (++cut > 3) break;  // one style sheet sets them all
+      await coloured.locator('[data-cut][role="region"]').first().waitFor(); // the script finds what is cut, once the page is laid out
       // Where nothing is hidden the edge is the page's colour; a shade differs from it by more than a rounding of colours.
       for (const [share, goes_on] of [[0, true], [0.5, true], [1, false]]) {
         const hidden = await box.evaluate((element, part) => {
