@@ -73,7 +73,8 @@ int main(int argument_count, char** arguments) {
   const long too_long = 100L * 3600 * steps_per_second;
   while (worst_energy[1] < worst_energy[3] && steps < too_long) step_all(4);
   const double hours = static_cast<double>(steps) / (3600.0 * steps_per_second);
-  for (const long end = 2 * steps; steps < end;) step_all(4);  // and as far again, for the drawing
+  const long drawn_steps = 2 * steps;  // as far again, for the drawing
+  while (steps < drawn_steps) step_all(4);
   std::printf("\nAfter %.1f hours the error of Runge-Kutta is the larger one.\n", hours);
   notebook.value("overtaken_hours", support::number("%.1f", hours));
   notebook.value("ahead", support::number("%.0f", ahead));
