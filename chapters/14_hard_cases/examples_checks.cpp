@@ -210,7 +210,7 @@ TEST_CASE("An effect of one's own stores energy, and gives it back") {
   for (int n = 0; n < 1000; ++n) world.step();
   const WorldEnergy energy = energy_of(world);
   CHECK(energy.motion > 5);
-  CHECK(std::abs(energy.motion + energy.stored - 9) < 0.01);
+  CHECK(std::abs(energy.motion + energy.stored - 9) < 0.0065);  // half a step of |F v| at most
 }
 //! [energy.hpp]
 
@@ -340,11 +340,12 @@ TEST_CASE("Ten thousand bodies are stepped in packs, on two threads") {
   for (int n = 0; n < 60; ++n) rain.step();
   const auto& centres = rain.backend().packed_bodies().centres;  // as they lie, in packs
   constexpr BodyIndex width = natural_width<float>;
-  float lowest = 100;
+  std::vector<float> heights;
   for (BodyIndex i = 0; i < centres.size(); ++i)
-    lowest = std::min(lowest, centres.packs()[i / width].position.z()[int(i % width)]);
+    heights.push_back(centres.packs()[i / width].position.z()[int(i % width)]);
   const Bodies<float> all = rain.bodies();  // or a copy of everything
-  CHECK(all.centres[9'999].position.z() >= lowest);
+  CHECK(heights[9'999] == all.centres[9'999].position.z());
+  CHECK(centres.packs()[9'998 / width].position.x()[9'998 % width] == 9'998);
   //! [in_packs.hpp]
 }
 

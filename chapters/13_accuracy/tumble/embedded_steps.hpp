@@ -204,10 +204,11 @@ class EmbeddedSteps {
 /// `evaluate_forces` is a function (Body&, Real time) that sets the sum of what acts then:
 /// particle.force, or top.torque. `tolerance` is what may be lost in a second: of a particle {m,
 /// m/s}; of a top rad, and as large a part of |L|. That is what is added to the error, which the
-/// motion then carries on and may spread: it can end larger than tolerance times seconds. The squares of |L| and of the part of it that
-/// may be lost must be normal numbers: of a smaller error the choice of the step sees nothing, and
-/// a larger |L| has no such part. No step passes over one of the `stops`. What acts at the end is
-/// left in the body; if anything is thrown, the body is as it was.
+/// motion then carries on and may spread: it can end larger than tolerance times seconds. The
+/// squares of |L| and of the part of it that may be lost must be normal numbers: of a smaller error
+/// the choice of the step sees nothing, and a larger |L| has no such part. No step passes over one
+/// of the `stops`. What acts at the end is left in the body; if anything is thrown, the body is as
+/// it was.
 /// @return how many steps it took, and how many were rejected
 /// @throws std::invalid_argument unless the seconds are 0 or more and the tolerance more than 0,
 /// both finite, and as require_stops(). @throws StepError if no step meets the tolerance.
