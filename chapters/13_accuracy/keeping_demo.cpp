@@ -8,7 +8,7 @@ using namespace tumble;
 
 namespace {
 
-constexpr int steps_per_second = 20;
+constexpr long steps_per_second = 20;
 
 double energy_error(const Topd& top, double of) {
   return std::abs(kinetic_energy(top) / of - 1);
