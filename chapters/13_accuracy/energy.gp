@@ -13,7 +13,8 @@ set ytics 1e-8, 100
 set rmargin 17
 unset key
 # Three lines end near to one another: the upper name is raised, and splitting's stands on its line.
+colour(i) = int(word("5 2 3 1", i - 1)) # as where else these rules are drawn
 rise(i) = i == 4 ? 2.2 : 1
-set label 1 "splitting" at 120, 4.5e-4 textcolor linetype 4
-plot for [i=2:5] "energy.tsv" using 1:i with lines linestyle i-1, \
-     for [i=2:4] "" using ($1 == last ? $1 : NaN):(column(i) * rise(i)):(columnhead(i)) with labels left offset 0.5,0 textcolor linetype i-1
+set label 1 "splitting" at 120, 4.5e-4 textcolor linetype 1
+plot for [i=2:5] "energy.tsv" using 1:i with lines linestyle colour(i), \
+     for [i=2:4] "" using ($1 == last ? $1 : NaN):(column(i) * rise(i)):(columnhead(i)) with labels left offset 0.5,0 textcolor linetype colour(i)
