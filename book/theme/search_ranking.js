@@ -143,6 +143,7 @@
     const first_way = concepts.flatMap(({ways}) => ways[0]);
     const firsts = new Set(concepts.flatMap(({ways}) => ways.map(way => way[0])));
     const prefix = concepts.at(-1).prefix;
+    const is_foreseen = ({asked}) => asked?.some(phrase => phrase.toLowerCase() === question.trim().toLowerCase());
     const hits = [];
     for (const {document, fields, held} of prepared.places) {
       if (![...firsts].some(word => held.has(word)) && !(prefix && [...held].some(word => word.startsWith(prefix)))) continue;
@@ -156,11 +157,12 @@
         return matched === concepts.length ? Math.min(1, first_way.length / phrase.length) : 0;
       };
       score += 6 * says(fields.section);
-      score += 5 * Math.max(0, ...fields.terms.map(says)) + 10 * Math.max(0, ...fields.asked.map(says));
+      const foreseen = is_foreseen(document) ? 2 : Math.max(0, ...fields.asked.map(says));
+      score += 5 * Math.max(0, ...fields.terms.map(says)) + 10 * foreseen;
       if (first_way.length > 1 && times_in(fields.text, first_way)) score += 1.5;
-      // Who asks for a name of the code wants its page in the reference.
+      // Who asks for a name of the code wants its page in the reference, and what is foreseen is meant as it stands.
       const is_the_name = first_way.length === 1 && first_way[0].includes('_') && fields.section.includes(first_way[0]);
-      hits.push({document, covered, score: score * covered ** 2 * (is_the_name ? 1.2 : document.weight)});
+      hits.push({document, covered, score: score * covered ** 2 * (is_the_name ? 1.2 : foreseen >= 1 ? 1 : document.weight)});
     }
     hits.sort((one, other) => other.score - one.score);
     // A name of the code that is written as one leads to it; words that may be one have it second, if it is meant for users.
@@ -170,8 +172,7 @@
       hits.find(hit => hit.document === document) ?? {document, covered: 1, score: 0});
     named.sort((one, other) => Boolean(one.document.is_row) - Boolean(other.document.is_row) || other.score - one.score); // a field comes after functions
     if (named.length) hits.splice(0, hits.length, ...hits.filter(hit => !named.includes(hit)));
-    const is_foreseen = hits[0]?.document.asked?.includes(question.trim());
-    hits.splice(asked?.is_certain && !is_foreseen ? 0 : 1, 0, ...named);
+    hits.splice(asked?.is_certain && !(hits.length && is_foreseen(hits[0].document)) ? 0 : 1, 0, ...named);
     return {hits, whole: hits.length === 0 || hits[0].covered > 0.999, ways: concepts.flatMap(({ways}) => ways)};
   }
 

@@ -99,6 +99,10 @@ for (const [question, place] of questions) {
   });
 }
 
+test('Words foreseen for a place lead there first.', () => {
+  for (const {address, asked = []} of bookIndex.documents) for (const question of asked) assert.equal(first(question)[0], address, question);
+});
+
 test('There are seventy-two questions.', () => assert.equal(questions.length, 72));
 
 test('Where no place holds every word, the best for some of them comes, and the reader is told.', () => {
