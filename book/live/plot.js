@@ -109,7 +109,7 @@
       painter.line([[box.left, box.top], [box.left, bottom], [right, bottom]], palette.ink, 1, 1);
       const name = ({label, unit}) => (unit ? `${label} (${unit})` : label);
       painter.text(name(y), 4, 10, 'left', palette.ink);
-      painter.text(name(x), right, bottom + 30, 'right', palette.ink);
+      painter.text(name(x), (box.left + right) / 2, bottom + 30, 'center', palette.ink);
     }
 
     /** A line through the points; it is broken where a number is none. */

@@ -46,8 +46,18 @@ function bare(svg) {
     .replace(/^.*?(?=<svg)/s, '')
     .replace(/<title>.*?<\/title>|<desc>.*?<\/desc>|<!--.*?-->|<filter.*?<\/filter>/gs, '')
     .replace(/\sxmlns(:xlink)?="[^"]*"/g, '')
+    .replace(/ stroke-dasharray='[^']*'(?= class="gridline")/g, '')
     .replace(/>\s+</g, '><')
     .trim();
+}
+
+/** The name of a y axis stands level above it, where a reader need not turn the head, as in the figures that one can touch. */
+function with_level_names(svg) {
+  const axes = [...svg.matchAll(/ d='M([\d.]+),([\d.]+) L\1,([\d.]+) L/g)].map(([, ...numbers]) => numbers.map(Number));
+  return svg.replace(/translate\(([\d.]+),([\d.]+)\) rotate\((?:-90|270)\)("[^>]*text-anchor=")middle/g, (turned, x, y, between) => {
+    const axis = axes.find(([at, top, bottom]) => at > x && Math.abs((top + bottom) / 2 - y) < 1);
+    return axis ? `translate(${Number(x) + 5},${axis[1] - 18})${between}start` : turned;
+  });
 }
 
 /** [left, top, right, bottom] of what gnuplot drew. */
@@ -86,7 +96,7 @@ function extent(svg) {
 
 /** gnuplot's drawing as {title, svg}; `says` is what it tells a reader who cannot see it. */
 export function figure(source, says, name) {
-  let svg = bare(source);
+  let svg = with_level_names(bare(source));
   const titles = [];
   svg = svg.replace(
     new RegExp(

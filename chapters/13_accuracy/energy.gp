@@ -12,8 +12,8 @@ set yrange [1e-8:3]
 set ytics 1e-8, 100
 set rmargin 17
 unset key
-# Three lines end near to one another: the upper name is raised, and splitting's stands on its line.
 colour(i) = int(word("5 2 3 1", i - 1)) # as where else these rules are drawn
+# Three lines end near to one another: the upper name is raised, and splitting's stands on its line.
 rise(i) = i == 4 ? 2.2 : 1
 set label 1 "splitting" at 120, 4.5e-4 textcolor linetype 1
 plot for [i=2:5] "energy.tsv" using 1:i with lines linestyle colour(i), \
