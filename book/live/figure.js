@@ -231,7 +231,7 @@
         buttons.prepend(this.play_button, this.clock, this.clock_words);
       }
       this.finding = make('p', {className: 'live-finding'}, {'aria-live': 'polite'});
-      const hint = this.described.hint ? [make('p', {className: 'live-hint', textContent: this.described.hint})] : [];
+      const hint = this.described.hint ? [make('p', {className: 'live-hint'}, {}, with_symbols(this.described.hint))] : [];
       this.stage.after(make('div', {className: 'live-knobs'}, {role: 'group', 'aria-label': 'Knobs'}, shown), buttons, this.finding, ...hint);
     }
 

@@ -51,7 +51,7 @@ tumble_live.figures.throw = {
   finding({columns}) {
     const {with_unit} = tumble_live;
     const last = name => columns[name].at(-1);
-    const by_formula = tumble_live.answered('half_the_step') ? `, and ½ g h t is ${with_unit(last('half g h t'), 'm')}` : '';
+    const by_formula = tumble_live.answered('half_the_step') ? `, and ½ *g h t* is ${with_unit(last('half g h t'), 'm')}` : '';
     const off = Math.abs(columns['exact distance'].at(-1) - columns.distance.at(-1));
     return `After ${with_unit(last('time'), 's')} the stepped ball is ${with_unit(last('below the parabola'), 'm')} below the parabola${by_formula}. ` +
       (off < 1e-9 ? 'Forward it is right, to rounding.' : `Forward it is off by ${with_unit(off, 'm', 2)}.`);

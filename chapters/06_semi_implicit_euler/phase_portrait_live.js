@@ -74,11 +74,11 @@
       if (!is_open()) return 'Say first with which order the weight swings farther every time, and the steps are drawn.';
       const wh = values.w * values.h, energies = columns.energy;
       if (energies[0] === 0 || (values.x === 0 && values.v === 0)) return 'A weight at rest where the spring is slack stays at rest under every rule.';
-      const start = `With ωh = ${shown(wh)}`;
+      const start = `With *ωh* = ${shown(wh)}`;
       if (values.rule === 0)
-        return `${start} it spirals out: each step multiplies the energy by 1 + ${shown(energies[1] / energies[0] - 1)}, which is 1 + (ωh)².`;
+        return `${start} it spirals out: each step multiplies the energy by 1 + ${shown(energies[1] / energies[0] - 1)}, which is 1 + (*ωh*)².`;
       if (values.rule === 2)
-        return `${start} it spirals in: each step divides the energy by 1 + ${shown(energies[0] / energies[1] - 1)}, which is 1 + (ωh)².`;
+        return `${start} it spirals in: each step divides the energy by 1 + ${shown(energies[0] / energies[1] - 1)}, which is 1 + (*ωh*)².`;
       const most = energies.reduce((a, b) => Math.max(a, b)), least = energies.reduce((a, b) => Math.min(a, b));
       if (wh < 2)
         return `${start} it stays on an ellipse: in 240 steps the energy varies between ${shown(least)} and ${shown(most)} of its initial value and always comes back.`;

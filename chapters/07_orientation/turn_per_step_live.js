@@ -72,7 +72,7 @@
       const {with_unit} = live;
       const turned = half_angle(columns.cosine[0], columns.sine[0]);
       const first = values.rule === 0
-        ? `Asked for ${with_unit(values.asked, 'rad')}, the first-order rule turns by ${with_unit(turned, 'rad', 4)}, which is 2 atan(ωh/2): ` +
+        ? `Asked for ${with_unit(values.asked, 'rad')}, the first-order rule turns by ${with_unit(turned, 'rad', 4)}, which is 2 atan(*ωh*/2): ` +
           `${with_unit((100 * turned) / values.asked, '%')} of it.`
         : `The exponential turns by the ${with_unit(values.asked, 'rad')} that it was asked for.`;
       const heights = columns['nose z'];

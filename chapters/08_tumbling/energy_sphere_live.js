@@ -135,7 +135,7 @@
       const most_off = columns.energy.reduce((most, value) => Math.max(most, Math.abs(value - 1)), 0);
       const kept = (value, words) => (Math.abs(value - 1) < 1e-9 ? `${words} is kept to rounding` : `${words} is ${shown(value, 4)} of what it was`);
       if (values.rule === 0)
-        return 'The tip of L stands still in the body, so the body turns steadily and never flips. In the world L goes round with it, ' +
+        return 'The tip of *L* stands still in the body, so the body turns steadily and never flips. In the world *L* goes round with it, ' +
           'which no torque asked for.';
       const books = `After 12 s ${kept(momentum, '|*L*|')}, ` +
         (most_off < 1e-9 ? 'and so is the energy. ' : `and the energy, off by ${with_unit(100 * most_off, '%', 2)} at most, ` +

@@ -5,7 +5,7 @@
 
   live.figures.damping = {
     title: 'Which form turns the puck round, and which one speeds it up?',
-    hint: 'Drag in the first picture to choose k h by the step.',
+    hint: 'Drag in the first picture to choose *k h* by the step.',
     knobs: {
       form: {label: 'What a step leaves', choices: forms},
       rate: {label: 'Damping rate *k*', log: true},
@@ -51,7 +51,7 @@
     finding({columns, values}) {
       const {shown} = live;
       const kh = values.rate * values.h, [left] = columns.fraction, [exact] = columns['exact fraction'];
-      const start = `With k h = ${shown(kh)} a step leaves ${shown(left, 4)} of the speed, and ${shown(exact, 4)} would be right. `;
+      const start = `With *k h* = ${shown(kh)} a step leaves ${shown(left, 4)} of the speed, and ${shown(exact, 4)} would be right. `;
       if (values.form === 0) return `${start}The exponential is right whatever the step.`;
       if (values.form === 3)
         return `${start}The part was tuned for 60 steps a second; with another step the same number means another rate, ${shown(-Math.log(left) / values.h)} 1/s.`;

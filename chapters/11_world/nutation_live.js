@@ -47,7 +47,7 @@
       const {shown} = live;
       const degrees = shown(values.angle * 180 / Math.PI, 3);
       const bound = values.angle < Math.PI ? 2 * values.angle / Math.tan(values.angle / 2) - 2 * values.damping : 0;
-      const step = `In a step of h² k = ${shown(values.kappa)} the nutation turns by ${degrees}°`;
+      const step = `In a step of *h*² *k* = ${shown(values.kappa)} the nutation turns by ${degrees}°`;
       if (columns.grows[0] === 1) return `${step}: the springs feed on the spin, and a tilt grows.`;
       if (values.kappa < (values.angle === 0 ? 4 - 2 * values.damping : bound)) return `${step}: the world promises that no tilt grows.`;
       return `${step}: no tilt grows here, but nobody promises it.`;

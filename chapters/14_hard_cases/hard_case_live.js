@@ -10,7 +10,7 @@
   const [least, most] = [1e-16, 1e4]; // of the errors' axes
   const quantities = [
     {letter: 'E', column: 'energy', time: 'time', words: 'the energy', unit: '', label: 'energy off, relative'},
-    {letter: 'L', column: 'momentum', time: 'time', words: 'L', unit: '', label: '*L* off, relative'},
+    {letter: 'L', column: 'momentum', time: 'time', words: '*L*', unit: '', label: '*L* off, relative'},
     {letter: 'P', column: 'phase', time: 'time of the phase', words: 'the phase', unit: 'rad', label: 'orientation off'},
   ];
   const allowed = (columns, n) => columns.allowed[n];
