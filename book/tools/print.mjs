@@ -1,5 +1,5 @@
-// The whole book in one PDF: node print.mjs SETTINGS.json. Chromium prints it three times: to see which chapters leave a few lines for
-// their last sheet, to see on which page each section then lies, and with those numbers.
+// The whole book in one PDF: node print.mjs SETTINGS.json. Chromium prints it to see which chapters leave a few lines for their last
+// sheet, then to see on which page each section lies, and with those numbers until they are true.
 import {mkdtempSync, readFileSync, rmSync, writeFileSync} from 'node:fs';
 import {tmpdir} from 'node:os';
 import {join} from 'node:path';
@@ -31,7 +31,7 @@ function part_of({file, id, further}) {
     .replace(/url\(#([^)]*)\)/g, (_, name) => `url(#${id}--${name})`)
     .replace(/<a [^>]*href="([^"#:]+\.html)(?:#([^"]*))?"[^>]*>([\s\S]*?)<\/a>/g, (_, target, name, text) => {
       const page = order.find(each => each.file === target);
-      return page ? `<a href="#${page.id}${name ? `--${name}` : ''}">${text}</a>` : text;
+      return page ? `<a class="elsewhere" href="#${page.id}${name ? `--${name}` : ''}">${text}</a>` : text;
     });
   return {id, title, body, further, sections: [...body.matchAll(/<h2 id="([^"]*)">([\s\S]*?)<a class="anchorlink"/g)]};
 }
@@ -57,6 +57,10 @@ function ends_in_a_few_lines([{id}], places) {
   return end.page > begin.page && end.height > head - 0.12 * (head - foot);
 }
 
+/** Paper has no links: where the text leads to another page, it says on which sheet that lies. */
+const with_pages = (html, page_numbers) =>
+  html.replace(/<a class="elsewhere" href="#([^"]*)"/g, (link, id) => `${link} data-page="${page_numbers.get(id)?.page ?? '000'}"`);
+
 function whole(groups, page_numbers, tight) {
   const parts = groups.flat();
   const line = (id, html, kind) =>
@@ -74,7 +78,7 @@ ${parts.map(part => line(part.id, part.title, 'page') + part.sections.map(([, id
 ${groups.map(group => {
   const [{id}] = group;
   const section = part => `<section class="page${part.further ? ' further' : ''}${tight.has(id) ? ' tight' : ''}" style="page: ${id}"><h1 id="${part.id}">${part.title}</h1>${part.body}`;
-  return `${group.map(section).join('</section>\n')}<span class="end" id="${id}--end">&#8203;</span></section>`;
+  return `${with_pages(group.map(section).join('</section>\n'), page_numbers)}<span class="end" id="${id}--end">&#8203;</span></section>`;
 }).join('\n')}
 </main></body></html>`;
 }
@@ -111,10 +115,19 @@ function print(html, pdf) {
 const groups = groups_of(order.map(part_of)),
   fresh = join(settings.work, 'tumble.pdf');
 rmSync(fresh, {force: true});
-const places = () => places_of_destinations(readFileSync(fresh));
-print(whole(groups, new Map(), new Set()), fresh);
-const tight = new Set(groups.filter(group => ends_in_a_few_lines(group, places())).map(([{id}]) => id));
-if (tight.size) print(whole(groups, new Map(), tight), fresh);
-print(whole(groups, places(), tight), fresh);
+const places_after = (...given) => {
+  print(whole(groups, ...given), fresh);
+  return places_of_destinations(readFileSync(fresh));
+};
+let places = places_after(new Map(), new Set());
+const tight = new Set(groups.filter(group => ends_in_a_few_lines(group, places)).map(([{id}]) => id));
+if (tight.size) places = places_after(new Map(), tight);
+// A number may be shorter than what held its place, and move what follows.
+const pages_of = found => JSON.stringify([...found].map(([id, {page}]) => [id, page]));
+for (let printed, left = 4; pages_of(places) !== printed; --left) {
+  if (left === 0) throw new Error('the sheets of the printed book move each time that their numbers are printed');
+  printed = pages_of(places);
+  places = places_after(places, tight);
+}
 writeFileSync(join(settings.folder, 'tumble.pdf'), readFileSync(fresh));
 rmSync(fresh);
