@@ -60,6 +60,9 @@ function with_level_names(svg) {
   });
 }
 
+/** About how wide words are in the page's letters, as a multiple of their size. */
+const width_of = words => [...words].reduce((sum, letter) => sum + (/[mwMW]/.test(letter) ? 0.84 : /[ijlft.,:;'’|()\s]/.test(letter) ? 0.32 : 0.58), 0);
+
 /** [left, top, right, bottom] of what gnuplot drew. */
 function extent(svg) {
   const xs = [],
@@ -75,8 +78,7 @@ function extent(svg) {
   const written =
     /<g transform="translate\((-?[\d.]+),(-?[\d.]+)\)( rotate\(-?[\d.]+\))?"[^>]*font-size="([\d.]+)"[^>]*text-anchor="(\w+)"[^>]*>(.*?)<\/g>/gs;
   for (const [, x, y, turned, size, anchor, text] of drawn.matchAll(written)) {
-    // A letter is about 0.6 of its size wide.
-    const length = 0.6 * Number(size) * unescape(text.replace(/<[^>]*>/g, '')).trim().length;
+    const length = Number(size) * width_of(unescape(text.replace(/<[^>]*>/g, '')).trim());
     const before = {start: 0, middle: length / 2, end: length}[anchor],
       height = Number(size) * 0.8;
     const [left, right] = [Number(x) - before, Number(x) + length - before];

@@ -3,7 +3,7 @@ set output name.".svg"
 # Start, kick and drift side by side; the explicit step is outlined beside the drift.
 set multiplot layout 1,3 margins 0.15,0.99,0.21,0.86 spacing 0.03,0 title "A kick and a drift shear a patch of starts and keep its area" font "sans-serif,18"
 set xlabel "{/:Italic x} (m)"
-set ylabel "{/:Italic v} (m/s)"
+set label 3 "{/:Italic v} (m/s)" at graph -0.48, graph 1.14 left textcolor rgb "#22303a" # the set one finds no room here
 set size ratio -1
 set xrange [0.2:1.6]
 set xtics (0.4, 0.8, 1.2)
@@ -12,7 +12,7 @@ set ytics 0.5
 of(kind) = strcol(1) eq kind ? column(2) : NaN
 set label 1 "start" at 0.9, 0.33 center textcolor rgb "#22303a"
 plot "patch.tsv" using (of("start")):3 with filledcurves closed fillstyle transparent solid 0.25 border linestyle 7 notitle
-unset ylabel
+unset label 3
 set format y ""
 set label 1 "after the kick" at 0.9, 0.33 center textcolor linetype 3
 plot "patch.tsv" using (of("start")):3 with lines linestyle 7 notitle, \
