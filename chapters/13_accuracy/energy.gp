@@ -1,5 +1,5 @@
 @drawing 560,420
-set title "The error of Runge–Kutta rules grows with time, and in the end passes splitting's"
+set title "The error of Runge–Kutta rules grows with time, and in the end passes that of splitting"
 set xlabel "time"
 stats "energy.tsv" using 1 nooutput # before the axes are logarithmic
 last = STATS_max
