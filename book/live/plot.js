@@ -34,7 +34,7 @@
     const first = Math.ceil(least / apart - 1e-9), last = Math.floor(most / apart + 1e-9);
     const decimals = Math.max(0, -Math.floor(Math.log10(apart) + 1e-9));
     return Array.from({length: last - first + 1}, (_, n) => (first + n) * apart)
-      .map(value => [value, Math.abs(value) < 1e6 && decimals <= 6 ? value.toFixed(decimals).replace('-', '−') : shown(value)]);
+      .map(value => [value, Math.abs(value) < 1e6 && decimals <= 6 ? String(Number(value.toFixed(decimals))).replace('-', '−') : shown(value)]);
   }
 
   /** The least and the most of numbers that are some, none above `limit`, with a margin; at least `smallest` wide. */

@@ -32,6 +32,7 @@ set linetype cycle 7
 
 set border 3 linecolor rgb "#555555" linewidth 1
 set tics nomirror scale 0.6 textcolor rgb "#22303a"
+unset mxtics; unset mytics # where a label stands for some powers of ten, the others would crowd beside it
 set grid linecolor rgb "#b9c2c9" linewidth 0.6 dashtype solid
 set title font "sans-serif,18" textcolor rgb "#22303a"
 set xlabel offset 0,0.4 textcolor rgb "#22303a"
