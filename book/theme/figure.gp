@@ -11,6 +11,7 @@
 # machine, the name is plotted with labels, beside a row of the table: see price_ordinary.gp. Letters have one size, that of the text.
 # The title states the finding. Its size marks it: the book takes it out and sets it as text above the drawing, where it
 # can break into lines. So leave its font alone. Empty paper around the drawing is cut away.
+# The name of the y axis is set level above it by the book.
 # A variable stands in italics, as in the text: "{/:Italic h}²{/:Italic a}". Where a program wrote a formula, formula() sets it so.
 # A drawing of another size begins with @drawing WIDTH,HEIGHT.
 drawing = 'set terminal svg dynamic font "sans-serif,16" name name enhanced background rgb "#fffffe" size'

@@ -3,7 +3,7 @@ set output name.".svg"
 # Start, kick and drift side by side; the explicit step is outlined beside the drift.
 set multiplot layout 1,3 margins 0.15,0.99,0.21,0.86 spacing 0.03,0 title "A kick and a drift shear a patch of starts and keep its area" font "sans-serif,18"
 set xlabel "{/:Italic x} (m)"
-set label 3 "{/:Italic v} (m/s)" at graph -0.48, graph 1.14 left textcolor rgb "#22303a" # the set one finds no room here
+set label 3 "{/:Italic v} (m/s)" at graph -0.48, graph 1.14 left textcolor rgb "#22303a" # an axis' own name is left out where its room is short
 set size ratio -1
 set xrange [0.2:1.6]
 set xtics (0.4, 0.8, 1.2)
