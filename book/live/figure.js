@@ -5,7 +5,7 @@
 // What describes a figure may have, beside panels and knobs: attach(figure), which adds parts of its own to the page;
 // took(figure), after each run; refused(figure), where a run was not to be had; reset(figure), when a reader goes back to the
 // start; progress(figure, said), while a run goes on; and changed(figure, changes), which makes texts of changes that are
-// neither knobs nor texts. A knob may have `also`, what else is set where a reader turns it. A panel may have drag(), or
+// neither knobs nor texts. duration(run) is how much time it plays, and speed(run) how much of it in a second. A knob may have `also`, what else is set where a reader turns it. A panel may have drag(), or
 // press(picture, at, state) for what is only pressed, and key(), each of which says what changes.
 (() => {
   if (typeof document === 'undefined') return; // node draws stills only
@@ -338,7 +338,7 @@
       if (this.requested || !this.is_playing || !this.#in_sight) return;
       this.requested = requestAnimationFrame(now => {
         this.requested = undefined;
-        const passed = Math.min(0.1, (now - (this.last_tick ?? now)) / 1000);
+        const passed = Math.min(0.1, (now - (this.last_tick ?? now)) / 1000) * (this.described.speed?.(this.run) ?? 1);
         this.last_tick = now;
         this.time = this.time + passed > this.duration ? 0 : this.time + passed;
         this.draw();

@@ -128,10 +128,15 @@
       });
     }
 
+    /** Points; a large one marks a place, and paper around it sets it off from what lies below. */
     points(xs, ys, colour, radius = 2.5) {
       this.painter.clipped(this.box, () => {
         for (let n = 0; n < xs.length; ++n)
-          if (Number.isFinite(xs[n]) && Number.isFinite(ys[n])) this.painter.disc(...this.place([xs[n], ys[n]]), radius, colour);
+          if (Number.isFinite(xs[n]) && Number.isFinite(ys[n])) {
+            const at = this.place([xs[n], ys[n]]);
+            if (radius >= 4) this.painter.disc(...at, radius + 1.5, this.palette.paper);
+            this.painter.disc(...at, radius, colour);
+          }
       });
     }
 

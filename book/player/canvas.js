@@ -115,7 +115,7 @@
       context.textBaseline = 'alphabetic'; // the middles of two fonts differ
       // Paper around the letters keeps a name on a line legible.
       context.strokeStyle = this.paper;
-      context.lineWidth = 3;
+      context.lineWidth = 4;
       context.fillStyle = css(colour);
       for (const write of ['strokeText', 'fillText']) {
         let at = begin;

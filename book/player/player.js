@@ -64,7 +64,7 @@
     if (!curve) return () => {};
     const line = document.createElementNS('http://www.w3.org/2000/svg', 'line');
     line.classList.add('player-cursor');
-    curve.ownerSVGElement.append(line);
+    curve.ownerSVGElement.prepend(line); // below all names
     return share => {
       const {x, y, width, height} = curve.getBBox();
       const ends = {x1: x + share * width, x2: x + share * width, y1: y, y2: y + height};

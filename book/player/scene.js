@@ -28,6 +28,8 @@
   }
 
   class Scene {
+    first_colour = 0;
+
     /** `detail`: the faces round a circle; fewer where there are many bodies. */
     constructor(recording, detail) {
       if (!recording.frames.length) throw new Error(`the recording "${recording.title}" holds no frame`);
@@ -85,6 +87,10 @@
       return seen ?? nearest;
     }
 
+    #colour_of(body, {bodies}) {
+      return bodies[(this.first_colour + body) % bodies.length];
+    }
+
     /** `palette` holds colours as [red, green, blue]: paper, ink, grid, and bodies, which take them in turn. The path of the body `followed` is drawn in any case. */
     draw(painter, size, camera, time, palette, {grid_pieces = 10, grid_reach = 1.25, has_scale = true, followed = undefined} = {}) {
       const project = player.projection(camera, size);
@@ -98,7 +104,7 @@
       const camera_place = player.sum(camera.target, player.scaled(axes.back, camera.distance));
       const marks = []; // [distance, function that draws]
       poses.forEach((pose, body) => {
-        const colour = palette.bodies[body % palette.bodies.length];
+        const colour = this.#colour_of(body, palette);
         this.#mark_faces(marks, painter, project, this.models[body], pose, camera_place, ({normal, is_marked}) => {
           const base = is_marked ? mixed(colour, white, 0.2) : colour;
           const facing = player.dot(normal, light);
@@ -148,7 +154,7 @@
         for (let n = 0; n < passed; n += body === followed && n >= passed - 240 ? 1 : stride)
           path.push(frames[n].slice(7 * body, 7 * body + 3));
         const [width, opacity] = body === followed ? [2.5, 0.9] : [1.5, 0.6];
-        this.#mark_line(marks, painter, project, [...path, now[body].position], palette.bodies[body % palette.bodies.length], width, opacity);
+        this.#mark_line(marks, painter, project, [...path, now[body].position], this.#colour_of(body, palette), width, opacity);
       }
     }
 
@@ -217,6 +223,8 @@
     const scenes = recordings.map(recording => new Scene(recording, detail));
     const radius = Math.max(...scenes.map(({bounds}) => bounds.radius));
     for (const {bounds} of scenes) bounds.radius = radius;
+    // One body here and one there are told apart by their colours too; several keep those by which one finds them again.
+    if (recordings.every(({bodies}) => bodies.length === 1)) scenes.forEach((scene, n) => { scene.first_colour = n; });
     return scenes;
   }
 

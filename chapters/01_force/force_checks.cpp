@@ -70,8 +70,8 @@ TEST_CASE_TEMPLATE(
   }
 }
 
-TEST_CASE_TEMPLATE("Under constant force the step is ahead of the parabola by exactly a h t / 2",
-                   Real, EVERY_PRECISION) {
+TEST_CASE_TEMPLATE("Under constant force the step leaves the parabola by exactly a h t / 2", Real,
+                   EVERY_PRECISION) {
   const Real acceleration = Real(-9.81), upward = 12;
   for (const int steps_per_second : {10, 60, 240}) {
     CAPTURE(steps_per_second);
@@ -83,12 +83,12 @@ TEST_CASE_TEMPLATE("Under constant force the step is ahead of the parabola by ex
 
     const Real time = Real(steps) * time_step;
     const Real parabola = upward * time + acceleration * time * time / 2;
-    const Real ahead = acceleration * time_step * time / 2;
+    const Real apart = acceleration * time_step * time / 2;
     // Speeds stay under 12 m/s and heights under 8 m. A velocity is off by two roundings a step,
     // which the position sums up over the time; a position by two roundings a step of its own.
     const Real bound = Real(steps) * unit_roundoff<Real> * (2 * 12 * time + 2 * 8);
-    CHECK(std::abs(ball.position.z() - (parabola + ahead)) <= bound);
-    CHECK(std::abs(ahead) > 10 * bound);  // so that the line above can tell
+    CHECK(std::abs(ball.position.z() - (parabola + apart)) <= bound);
+    CHECK(std::abs(apart) > 10 * bound);  // so that the line above can tell
   }
   // With powers of two and small whole numbers nothing rounds, and "exactly" is meant to the bit.
   for (const int steps_per_second : {8, 64}) {

@@ -11,7 +11,7 @@
   const path = (columns, at) => Array.from(columns.time, (_, n) => outline(columns, n, [[0, at]])[0]);
 
   live.figures.push = {
-    title: 'What does it change where you push, and what not?',
+    title: 'What changes with the place of the push, and what does not?',
     hint: 'Drag in the picture to draw the push: it acts where you begin.',
     knobs: {
       at: {label: 'Where it is pushed'},
@@ -42,8 +42,11 @@
           draw_path(path(columns, columns.centre[0]), palette.bodies[1], []);
           plot.points([columns.x[n]], [columns.y[n]], palette.bodies[1], 5);
           const angle = (values.angle * Math.PI) / 180;
-          const tail = [-0.3 * values.impulse * Math.cos(angle), values.at - 0.3 * values.impulse * Math.sin(angle)];
-          live.arrow(painter, plot.place(tail), plot.place([0, values.at]), palette.ink, 3);
+          const point = before => [-before * Math.cos(angle), values.at - before * Math.sin(angle)];
+          const half = values.at > 0.15 ? 0.05 : 0.015; // of the hammer's width there
+          const tip = Math.min(half / Math.max(0.2, Math.abs(Math.cos(angle))), 0.3 * values.impulse);
+          const tail = point(0.3 * values.impulse + tip);
+          live.arrow(painter, plot.place(tail), plot.place(point(tip)), palette.ink, 3);
           plot.note('push', tail, palette.ink, Math.cos(angle) < 0 ? 'left' : 'right');
           const [rest] = columns['at rest'];
           if (Number.isFinite(rest)) plot.points([0], [rest], palette.bodies[2], 5);

@@ -26,16 +26,20 @@ double room(const Axes& axes) {
   return axes.yaw.cross(axes.pitch).dot(axes.roll);
 }
 
-/// A ring that holds two axes: it lies in the plane of both.
-void draw_ring(support::Table& out, const char* name, const Vec3d& one, const Vec3d& other,
+/// A ring that holds two axes: it lies in the plane of both. What is turned away from the reader
+/// has a kind of its own.
+void draw_ring(support::Table& out, const std::string& name, const Vec3d& one, const Vec3d& other,
                double radius, double right) {
-  for (int n = 0; n <= 90; ++n) {
-    const double angle = n * pi / 45;
-    const auto [x, y] =
-        support::on_page(radius * (std::cos(angle) * one + std::sin(angle) * other));
-    out.row(name, x + right, y, 0.0, 0.0);
+  for (const bool front : {false, true}) {
+    for (int n = 0; n <= 180; ++n) {
+      const double angle = n * pi / 90;
+      const Vec3d point = radius * (std::cos(angle) * one + std::sin(angle) * other);
+      const auto [x, y] = support::on_page(point);
+      const bool is_drawn = support::faces_reader(point) == front;
+      out.row(front ? name : name + " back", is_drawn ? x + right : std::nan(""), y, 0.0, 0.0);
+    }
+    out.row("gap", std::nan(""), std::nan(""), 0.0, 0.0);
   }
-  out.row("gap", std::nan(""), std::nan(""), 0.0, 0.0);
 }
 
 void draw(support::Table& out, const Axes& axes, double right) {

@@ -43,8 +43,10 @@ void draw(support::Table& poses, int number, const Quaterniond& book, double rig
       }
       poses.row("gap", std::nan(""), std::nan(""), 0.0, 0.0);
     }
-  // From the foot of the spine to its head.
-  const auto [x, y] = support::on_page(rotate(book, Vec3d(-half.x(), -half.y(), 0)));
+  // From the foot of the spine to its head, along an edge that is seen.
+  const bool is_cover_seen = support::faces_reader(rotate(book, Vec3d(0, 0, 1)));
+  const double edge = is_cover_seen ? half.z() : -half.z();
+  const auto [x, y] = support::on_page(rotate(book, Vec3d(-half.x(), -half.y(), edge)));
   const auto [dx, dy] = support::on_page(rotate(book, Vec3d(0, 2.7, 0)));
   poses.row("head", x + right, y, dx, dy);
 }
@@ -105,6 +107,11 @@ int main(int argument_count, char** arguments) {
   support::Table poses = notebook.table("poses", {"kind", "x", "y", "dx", "dy"});
   const std::array drawn{lying, about_x, about_z * about_x, about_z, about_x * about_z};
   for (int n = 0; n < 5; ++n) draw(poses, n, drawn[static_cast<std::size_t>(n)], 3.4 * n);
+
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto [dx, dy] = support::on_page(Vec3d::Unit(axis));
+    poses.row(std::string("axis ") + "xyz"[axis], 0.0, 0.0, dx, dy);
+  }
 
   support::Table parts = notebook.table("parts", {"kind", "x", "y", "dx", "dy"});
   draw_parts(parts);

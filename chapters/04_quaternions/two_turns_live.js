@@ -7,18 +7,34 @@
   /** A brick with a peg, so that every orientation of it looks different. */
   const parts = [{box: [1.9, 1.1, 0.6]}, {box: [0.35, 0.35, 0.5], position: [0.65, 0.25, 0.5]}];
 
+  /** How far the line from the centre along `way`, a unit vector of the brick's own axes, runs inside it, and the side where it leaves. */
+  function way_out(way) {
+    const distances = way.map((along, n) => parts[0].box[n] / 2 / Math.abs(along));
+    const inside = Math.min(...distances), side = distances.indexOf(inside);
+    return {inside, normal: way.map((along, n) => (n === side ? Math.sign(along) : 0))};
+  }
+
   const draw_body = (name, words) => (picture, {columns}) => {
     const {painter, palette, size, view} = picture;
-    const camera = {target: [0, 0, 0], distance: 7.2, ...view};
-    live.draw_body(picture, camera, 'brick', parts, [...columns[name]]);
-    const project = player.projection(camera, size);
-    ['x', 'y', 'z'].forEach((letter, n) => {
-      const end = [0, 0, 0];
-      end[n] = 1.4;
-      live.arrow(painter, project([0, 0, 0]), project(end), palette.ink, 1);
-      const [left, top] = project(player.scaled(end, 1.1));
-      painter.text(`*${letter}*`, left, top, 'center', palette.ink);
+    const camera = {target: [0, 0, 0], distance: 6, ...view};
+    const project = player.projection(camera, size), {back} = player.picture_axes(view);
+    const [real, ...imaginary] = columns[name];
+    const into_brick = player.matrix_of([real, ...imaginary.map(part => -part)]), out_of_it = player.matrix_of([real, ...imaginary]);
+    // What leaves the brick on a side that one does not see is behind it; the rest begins on its surface.
+    const axes = ['x', 'y', 'z'].map((letter, n) => {
+      const axis = [0, 1, 2].map(k => (k === n ? 1 : 0));
+      const {inside, normal} = way_out(player.turned(into_brick, axis));
+      const is_seen = player.dot(player.turned(out_of_it, normal), back) > 0;
+      const draw = () => {
+        live.arrow(painter, project(player.scaled(axis, is_seen ? inside : 0)), project(player.scaled(axis, 1.4)), palette.ink, 1);
+        const [x, y] = project(player.scaled(axis, 1.55));
+        painter.text(`*${letter}*`, x, y, 'center', palette.ink);
+      };
+      return {is_seen, draw};
     });
+    for (const {is_seen, draw} of axes) if (!is_seen) draw();
+    live.draw_body(picture, camera, 'brick', parts, [real, ...imaginary]);
+    for (const {is_seen, draw} of axes) if (is_seen) draw();
     painter.text(words, 10, size.height - 12, 'left', palette.ink);
   };
 
@@ -31,10 +47,11 @@
       sign: {label: 'Quaternion of the first', choices: ['q', '−q']},
     },
     panels: [
-      {label: 'A brick turned about x first, then about z.', turns: true, view: {azimuth: 0.7, elevation: 0.5}, draw: draw_body('x then z', 'first about *x*, then about *z*')},
-      {label: 'The same brick turned about z first, then about x.', turns: true, view: {azimuth: 0.7, elevation: 0.5}, draw: draw_body('z then x', 'first about *z*, then about *x*')},
+      {label: 'A brick turned about x first, then about z.', turns: true, aspect: 1.3, view: {azimuth: 0.7, elevation: 0.5}, draw: draw_body('x then z', 'first about *x*, then about *z*')},
+      {label: 'The same brick turned about z first, then about x.', turns: true, aspect: 1.3, view: {azimuth: 0.7, elevation: 0.5}, draw: draw_body('z then x', 'first about *z*, then about *x*')},
       {
         label: 'Real part and part along x of the first turn’s quaternion against its angle, to 720 degrees.',
+        aspect: 1.5,
         draw(picture, {columns, values}) {
           const {painter, palette, size} = picture;
           const plot = new live.Plot(painter, palette, size, {label: 'turn about *x*', unit: '°', least: 0, most: 720},
@@ -50,6 +67,7 @@
       },
       {
         label: 'The angle between the two orders against the fraction of both turns that is made, beside the product of the two angles.',
+        aspect: 1.5,
         draw(picture, {columns, values}) {
           const {painter, palette, size} = picture;
           const apart = columns.part.map((_, n) => angle_of(columns['apart real'][n], columns['apart size'][n]));
@@ -59,6 +77,7 @@
           picture.plot = plot;
           plot.line(columns.part, product, palette.bodies[0], {dash: [6, 4]});
           plot.line(columns.part, apart, palette.bodies[1]);
+          plot.points([1], [apart.at(-1)], palette.bodies[1], 5);
           plot.legend([['estimate', palette.bodies[0], [6, 4]], ['exact', palette.bodies[1]]]);
         },
       },

@@ -1,17 +1,29 @@
-set title "Without the offset the hammer spins about the end of its handle"
-set xlabel "distance (m)"
-set ylabel "height (m)"
+@drawing 500,560
+set output name.".svg"
+# The same six moments twice, once above the other.
+set multiplot layout 2,1 margins 0.09,0.99,0.1,0.9 spacing 0,0.1 title "Without the offset the hammer spins about the end of its handle" font "sans-serif,18"
 set size ratio -1
 set xrange [0:2]
-set yrange [0:1.05]
+set yrange [-0.05:1.05]
 set xtics 0.5
 set ytics 0.5
-set label 1 "with the offset" at 0.6, 0.07 left textcolor linetype 1
-set label 2 "without it" at 1.9, 0.42 left textcolor linetype 2
-set label 3 "path of the centre of mass" at 1.12, 0.97 left textcolor linetype 7
-# Nine corners and a gap for each pose, of which the first, the third and the last are drawn.
+set ylabel "height (m)"
+set label 2 "path of the\ncentre of mass" at 1.5, 0.9 left textcolor linetype 7
+# Nine corners and a gap for each pose.
 pose(n) = 10 * n
-plot "forgotten_offset_paths.tsv" using 1:2 with lines linestyle 7 notitle, \
-     for [n=0:4:2] "forgotten_offset.tsv" using 1:2 every ::pose(n)::(pose(n) + 8) with filledcurves closed \
+set format x ""
+set label 1 "drawn with the offset" at 0.03, 0.97 left textcolor linetype 1
+plot for [n=0:5] "forgotten_offset.tsv" using 1:2 every ::pose(n)::(pose(n) + 8) with filledcurves closed \
        fillstyle transparent solid 0.35 border linetype 1 dashtype solid linetype 1 linewidth 1.6 notitle, \
-     for [n=0:4:2] "forgotten_offset.tsv" using 3:4 every ::pose(n)::(pose(n) + 8) with lines linestyle 2 linewidth 1.4 notitle
+     "forgotten_offset_paths.tsv" using 1:2 with lines linestyle 7 notitle, \
+     "" using 1:2 every 32 with points pointtype 7 pointsize 0.5 linecolor rgb "#22303a" notitle
+set format x "%g"
+set xlabel "distance (m)"
+set label 3 "path of the head" at 0.85, 0.13 left textcolor linetype 4
+set label 1 "drawn without it" at 0.03, 0.97 left textcolor linetype 2
+plot for [n=0:5] "forgotten_offset.tsv" using 3:4 every ::pose(n)::(pose(n) + 8) with filledcurves closed \
+       fillstyle transparent solid 0.35 border linetype 2 dashtype solid linetype 2 linewidth 1.6 notitle, \
+     "forgotten_offset_paths.tsv" using 1:2 with lines linestyle 7 notitle, \
+     "" using 3:4 with lines linestyle 4 dashtype solid linewidth 1.2 notitle, \
+     "" using 1:2 every 32 with points pointtype 7 pointsize 0.5 linecolor rgb "#22303a" notitle
+unset multiplot

@@ -66,8 +66,9 @@ int main(int argument_count, char** arguments) {
   const double spin = 3 * pi, time_step = 1.0 / 240;
   made.body.centre.velocity = {1.6, 3.2, 0};
   const Quaterniond start = made.body.top.orientation;
-  support::Table paths =
-      notebook.table("forgotten_offset_paths", {"x of the centre of mass (m)", "y (m)"});
+  support::Table paths = notebook.table(
+      "forgotten_offset_paths",
+      {"x of the centre of mass (m)", "y (m)", "x of the head without offset (m)", "y (m)"});
   support::Table outlines = notebook.table(
       "forgotten_offset", {"x (m)", "y (m)", "x without offset (m)", "y without offset (m)"});
   for (int n = 0; n <= 160; ++n) {
@@ -77,10 +78,12 @@ int main(int argument_count, char** arguments) {
     //! [draw]
     const Vec3d centre = made.body.centre.position;
     const Posed forgotten{.position = centre, .orientation = drawn.orientation};
-    paths.row(centre.x(), centre.y());
+    const Vec3d head(support::Hammer::handle_length + support::Hammer::head_width / 2, 0, 0);
+    const Vec3d wrong_head = point_outward(forgotten, head);
+    paths.row(centre.x(), centre.y(), wrong_head.x(), wrong_head.y());
     const Vec3d at_centre = point_outward(drawn, support::hammer().centre_of_mass);
     support::expect((at_centre - centre).norm() < 1e-12, "the drawn centre of mass is the body's");
-    if (n % 40 == 0) {
+    if (n % 32 == 0) {  // every 72°
       for (const Vec3d& corner : support::hammer_outline()) {
         const Vec3d right = point_outward(drawn, corner), wrong = point_outward(forgotten, corner);
         outlines.row(right.x(), right.y(), wrong.x(), wrong.y());

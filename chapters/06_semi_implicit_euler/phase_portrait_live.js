@@ -6,6 +6,16 @@
   const rules = ['explicit Euler', 'kick, then drift', 'implicit Euler'];
   const colours = [1, 0, 3]; // as in the chapter's other figures
 
+  const largest = list => list.reduce((most, value) => (Number.isFinite(value) ? Math.max(most, Math.abs(value)) : most), 0);
+  /** The radius of the circle, and something where there is none. */
+  const circle = columns => Math.max(0.5, largest(columns['exact velocity']));
+  const farthest = 4; // circles; what runs away is followed so far
+  /** The step to which both pictures go: the last, or the one after which the weight has left. */
+  const last_step = columns => {
+    const left = columns.velocity.findIndex((v, n) => !(Math.hypot(v, columns['scaled place'][n]) < farthest * circle(columns)));
+    return left < 0 ? columns.time.length - 1 : Math.max(5, left);
+  };
+
   live.figures.phase_portrait = {
     title: 'Where does each rule lead the weight?',
     hint: 'Drag in the plane to start the weight elsewhere.',
@@ -16,7 +26,8 @@
       x: {label: 'Initial position'},
       v: {label: 'Initial velocity'},
     },
-    duration: ({columns}) => Math.min(12, columns.time.at(-1)),
+    duration: ({columns}) => columns.time[last_step(columns)],
+    speed: ({columns}) => columns.time[last_step(columns)] / Math.max(4, last_step(columns) / 16),
     still_time: 7,
     card: {is_told: true}, // whose sentence tells it as well
     panels: [
@@ -24,11 +35,9 @@
         label: 'Velocity v against ωx: the exact circle, the curve that the rule keeps if it keeps one, and the stepped weight.',
         draw(picture, {columns, values, time}) {
           const {painter, palette, size} = picture;
-          const largest = list => list.reduce((most, value) => (Number.isFinite(value) ? Math.max(most, Math.abs(value)) : most), 0);
-          const round = Math.max(0.5, largest(columns['exact scaled place']), largest(columns['exact velocity']));
-          // What runs away is followed for a while.
+          const round = circle(columns);
           const drawn = is_open() ? ['scaled place', 'velocity', 'curve scaled place', 'curve velocity'] : [];
-          const reach = 1.2 * Math.min(4 * round, Math.max(round, ...drawn.map(name => largest(columns[name]))));
+          const reach = 1.15 * Math.min(farthest * round, Math.max(round, ...drawn.map(name => largest(columns[name]))));
           const plot = new live.Plot(painter, palette, size, {label: '*ωx*', unit: 'm/s', least: -reach, most: reach},
             {label: '*v*', unit: 'm/s', least: -reach, most: reach}, {equal: true});
           picture.plot = plot;
@@ -51,20 +60,21 @@
       },
       {
         label: 'Energy, relative to its initial value, against the number of steps, on a logarithmic axis.',
-        draw(picture, {columns, values}) {
+        draw(picture, {columns, values, time}) {
           const {painter, palette, size} = picture;
-          const steps = columns.time.map((_, n) => n);
-          // Where the energy leaves the axis the plot ends, so that a steep line is still seen as one.
-          const beyond = is_open() ? columns.energy.findIndex(energy => !(energy > 1e-12 && energy < 1e12)) : 1;
-          const energies = columns.energy.subarray(0, beyond < 0 ? steps.length : Math.max(1, beyond)), last = beyond > 1 ? Math.max(5, beyond) : 240;
-          const least = Math.min(0.1, energies.reduce((a, b) => Math.min(a, b))), most = Math.max(10, energies.reduce((a, b) => Math.max(a, b)));
+          const last = is_open() ? last_step(columns) : columns.time.length - 1;
+          const energies = columns.energy.subarray(0, is_open() ? last + 1 : 1), steps = energies.map((_, n) => n);
+          const inside = energies.filter(energy => energy > 1e-12 && energy < 1e12);
+          const least = inside.reduce((a, b) => Math.min(a, b), 0.1), most = inside.reduce((a, b) => Math.max(a, b), 10);
           const plot = new live.Plot(painter, palette, size, {label: 'steps', unit: '', least: 0, most: last},
             {label: 'energy', unit: 'relative', least: 10 ** Math.floor(Math.log10(least)), most: 10 ** Math.ceil(Math.log10(most)), log: true});
           picture.plot = plot;
           const colour = palette.bodies[colours[values.rule]];
           plot.line([0, last], [1, 1], palette.ink, {dash: [2, 3]});
           if (!is_open()) return plot.ask();
-          plot.line(steps.subarray(0, energies.length), energies, colour);
+          plot.line(steps, energies, colour);
+          const now = Math.min(last, Math.floor(time / values.h + 1e-9));
+          plot.points([now], [energies[now]], colour, 5);
           plot.legend([['exact', palette.ink, [2, 3]], [rules[values.rule], colour]]);
         },
       },

@@ -9,8 +9,9 @@ using support::on_page;
 
 int main(int argument_count, char** arguments) {
   support::Notebook notebook(argument_count, arguments);
-  support::Table paths = notebook.table(
-      "wrong_side", {"right x", "right y", "wrong x", "wrong y", "globe x", "globe y"});
+  support::Table paths =
+      notebook.table("wrong_side", {"right x", "right y", "right is near", "wrong x", "wrong y",
+                                    "wrong is near", "globe x", "globe y"});
   support::Table marks = notebook.table("wrong_side_marks", {"kind", "x", "y", "dx", "dy", "text"});
 
   const Vec3d nose(1, 0, 0);  // in body axes
@@ -30,7 +31,8 @@ int main(int argument_count, char** arguments) {
     lowest_wrong = std::min(lowest_wrong, wrong_nose.z());
     const auto [right_x, right_y] = on_page(right_nose);
     const auto [wrong_x, wrong_y] = on_page(wrong_nose);
-    paths.row(right_x, right_y, wrong_x, wrong_y, std::cos(n * h), std::sin(n * h));
+    paths.row(right_x, right_y, double(support::faces_reader(right_nose)), wrong_x, wrong_y,
+              double(support::faces_reader(wrong_nose)), std::cos(n * h), std::sin(n * h));
     if (n % 60 == 0)
       std::printf("turned by %3d degrees: the nose at height %6.3f, or at %6.3f\n", n * 360 / steps,
                   right_nose.z(), std::round(wrong_nose.z() * 1e3) / 1e3 + 0.0);

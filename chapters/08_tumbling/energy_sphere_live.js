@@ -98,16 +98,18 @@
 
   function draw_constants(picture, state) {
     const {painter, palette, size} = picture;
-    const {columns} = state;
-    const {least, most} = live.range_of([columns.energy, columns.momentum], {smallest: 0.02, limit: 4});
+    const {columns, values} = state;
+    const along = columns[`tip ${'xyz'[values.about]}`];
+    const {least, most} = live.range_of([columns.energy, columns.momentum, along, [-1, 1]], {limit: 4});
     const plot = new live.Plot(painter, palette, size, {label: 'time', unit: 's', least: 0, most: 12},
-      {label: 'relative to the start', unit: '', least, most});
+      {label: 'relative', unit: '', least, most});
     picture.plot = plot;
+    plot.line(columns.time, along, palette.bodies[0]);
     plot.line(columns.time, columns.energy, palette.bodies[1]);
     plot.line(columns.time, columns.momentum, palette.bodies[2], {dash: [6, 4]}); // on top: often both are 1
     const n = step_at(state);
-    plot.points([columns.time[n]], [columns.energy[n]], palette.bodies[1], 4);
-    plot.legend([['|*L*|', palette.bodies[2], [6, 4]], ['energy', palette.bodies[1]]]);
+    plot.points([columns.time[n]], [along[n]], palette.bodies[0], 4);
+    plot.legend([[`*L*${'₁₂₃'[values.about]}`, palette.bodies[0]], ['|*L*|', palette.bodies[2], [6, 4]], ['energy', palette.bodies[1]]]);
   }
 
   live.figures.energy_sphere = {
@@ -127,7 +129,7 @@
         view: {azimuth: -0.8, elevation: 0.4}, draw: draw_body},
       {label: 'The sphere of L with the curves of equal energy, and the path of the tip of L.', turns: true,
         view: {azimuth: 0.9, elevation: 0.38}, draw: draw_sphere},
-      {label: 'Energy and length of L against time, relative to the start.', draw: draw_constants},
+      {label: 'Against time and relative to the start: the energy, the length of L, and the part of L along the axis of the spin, whose sign changes with each flip.', draw: draw_constants},
     ],
     finding({columns, values}) {
       const {shown, with_unit} = live;

@@ -1,5 +1,6 @@
 // Whom each pass of a step visits: in a small world as it stands, and while that world is changed.
 // And how the world finds out.
+#include <algorithm>
 #include <support/record.hpp>
 #include <tumble/air_and_water.hpp>
 #include <tumble/gravity.hpp>
@@ -48,12 +49,13 @@ SmallWorld small_world() {
   return small;
 }
 
-/// Calls `visit` with each effect and each motion, in the order of a step.
+/// Calls `visit` with each effect and each motion and which of the two it is, in the order of a
+/// step.
 template <class Visit>
 void for_each_row(const World<double>& world, const Visit& visit) {
   const StepPlan<double>& plan = world.step_plan();
   for (const Pass<double>& pass : all_passes(plan, plan.substeps))
-    if (pass.row.kind != PassKind::input) visit(instance_of(pass, plan));
+    if (pass.row.kind != PassKind::input) visit(instance_of(pass, plan), pass.row.kind);
 }
 
 bool is_visited(const World<double>& world, const EffectInstance<double>& pass, BodyIndex body) {
@@ -63,21 +65,31 @@ bool is_visited(const World<double>& world, const EffectInstance<double>& pass, 
   return pass.members.indices.contains(by_its_top ? top : body);
 }
 
-/// A cell for each pass and each body.
+bool is_meant(const World<double>& world, const EffectInstance<double>& pass, BodyIndex body) {
+  return pass.everyone || std::ranges::count(pass.targets, world.handle_at(body)) > 0;
+}
+
+/// A cell for each pass and each body: whether the plan visits it, and the exhaustive run.
 void show_members(support::Notebook& notebook) {
   const World<double> world = small_world().world;
-  support::Table table = notebook.table("members", {"pass", "row", "body", "column", "visited"});
-  std::size_t rows = 0, visits = 0;
-  for_each_row(world, [&](const EffectInstance<double>& pass) {
+  support::Table table = notebook.table(
+      "members", {"pass", "row", "body", "column", "visited", "visited exhaustively"});
+  std::size_t rows = 0, visits = 0, exhaustive_visits = 0;
+  for_each_row(world, [&](const EffectInstance<double>& pass, PassKind kind) {
     ++rows;
     for (BodyIndex body = 0; body < world.body_count(); ++body) {
       const bool visited = is_visited(world, pass, body);
+      const bool exhaustively = is_meant(world, pass, body) &&
+                                is_visited_exhaustively(*pass.effect, kind, world.bodies(), body);
+      support::expect(exhaustively || !visited, "the exhaustive run leaves out no member");
       visits += visited;
+      exhaustive_visits += exhaustively;
       table.row(pass.effect->name(), double(rows), world.name_of(world.handle_at(body)),
-                double(body) + 1, double(visited));
+                double(body) + 1, double(visited), double(exhaustively));
     }
   });
   notebook.value("visits", std::to_string(visits));
+  notebook.value("exhaustive_visits", std::to_string(exhaustive_visits));
   notebook.value("cells", std::to_string(rows * world.body_count()));
 }
 
@@ -140,7 +152,7 @@ void show_changes(support::Notebook& notebook) {
     if (step == 60) small.world.change(small.thruster, Thruster<double>{});
     if (step == 80) small.world.remove(small.drop);
     std::vector<double> visited;
-    for_each_row(small.world, [&](const EffectInstance<double>& pass) {
+    for_each_row(small.world, [&](const EffectInstance<double>& pass, PassKind) {
       visited.push_back(double(pass.members.size()));
       support::expect(
           visited.size() < columns.size() &&

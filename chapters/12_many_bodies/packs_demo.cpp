@@ -60,6 +60,23 @@ void write_drops(const support::Notebook& notebook) {
   for (int lane = 0; lane < 8; ++lane) table.row(double(lane), z[lane], change[lane], next[lane]);
 }
 
+/// What a second figure draws: eight balls, two of which are in soft ground, and the pushes between
+/// which a mask chooses.
+void write_select(const support::Notebook& notebook) {
+  using Eight = Pack<float, 8>;
+  const Eight::Lanes heights = {0.12f, -0.01f, 0.05f, 0.3f, -0.03f, 0.08f, 0.21f, 0.02f};  // m
+  const Eight z = heights, stiffness = 1000.0f;                                            // N/m
+  //! [select]
+  const auto is_below = z < 0;
+  const Eight push = select(is_below, -stiffness * z, Eight(0));
+  //! [select]
+  const Eight if_below = -stiffness * z;
+  support::Table table =
+      notebook.table("select", {"lane", "z (m)", "is below", "if below (N)", "push (N)"});
+  for (int lane = 0; lane < 8; ++lane)
+    table.row(double(lane), z[lane], double(is_below[lane]), if_below[lane], push[lane]);
+}
+
 /// What another figure draws: which packs of points and bodies may be visited at the same time, and
 /// where their tops lie.
 void write_colouring(const support::Notebook& notebook) {
@@ -86,6 +103,7 @@ int main(int argument_count, char** arguments) {
   support::Notebook notebook(argument_count, arguments);
 
   write_drops(notebook);
+  write_select(notebook);
   write_colouring(notebook);
   Top<Packed> pack;
   for (int lane = 0; lane < width; ++lane) set_lane(pack, lane, top_number(lane));

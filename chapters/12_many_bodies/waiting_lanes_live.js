@@ -51,14 +51,13 @@
     const balls = columns.touching.length / columns.time.length, packs = balls / widths[values.width];
     const percent = (numbers, whole) => Array.from(numbers, number => (100 * number) / whole);
     const plot = new live.Plot(painter, palette, size, {label: 'time', unit: 's', least: 0, most: 2},
-      {label: 'share that takes the branch', unit: '%', least: 0, most: 110});
+      {label: 'in the branch', unit: '%', least: 0, most: 100});
     picture.plot = plot;
     plot.line(columns.time, percent(columns.packs, packs), palette.bodies[0]);
     plot.line(columns.time, percent(columns['on the ground'], balls), palette.bodies[1]);
-    if (values.width > 0) plot.note('packs', [0.58, 80], palette.bodies[0]);
-    plot.note('balls', [0.56, 22], palette.bodies[1]);
     const n = step_at(state);
     plot.points([columns.time[n]], [(100 * columns.packs[n]) / packs], palette.bodies[0], 4);
+    plot.legend([...(values.width > 0 ? [['packs', palette.bodies[0]]] : []), ['balls', palette.bodies[1]]]);
   }
 
   function draw_gain(picture, state) {

@@ -4,6 +4,7 @@ set xlabel "bodies"
 set ylabel "time per body and step (ns)"
 set logscale xy
 set format x "%.0s%c"
+set ytics (1, 2, 5, 10, 20, 50, 100, 200, 500, 1000)
 unset key
 grey = "#555555"
 # The columns: bodies, two worlds, three loops, columns apart, two of Bullet, ODE. What was not measured is empty.

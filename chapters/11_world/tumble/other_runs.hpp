@@ -68,11 +68,34 @@ void step_by_reference(Bodies<Real>& bodies, const StepPlan<Real>& plan,
 }
 //! [step_by_reference]
 
-/// The exhaustive run: nothing is known of what acts on a body or how it moves, and no effect's
-/// predicate is asked. An effect visits every body that has what it needs. Motions are asked about
-/// a body that everything pushes and turns, so that each is kicked, drifts and turns: by the rule
-/// if its moments differ, else steadily, for that is chapter 8's choice and no plan's.
+/// Whether the exhaustive run visits a body that a pass is meant for. An effect visits every body
+/// that has what it needs. Motions are asked about a body that everything pushes and turns, so that
+/// each is kicked, drifts and turns: by the rule if its moments differ, else steadily, for that is
+/// chapter 8's choice and no plan's.
 //! [step_exhaustively]
+template <class Real>
+bool is_visited_exhaustively(const AnyEffect<Real>& effect, PassKind kind,
+                             const Bodies<Real>& bodies, BodyIndex body) {
+  if (kind == PassKind::motion)
+    return effect
+        .skip_reason({.is_point = is_point(bodies, body),
+                      .can_turn = true,
+                      .is_gyroscopic = is_gyroscopic(state_of(bodies, body).top),
+                      .is_pushed = true,
+                      .is_torqued = true,
+                      .moves = true,
+                      .turns = true})
+        .empty();
+  const EffectTraits<Real>& traits = effect.traits();
+  if (traits.needs_top && is_point(bodies, body)) return false;
+  const bool only_its_velocity = traits.writes == quantity::velocity;
+  const bool only_its_force = traits.writes == quantity::force;
+  // What nothing can move keeps the velocity that its user gave it.
+  return !(is_static(bodies.centres[body]) && (only_its_velocity || only_its_force));
+}
+
+/// The exhaustive run: nothing is known of what acts on a body or how it moves, and no effect's
+/// predicate is asked.
 template <class Real>
 void step_exhaustively(Bodies<Real>& bodies, const StepPlan<Real>& plan, const StepTime<Real>& at,
                        const BodyRegistry& registry) {
@@ -80,22 +103,7 @@ void step_exhaustively(Bodies<Real>& bodies, const StepPlan<Real>& plan, const S
       bodies, plan, at,
       [&](const Pass<Real>& pass, BodyIndex body) {
         const AnyEffect<Real>& effect = *instance_of(pass, plan).effect;
-        if (pass.row.kind == PassKind::motion)
-          return effect
-              .skip_reason({.is_point = is_point(bodies, body),
-                            .can_turn = true,
-                            .is_gyroscopic = is_gyroscopic(state_of(bodies, body).top),
-                            .is_pushed = true,
-                            .is_torqued = true,
-                            .moves = true,
-                            .turns = true})
-              .empty();
-        const EffectTraits<Real>& traits = effect.traits();
-        if (traits.needs_top && is_point(bodies, body)) return false;
-        const bool only_its_velocity = traits.writes == quantity::velocity;
-        const bool only_its_force = traits.writes == quantity::force;
-        // What nothing can move keeps the velocity that its user gave it.
-        return !(is_static(bodies.centres[body]) && (only_its_velocity || only_its_force));
+        return is_visited_exhaustively(effect, pass.row.kind, bodies, body);
       },
       registry);
 }

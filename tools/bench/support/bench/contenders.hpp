@@ -28,7 +28,7 @@ struct Extent {
 
 /// A few sizes, about one for each level of the memory; for every book.
 inline Extent quick_extent() {
-  return {.counts = {256, 4096, 65'536, 1 << 20},
+  return {.counts = {256, 1024, 4096, 16'384, 65'536, 1 << 18, 1 << 20},
           .most_in_double = 65'536,
           .most_of_peers = 65'536,
           .repetitions = 5,
