@@ -21,7 +21,7 @@
   const with_unit = (value, unit, digits) => `${shown(value, digits)}${unit && unit !== '°' ? '\u00a0' : ''}${unit ?? ''}`;
 
   /** Where the lines of the grid are, [[value, words]]: five or so, 1, 2 or 5 apart; or powers of ten. */
-  function ticks_of({least: one, most: other, log}) {
+  function ticks_of({least: one, most: other, log, unit}) {
     const [least, most] = [Math.min(one, other), Math.max(one, other)]; // an axis may point down
     if (log) {
       const [first, last] = [Math.ceil(Math.log10(least) - 1e-9), Math.floor(Math.log10(most) + 1e-9)];
@@ -30,7 +30,8 @@
         .map(value => [value, shown(value, 3, 1e4)]); // shorter than "10000"
     }
     const power = 10 ** Math.floor(Math.log10((most - least) / 4));
-    const apart = [1, 2, 5, 10].map(factor => factor * power).find(step => (most - least) / step <= 6);
+    const of_turns = unit === '°' && most - least > 90; // quarters and halves of a turn
+    const apart = (of_turns ? [30, 45, 90, 180, 360] : [1, 2, 5, 10].map(factor => factor * power)).find(step => (most - least) / step <= 6);
     const first = Math.ceil(least / apart - 1e-9), last = Math.floor(most / apart + 1e-9);
     const decimals = Math.max(0, -Math.floor(Math.log10(apart) + 1e-9));
     return Array.from({length: last - first + 1}, (_, n) => (first + n) * apart)
@@ -207,7 +208,7 @@
   const models = new Map();
 
   /** A body in a pose, drawn with the player's parts; `name` tells it from other bodies. */
-  function draw_body({painter, palette, size}, camera, name, parts, orientation) {
+  function draw_body({painter, palette, size}, camera, name, parts, orientation, {has_axes = false} = {}) {
     if (models.get(name)?.parts !== parts) {
       const recording = {title: '', seconds_between_frames: 1, bodies: [{name, parts}], frames: [[0, 0, 0, 1, 0, 0, 0]]};
       models.set(name, {parts, scene: new globalThis.tumble_player.Scene(recording, 32)});
@@ -215,7 +216,7 @@
     const {scene} = models.get(name);
     scene.has_shadows = false; // it floats
     scene.recording.frames[0].splice(3, 4, ...orientation);
-    scene.draw(painter, size, camera, 0, palette, {grid_reach: 0, has_scale: false});
+    scene.draw(painter, size, camera, 0, palette, {grid_reach: 0, has_axes, has_scale: false});
   }
 
   /** An arrow in the picture. */

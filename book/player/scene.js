@@ -92,7 +92,7 @@
     }
 
     /** `palette` holds colours as [red, green, blue]: paper, ink, grid, and bodies, which take them in turn. The path of the body `followed` is drawn in any case. */
-    draw(painter, size, camera, time, palette, {grid_pieces = 10, grid_reach = 1.25, has_scale = true, followed = undefined} = {}) {
+    draw(painter, size, camera, time, palette, {grid_pieces = 10, grid_reach = 1.25, has_scale = true, has_axes = has_scale, followed = undefined} = {}) {
       const project = player.projection(camera, size);
       const axes = player.picture_axes(camera);
       const poses = player.poses_at(this.recording, time)
@@ -120,7 +120,8 @@
       this.#mark_links(marks, painter, project, poses, palette);
       marks.sort((one, other) => other[0] - one[0]);
       for (const [, mark] of marks) mark();
-      if (has_scale) this.#draw_scale(painter, size, axes, palette);
+      if (has_axes) this.#draw_axes(painter, size, axes, palette);
+      if (has_scale) painter.text(`squares of ${shown_length(this.grid)}`, size.width - 12, size.height - 14, 'right', palette.ink);
     }
 
     #mark_faces(marks, painter, project, model, {position, matrix}, camera_place, colour_of) {
@@ -206,15 +207,14 @@
       painter.shadow(shadow, palette.shade);
     }
 
-    /** In the corners: which way the axes point, and how wide the grid is. */
-    #draw_scale(painter, {width, height}, {right, up}, palette) {
+    /** In the corner: which way the axes point. */
+    #draw_axes(painter, {height}, {right, up}, palette) {
       const [x, y, long] = [34, height - 34, 20];
       ['x', 'y', 'z'].forEach((name, k) => {
         const [a, b] = [right[k], -up[k]];
         painter.line([[x, y], [x + long * a, y + long * b]], palette.ink, 1.5, 0.8);
         painter.text(`*${name}*`, x + (long + 8) * a, y + (long + 8) * b, 'center', palette.ink);
       });
-      painter.text(`squares of ${shown_length(this.grid)}`, width - 12, height - 14, 'right', palette.ink);
     }
   }
 

@@ -44,6 +44,8 @@ function tidy(html) {
       /<div class="line">\/\/! \[\w+\]<\/div>\n|<div class="line"><span class="comment">\/\/! \[\w+\]<\/span><\/div>\n/g,
       '',
     )
+    .replace(/<div class="line"[^>]*>\s*<span class="comment">\/\/ NOLINT[^<]*<\/span><\/div>\n/g, '') // said to a tool, and to no reader
+    .replace(/(\w)<span class="keyword(?:type)?">(\w+)<\/span>(?=\w)/g, '$1$2') // the "id" in "width" is no keyword
     .replace(/(<a\b[^>]*?) name="[^"]*"(?=[ >])/g, '$1')
     .replace(/ (align|valign|border|cellspacing|cellpadding)="[^"]*"/g, '')
     .replace(/(?<=\.)<a class="code hl_function" href="[^"]*#a\w+">(\w+)<\/a>|<a class="code hl_function" href="[^"]*#a\w+">([A-Z]\w*::\w+)<\/a>/g, '$1$2') // a member, and no free function of its name

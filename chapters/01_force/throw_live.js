@@ -39,12 +39,12 @@ tumble_live.figures.throw = {
         const {painter, palette, size} = picture;
         const below = columns['below the parabola'];
         const plot = new tumble_live.Plot(painter, palette, size, {label: 'time', unit: 's', least: 0, most: 2},
-          {label: 'below the parabola', unit: 'm', ...tumble_live.range_of([below, [0]])});
+          {label: 'too low by', unit: 'm', ...tumble_live.range_of([below, [0]])});
         picture.plot = plot;
         plot.points(columns.time, below, palette.bodies[1], 3);
         if (!tumble_live.answered('half_the_step')) return;
         plot.line(columns.time, columns['half g h t'], palette.bodies[0]);
-        plot.legend([['½ *g h t*', palette.bodies[0]]]);
+        plot.legend([['stepped', palette.bodies[1], 'dot'], ['½ *g h t*', palette.bodies[0]]]);
       },
     },
   ],

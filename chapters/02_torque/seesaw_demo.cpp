@@ -1,6 +1,7 @@
 // A seesaw in balance, and the torque of its forces about different points.
 #include <support/record.hpp>
 #include <tumble/torque.hpp>
+#include <tuple>
 
 using namespace tumble;
 
@@ -14,6 +15,11 @@ int main(int argument_count, char** arguments) {
   Wrenchd everything = children;
   add_force_at(everything, Vec3d(0, 0, 500), Vec3d(0, 0, 0));  // the pivot holds both up
   //! [seesaw]
+  support::Table drawing =
+      notebook.table("seesaw", {"kind", "x (m)", "z (m)", "dx (m)", "dz (m)", "text"});
+  for (const auto& [at, weight, name] :
+       {std::tuple{-1.0, 300.0, "300 N"}, std::tuple{1.5, 200.0, "200 N"}})
+    drawing.row("weight", at, 0.0, 0.0, -weight / 400, name);
   std::printf("torque about           the children alone   with the pivot's force\n");
   const auto row = [&](const char* name, const Vec3d& point) {
     std::printf("%-20s   %14.0f N m   %18.0f N m\n", name, taken_about(children, point).torque.y(),

@@ -45,6 +45,10 @@ void draw_lever_arm(const support::Notebook& notebook) {
   diagram.arrow("force", point, force);
   diagram.arrow("dot", centre, Vec3d::Zero());
   diagram.arrow("dot", point, Vec3d::Zero());
+  // The mark of a right angle.
+  const Vec3d inwards = (centre - foot).normalized();
+  diagram.arrow("square", foot + 0.16 * along, 0.16 * inwards);
+  diagram.arrow("square", foot + 0.16 * inwards, 0.16 * along);
   diagram.label(centre + Vec3d(-0.25, 0.2, 0), "x");
   diagram.label(point + Vec3d(0.25, -0.05, 0), "p");
   diagram.label(point + force + Vec3d(0.25, 0, 0), "F");
@@ -54,8 +58,21 @@ void draw_lever_arm(const support::Notebook& notebook) {
 
 void draw_couple(const support::Notebook& notebook) {
   const Vec3d here(1.6, 0.5, 0), there(-1.6, -0.5, 0), force(0.2, 1.4, 0);
+  const Vec3d along = force.normalized(), across = (here - there) - along * along.dot(here - there);
   Diagram diagram(notebook, "couple");
   diagram.body();
+  diagram.arrow("line", there + across - 0.4 * along, here - there - across + 0.4 * along);
+  diagram.arrow("distance", there, across);
+  // Which way the pair turns the body.
+  const double turned = std::copysign(1.0, torque_about(there, here, force).z());
+  const auto on_circle = [](double angle) {
+    return Vec3d(0.42 * std::cos(angle), 0.42 * std::sin(angle), 0);
+  };
+  for (int n = 0; n <= 20; ++n) {
+    const double from = turned * (-0.6 + 0.2 * n), to = from + turned * (n < 20 ? 0.2 : 0.5);
+    diagram.arrow(n < 20 ? "turn" : "turn head", on_circle(from), on_circle(to) - on_circle(from));
+  }
+  diagram.label(there + across / 2 + Vec3d(0, -0.28, 0), "d");
   diagram.arrow("arm", there, here - there);
   diagram.arrow("force", here, force);
   diagram.arrow("force", there, -force);
@@ -73,14 +90,14 @@ int main(int argument_count, char** arguments) {
   support::Notebook notebook(argument_count, arguments);
   //! [door]
   const Vec3d hinge(0, 0, 0), handle(0.8, 0, 0), middle(0.4, 0, 0);
-  const Vec3d push(0, 10, 0);
-  const double at_the_handle = torque_about(hinge, handle, push).z();
-  const double in_the_middle = torque_about(hinge, middle, push).z();
-  const double along_the_door = torque_about(hinge, handle, Vec3d(-10, 0, 0)).z();
+  const double from_behind = torque_about(hinge, handle, Vec3d(0, -10, 0)).z();
+  const double twice_in_the_middle = torque_about(hinge, middle, Vec3d(0, 20, 0)).z();
+  const Vec3d askew = 10 * Vec3d(std::cos(pi / 6), std::sin(pi / 6), 0);
+  const double at_30_degrees = torque_about(hinge, handle, askew).z();
   //! [door]
-  std::printf("10 N at the handle, 0.8 m from the hinge:   %4.1f N m\n", at_the_handle);
-  std::printf("10 N in the middle, 0.4 m from the hinge:   %4.1f N m\n", in_the_middle);
-  std::printf("10 N at the handle, towards the hinge:      %4.1f N m\n", along_the_door);
+  std::printf("10 N at the handle, from behind:         %4.1f N m\n", from_behind);
+  std::printf("20 N in the middle, 0.4 m from the hinge: %3.1f N m\n", twice_in_the_middle);
+  std::printf("10 N at the handle, at 30 degrees:        %3.1f N m\n", at_30_degrees);
   draw_lever_arm(notebook);
   draw_couple(notebook);
 }

@@ -1,4 +1,4 @@
-@drawing 560,360
+@drawing 560,440
 set output name.".svg"
 unset border
 unset tics
@@ -6,7 +6,7 @@ unset key
 unset grid
 set size ratio -1
 set xrange [-1.9:3.0]
-set yrange [-1.05:1.4]
+set yrange [-1.05:2.1]
 set margins 0, 0, 0, 2
 set title "1000 particles have a centre, three axes and three moments"
 data = "cloud.tsv"

@@ -37,7 +37,7 @@ void draw_cloud(const Notebook& notebook, const std::vector<Particled>& particle
   const auto [moments, axes] = principal_axes(body.inertia);
   for (int i = 0; i < 3; ++i) {
     const Vec3d axis = axes.col(i) * (axes.col(i).sum() < 0 ? -1 : 1);
-    const Vec3d arrow = drawn(axis * (i == 0 ? 2.1 : i == 1 ? 2.4 : 1.2));
+    const Vec3d arrow = drawn(1.9 * axis);
     table.row("axis", centre.x(), centre.z(), arrow.x(), arrow.z(), "");
     const Vec3d label = centre + arrow + Vec3d(0.1, 0, 0.08);
     table.row("label", label.x(), label.z(), 0.0, 0.0, number("%.3f kg m²", moments(i)));

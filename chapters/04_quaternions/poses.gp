@@ -14,14 +14,14 @@ below = 5.3
 of(kind) = strcol(1) eq kind ? column(2) : NaN
 across(x) = x > 8.5 ? x - 6.8 : x
 down(x, y) = x < 1.7 ? y - 2 : x > 8.5 ? y - below : y
-set label 1 "as it lies" at 0, -4 center textcolor linetype 7
+set label 1 "as it lies" at -0.1, -3.5 center textcolor linetype 7
 set label 2 "turned about {/:Italic x}" at 3.4, -2 center textcolor linetype 7
 set label 3 "then about {/:Italic z}" at 6.8, -2 center textcolor linetype 7
 set label 5 "turned about {/:Italic z}" at 3.4, -2 - below center textcolor linetype 7
 set label 6 "then about {/:Italic x}" at 6.8, -2 - below center textcolor linetype 7
 set label 7 "spine" at 1.1, -1.15 center textcolor linetype 2
 set arrow 1 from 1, -0.6 to 2, 0 head filled linecolor rgb "#555555"
-set arrow 2 from 1, -3.6 to 2, -4.6 head filled linecolor rgb "#555555"
+set arrow 2 from 1.3, -2.9 to 2.2, -4.3 head filled linecolor rgb "#555555"
 set arrow 3 from 5, 0 to 5.7, 0 head filled linecolor rgb "#555555"
 set arrow 4 from 5, -below to 5.7, -below head filled linecolor rgb "#555555"
 # The world's axes, below the book that lies.

@@ -11,7 +11,7 @@
       'about x': {label: 'The body is rolled about *x*'},
       'about z': {label: 'and then turned about *z*'},
       direction: {label: 'Torque, from *x* towards *z*'},
-      frame: {label: 'The torque’s numbers are used as', choices: ['the world’s, as they are', 'the body’s, a mistake']},
+      frame: {label: 'The torque’s numbers are used as', choices: ['the world’s, as they are', 'the body’s: mixed']},
     },
     panels: [
       {
@@ -21,7 +21,7 @@
         draw(picture, {columns, values}) {
           const {painter, palette, size, view} = picture;
           const camera = {target: [0, 0, 0], distance: 9, ...view};
-          live.draw_body(picture, camera, 'satellite', parts, [...columns.pose]);
+          live.draw_body(picture, camera, 'satellite', parts, [...columns.pose], {has_axes: true});
           const project = player.projection(camera, size);
           const mark = (vector, factor, words, colour, dash) => {
             const end = project(vector.map(component => factor * component));
@@ -55,7 +55,7 @@
       const [omega, torque, right] = [[...columns.omega], [...columns.torque], [...columns.right]];
       const angle = (a, b) => (Math.acos(Math.max(-1, Math.min(1, player.dot(a, b) / length(a) / length(b)))) * 180) / Math.PI;
       const off = angle(omega, right);
-      const answer = `The satellite turns at ${with_unit(length(omega), 'rad/s')}, about an axis ${with_unit(angle(omega, torque), '°', 2)} from the torque.`;
+      const answer = `The satellite turns at ${with_unit(length(omega), 'rad/s')}, about an axis ${with_unit(angle(omega, torque), '°', 2)} from the torque; along the torque that is ${with_unit(player.dot(omega, torque), 'rad/s')}.`;
       return off < 1e-6 ? answer : `${answer} With the right components it would turn about an axis ${with_unit(off, '°', 2)} from that.`;
     },
   };

@@ -44,19 +44,27 @@ void draw_phase_portrait(const support::Notebook& notebook) {
 void draw_patch(const support::Notebook& notebook) {
   const double time_step = 0.6;
   support::Table table = notebook.table("patch", {"patch", "x (m)", "v (m/s)"});
-  const auto outline = [&table](const char* name, auto move) {
+  support::Table areas = notebook.table("patch_areas", {"patch", "area (m²/s)"});
+  const auto outline = [&](const char* name, auto move) {
+    double area = 0, last_x = 0, last_v = 0;  // half the sum of the cross products, once around
     for (const auto& [x, v] :
          {std::pair{0.8, -0.2}, {1.2, -0.2}, {1.2, 0.2}, {0.8, 0.2}, {0.8, -0.2}}) {
       Particled corner = make_particle(1.0, Vec3d(x, 0, 0), Vec3d(v, 0, 0));
       gather_spring(corner);
       move(corner);
-      table.row(name, corner.position.x(), corner.velocity.x());
+      const double now_x = corner.position.x(), now_v = corner.velocity.x();
+      table.row(name, now_x, now_v);
+      area += (last_x * now_v - now_x * last_v) / 2;
+      last_x = now_x, last_v = now_v;
     }
+    areas.row(name, area);
+    return area;
   };
-  outline("start", [](Particled&) {});
+  const double start = outline("start", [](Particled&) {});
   outline("kicked", [=](Particled& corner) { kick(corner, time_step); });
-  outline("stepped", [=](Particled& corner) { step(corner, time_step); });
+  const double stepped = outline("stepped", [=](Particled& corner) { step(corner, time_step); });
   outline("explicit", [=](Particled& corner) { explicit_step(corner, time_step); });
+  support::expect(std::abs(stepped / start - 1) < 1e-14, "a step keeps the area");
 }
 
 }  // namespace

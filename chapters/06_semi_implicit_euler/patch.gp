@@ -10,16 +10,20 @@ set xtics (0.4, 0.8, 1.2)
 set yrange [-1.4:0.5]
 set ytics 0.5
 of(kind) = strcol(1) eq kind ? column(2) : NaN
+area(kind) = strcol(1) eq kind ? 0.9 : NaN
 set label 1 "start" at 0.9, 0.33 center textcolor rgb "#22303a"
-plot "patch.tsv" using (of("start")):3 with filledcurves closed fillstyle transparent solid 0.25 border linestyle 7 notitle
+plot "patch.tsv" using (of("start")):3 with filledcurves closed fillstyle transparent solid 0.25 border linestyle 7 notitle, \
+     "patch_areas.tsv" using (area("start")):(-1.24):(sprintf("%.2f m²/s", $2)) with labels textcolor rgb "#22303a" notitle
 unset label 3
 set format y ""
 set label 1 "after the kick" at 0.9, 0.33 center textcolor linetype 3
 plot "patch.tsv" using (of("start")):3 with lines linestyle 7 notitle, \
-     "patch.tsv" using (of("kicked")):3 with filledcurves closed fillstyle transparent solid 0.25 border linestyle 3 notitle
+     "patch.tsv" using (of("kicked")):3 with filledcurves closed fillstyle transparent solid 0.25 border linestyle 3 notitle, \
+     "patch_areas.tsv" using (area("kicked")):(-1.24):(sprintf("%.2f m²/s", $2)) with labels textcolor linetype 3 notitle
 set label 1 "after the drift" at 0.9, 0.33 center textcolor rgb "#0b6aa2"
-set label 2 "explicit step" at 1.0, -1.24 center textcolor linetype 2
 plot "patch.tsv" using (of("kicked")):3 with lines linestyle 3 notitle, \
      "patch.tsv" using (of("stepped")):3 with filledcurves closed fillstyle transparent solid 0.35 border linestyle 1 notitle, \
-     "patch.tsv" using (of("explicit")):3 with lines linestyle 2 notitle
+     "patch.tsv" using (of("explicit")):3 with lines linestyle 2 notitle, \
+     "patch_areas.tsv" using (area("stepped")):(0.1):(sprintf("%.2f m²/s", $2)) with labels textcolor rgb "#0b6aa2" notitle, \
+     "patch_areas.tsv" using (area("explicit")):(-1.24):(sprintf("explicit: %.2f", $2)) with labels textcolor linetype 2 notitle
 unset multiplot

@@ -10,6 +10,9 @@
     return Math.max(0, Math.min(times.length - 1, Math.floor(time / (times[1] ?? 1) + 1e-9)));
   };
 
+  /** What stands for one thing has one colour in all three pictures. */
+  const colours_of = ({bodies}) => ({L: bodies[1], energy: bodies[2], omega: bodies[3]});
+
   /** A box with the body's moments, its sides about 1; in the order in which the top keeps its axes. */
   function box_of({columns, values}) {
     const moments = [1, values.middle, 1.8];
@@ -22,7 +25,7 @@
 
   function draw_body(picture, state) {
     const {painter, palette, size, view} = picture;
-    const {columns} = state;
+    const {columns} = state, colours = colours_of(palette);
     const n = step_at(state);
     const camera = {target: [0, 0, 0], distance: 6.1, ...view};
     const parts = live.once(columns, 'box', () => [{box: box_of(state)}]);
@@ -37,19 +40,20 @@
         if (player.dot(out, back) > 0.25 * Math.hypot(...out)) painter.text(String(number + 1), x, y, 'center', palette.ink);
       }
     });
-    const mark = (vector, words, colour, beside) => {
-      const end = project(player.scaled(vector, 1.35));
-      live.arrow(painter, project([0, 0, 0]), end, colour);
-      painter.text(words, end[0] + 8, end[1] + beside, 'left', colour);
-    };
-    mark(point(columns, 'L', n), '*L*', palette.ink, 9);
-    mark(point(columns, 'omega', n), '*ω*', palette.bodies[1], -9);
+    const arrows = [['L', '*L*', colours.L], ['omega', '*ω*', colours.omega]]
+      .map(([name, words, colour]) => ({words, colour, end: project(player.scaled(point(columns, name, n), 1.35))}));
+    arrows.forEach(({words, colour, end: [x, y]}, k) => {
+      live.arrow(painter, project([0, 0, 0]), [x, y], colour);
+      // Each name on the side away from the other arrow.
+      const [dx, dy] = [x - arrows[1 - k].end[0], y - arrows[1 - k].end[1]], apart = Math.hypot(dx, dy) || 1;
+      painter.text(words, x + (13 * dx) / apart, y + (13 * dy) / apart, 'center', colour);
+    });
     painter.text('in world axes', 10, 12, 'left', palette.ink);
   }
 
   function draw_sphere(picture, state) {
     const {painter, palette, size, view} = picture;
-    const {columns} = state;
+    const {columns} = state, colours = colours_of(palette);
     const {right, up, back} = player.picture_axes(view);
     // Words stand above it and below.
     const above = 22, below = 42;
@@ -79,11 +83,11 @@
     };
     draw('curve', palette.ink, 1, []);
     draw('separatrix', palette.ink, 1, [5, 4]);
-    draw('own', palette.bodies[0], 2, []);
+    draw('own', colours.energy, 2, []);
     const n = step_at(state);
-    draw('tip', palette.bodies[1], 1.5, [], n);
+    draw('tip', colours.L, 1.5, [], n);
     const tip = point(columns, 'tip', n);
-    painter.disc(...place(tip), player.dot(tip, back) >= 0 ? 5.5 : 3.5, palette.bodies[1]);
+    painter.disc(...place(tip), player.dot(tip, back) >= 0 ? 5.5 : 3.5, colours.L);
     for (let axis = 0; axis < 3; ++axis) {
       const end = [0, 0, 0];
       end[axis] = 1;
@@ -92,24 +96,24 @@
       painter.text(String(axis + 1), x, y, 'center', palette.ink);
     }
     painter.text('in body axes', 10, 12, 'left', palette.ink);
-    painter.text('energy curve', 10, size.height - 28, 'left', palette.bodies[0]);
-    painter.text('tip of *L*', 10, size.height - 12, 'left', palette.bodies[1]);
+    painter.text('energy curve', 10, size.height - 28, 'left', colours.energy);
+    painter.text('tip of *L*', 10, size.height - 12, 'left', colours.L);
   }
 
   function draw_constants(picture, state) {
     const {painter, palette, size} = picture;
-    const {columns, values} = state;
+    const {columns, values} = state, colours = colours_of(palette);
     const along = columns[`tip ${'xyz'[values.about]}`];
     const {least, most} = live.range_of([columns.energy, columns.momentum, along, [-1, 1]], {limit: 4});
     const plot = new live.Plot(painter, palette, size, {label: 'time', unit: 's', least: 0, most: 12},
       {label: 'relative', unit: '', least, most});
     picture.plot = plot;
-    plot.line(columns.time, along, palette.bodies[0]);
-    plot.line(columns.time, columns.energy, palette.bodies[1]);
-    plot.line(columns.time, columns.momentum, palette.bodies[2], {dash: [6, 4]}); // on top: often both are 1
+    plot.line(columns.time, along, colours.L);
+    plot.line(columns.time, columns.energy, colours.energy);
+    plot.line(columns.time, columns.momentum, colours.L, {dash: [6, 4]}); // on top: often both are 1
     const n = step_at(state);
-    plot.points([columns.time[n]], [along[n]], palette.bodies[0], 4);
-    plot.legend([[`*L*${'₁₂₃'[values.about]}`, palette.bodies[0]], ['|*L*|', palette.bodies[2], [6, 4]], ['energy', palette.bodies[1]]]);
+    plot.points([columns.time[n]], [along[n]], colours.L, 4);
+    plot.legend([[`*L*${'₁₂₃'[values.about]}`, colours.L], ['|*L*|', colours.L, [6, 4]], ['energy', colours.energy]]);
   }
 
   live.figures.energy_sphere = {

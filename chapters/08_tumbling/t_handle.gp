@@ -5,8 +5,8 @@ set ylabel "rate (rad/s)"
 set ytics 5
 set yrange [-11:14]
 unset key
-set label 1 "A, and exact" at 3.15, -6.5 center textcolor linetype 1
+set label 1 "A; dots: exact" at 3.15, -6.5 center textcolor linetype 1
 set label 2 "B, without the term" at 6.2, 12.4 center textcolor linetype 2
 plot "t_handle.tsv" using 1:2 with lines linestyle 1, \
-     "t_handle.tsv" using 1:3 with lines linestyle 7, \
+     "t_handle.tsv" using 1:3 every 12 with points pointtype 7 pointsize 0.3 linecolor rgb "#22303a", \
      "t_handle.tsv" using 1:4 with lines linestyle 2

@@ -15,16 +15,19 @@ struct Run {
   int frames = 0;
 };
 
-/// Plays for `duration` nanoseconds. A frame costs 6 ms and each of its steps 4 ms; but between the
-/// first and the fourth second of the simulation something happens, and steps cost 25 ms.
+/// Plays for `duration` nanoseconds. A frame costs 6 ms and each of its steps 4 ms; but a step that
+/// is begun between the first and the fourth second costs 25 ms, for something happens there.
 Run play(StepClock clock, std::int64_t duration, support::Table table) {
   Run run{.clock = clock};
   std::int64_t now = 0, frame = second / 60;
   while (now < duration) {
     const std::int64_t due = steps_due(run.clock, frame);
     const double simulated = simulated_time<double>(run.clock);
-    const std::int64_t cost = simulated > 1 && simulated < 4 ? 25 * millisecond : 4 * millisecond;
-    const std::int64_t work = 6 * millisecond + due * cost;
+    std::int64_t work = 6 * millisecond;
+    for (std::int64_t step = 0; step < due; ++step) {
+      const bool is_slow = now + work >= second && now + work < 4 * second;
+      work += is_slow ? 25 * millisecond : 4 * millisecond;
+    }
     frame = std::max(work, second / 60);  // the screen does not show more than 60 frames
     table.row(double(now) / 1e9, double(frame) / 1e6, simulated);
     now += frame;
@@ -54,10 +57,10 @@ int main(int argument_count, char** arguments) {
   };
   const Run with_cap = show("capped", capped), without = show("uncapped", uncapped);
   notebook.value("longest_capped", number("%.0f ms", double(with_cap.longest_frame) / 1e6));
-  notebook.value("longest_uncapped", number("%.1f s", double(without.longest_frame) / 1e9));
+  notebook.value("longest_uncapped", number("%.2f s", double(without.longest_frame) / 1e9));
   notebook.value("dropped", number("%.1f s", dropped_time<double>(with_cap.clock)));
   support::expect(with_cap.longest_frame == 106 * millisecond, "the cap bounds the frame");
-  support::expect(without.longest_frame > second, "without a cap frames grow");
+  support::expect(without.longest_frame > second / 2, "without a cap frames grow");
   support::expect(without.clock.dropped_time == 0 && without.clock.dropped_steps == 0,
                   "nothing is dropped without a cap");
 

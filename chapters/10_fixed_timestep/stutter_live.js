@@ -17,6 +17,7 @@
       slower: {label: 'Slow motion', log: true, words: value => `${live.shown(value, 2)} times slower`},
     },
     duration: ({columns}) => columns['shown at'].at(-1),
+    clock: ({time, values}) => `${Math.round((1000 * time) / values.slower)} ms`,
     still_time: 4,
     panels: [
       {
@@ -66,7 +67,7 @@
       const [least, most_moved] = [Math.min(...leaps), Math.max(...leaps)];
       const a = most_moved - least < 0.01 ? `moves ${with_unit(most_moved, 'cm')} in every frame`
         : `moves ${with_unit(least < 1e-6 ? 0 : least, 'cm')} in one frame and ${with_unit(most_moved, 'cm')} in another`;
-      return `${start}. Drawn at its last state the ball ${a}; drawn between two it moves ${shown(Math.max(...even))} cm in every frame.`;
+      return `${start}. Drawn at its last state the ball ${a}; drawn between two, and so one step late, it moves ${shown(Math.max(...even))} cm in every frame.`;
     },
   };
 })();

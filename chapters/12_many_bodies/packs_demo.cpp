@@ -114,8 +114,9 @@ int main(int argument_count, char** arguments) {
     Top<float> alone = top_number(lane);
     turn_for_a_second(alone);
     const float packed_x = pack.angular_momentum_body.x()[lane];
-    std::printf("  %4d  %10.7f  %10.7f\n", lane, double(packed_x),
-                double(alone.angular_momentum_body.x()));
+    if (lane < 4)  // of the others it is only checked
+      std::printf("  %4d  %10.7f  %10.7f\n", lane, double(packed_x),
+                  double(alone.angular_momentum_body.x()));
     support::expect(packed_x == alone.angular_momentum_body.x(), "a lane has the bits of one body");
   }
 

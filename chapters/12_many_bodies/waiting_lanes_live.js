@@ -67,13 +67,13 @@
       {label: 'times as fast', unit: '', least: 0, most: 16});
     picture.plot = plot;
     plot.line(widths, widths, palette.ink, {width: 1, dash: [5, 4]});
-    plot.line(widths, all.map(({skipping}) => alone / skipping), palette.bodies[1]);
-    plot.line(widths, all.map(({both}) => alone / both), palette.bodies[0]);
+    plot.line(widths, all.map(({skipping}) => alone / skipping), palette.bodies[2]);
+    plot.line(widths, all.map(({both}) => alone / both), palette.bodies[3]);
     const shown = all[state.values.width];
     plot.points([shown.width, shown.width], [alone / shown.skipping, alone / shown.both], palette.ink, 4);
     plot.note('no branch', [10.5, 11.5], palette.ink, 'right');
-    plot.note('skipping', [14, alone / all.at(-1).skipping], palette.bodies[1], 'right');
-    plot.note('both branches', [16, 0.4], palette.bodies[0], 'right');
+    plot.note('skipping', [14, alone / all.at(-1).skipping], palette.bodies[2], 'right');
+    plot.note('both branches', [16, 0.4], palette.bodies[3], 'right');
   }
 
   live.figures.waiting_lanes = {

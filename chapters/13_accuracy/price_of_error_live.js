@@ -109,6 +109,8 @@
       plot.line([price, price], [least_error, most_error], palette.bodies[2], {width: values.method === exact ? 3 : 2, dash: [2, 3]});
       beside(picture, plot, 'exact', [price, 1e-12], palette.bodies[2]);
     }
+    const [first] = ranking(state);
+    if (first && first.rung !== values.method) plot.line(curves[first.rung].prices, curves[first.rung].errors, palette.bodies[0], {width: 1.5});
     if (values.method !== exact) draw_lit(picture, plot, curves[values.method], columns.slope[values.method]);
     const budget = {width: 1.5, dash: [5, 4]};
     if (values.budget === 1) {
@@ -118,10 +120,9 @@
       plot.line([plot.x.least, plot.x.most], [values.wanted, values.wanted], palette.ink, budget);
       plot.note('allowed', [plot.x.most, values.wanted], palette.ink, 'right');
     }
-    const [first] = ranking(state);
     if (!first) return;
     plot.points([first.price], [first.error], palette.bodies[0], 6);
-    const [x, y] = plot.place([first.price, first.error]), words = values.budget === 1 ? 'most accurate:' : 'cheapest:';
+    const [x, y] = plot.place([first.price, first.error]), words = values.budget === 1 ? 'best that steps:' : 'cheapest that steps:';
     write(picture, [words, first.name], [x - 12 - Math.max(...[words, first.name].map(line => painter.width_of(line))), y + 4], palette.bodies[0]);
   }
 
@@ -137,7 +138,7 @@
     const place = value => left + (right - left) * Math.max(0, Math.min(1, Math.log(value / axis.least) / Math.log(axis.most / axis.least)));
     painter.text('order', 6, 12, 'left', palette.ink);
     painter.text(by_time ? 'error' : 'price', size.width - 6, 12, 'right', palette.ink);
-    for (const mark of by_time ? [1e-10, 1e-5, 1] : [1, 1e3, 1e6].filter(ns => ns > axis.least && ns < axis.most)) {
+    for (const mark of by_time ? [1e-10, 1e-5, 1] : [1e2, 1e5].filter(ns => ns > axis.least && ns < axis.most)) {
       painter.line([[place(mark), top], [place(mark), top + height * shown.length]], palette.ink, 1, 0.2);
       painter.text(by_time ? live.shown(mark, 1) : time(mark), place(mark), 12, 'center', palette.ink);
     }

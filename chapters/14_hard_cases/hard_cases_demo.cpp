@@ -1,5 +1,6 @@
 // Every method of the book for a free top on every hard case: who passes, who fails, by how much.
 #include <numbers>
+#include <support/on_page.hpp>
 #include <support/other_methods.hpp>
 #include <support/record.hpp>
 #include <support/trial.hpp>
@@ -166,7 +167,45 @@ void try_default(Notebook& notebook) {
   notebook.value("default_energy", number("%.1g", 100 * longer.energy_error) + " %");
   notebook.value("eighth_gone", std::to_string(eighth_faster.diverged));
   notebook.value("default_turns", turns_of<Verlet>());
+  notebook.value("fast_divided_turns", std::to_string(divided * std::stoi(turns_of<Verlet>())));
   notebook.value("fourth_turns", turns_of<BlanesMoanFourth>());
+}
+
+/// The eight bodies as boxes of their moments, with the axis of their spin.
+void draw_cases(const Notebook& notebook) {
+  Table table = notebook.table("cases", {"kind", "x", "y", "dx", "dy", "text"});
+  const std::array<HardCase<double>, 8> cases = hard_cases<double>();
+  for (std::size_t n = 0; n < cases.size(); ++n) {
+    const Topd& top = cases[n].top;
+    const double right = 3.2 * double(n % 4), up = -3.9 * double(n / 4);
+    const auto at = [&](const Vec3d& v) {
+      const auto [x, y] = on_page(rotate(top.orientation, v));
+      return std::array{x + right, y + up};
+    };
+    // A side's square is proportional to the sum of the two other moments less its own.
+    const Vec3d moments = moments_of(top);
+    Vec3d half;
+    for (int axis = 0; axis < 3; ++axis)
+      half[axis] = std::sqrt(std::max(0.0, moments.sum() - 2 * moments[axis]));
+    half /= half.maxCoeff();
+    for (int axis = 0; axis < 3; ++axis)
+      for (const double side : {1.0, -1.0}) {
+        if (!faces_reader(rotate(top.orientation, Vec3d(side * Vec3d::Unit(axis))))) continue;
+        const int one = (axis + 1) % 3, other = (axis + 2) % 3;
+        for (const auto& [a, b] : {std::array{1, 1}, std::array{1, -1}, std::array{-1, -1},
+                                   std::array{-1, 1}, std::array{1, 1}}) {
+          Vec3d corner = side * half[axis] * Vec3d::Unit(axis);
+          corner += a * half[one] * Vec3d::Unit(one) + b * half[other] * Vec3d::Unit(other);
+          const auto [x, y] = at(corner);
+          table.row("face " + std::to_string(3 * n + std::size_t(axis)), x, y, 0.0, 0.0, "");
+        }
+      }
+    const Vec3d spin = angular_velocity_body(top), arrow = 1.4 * spin.normalized();
+    const auto [x, y] = at(arrow);
+    table.row("spin", right, up, x - right, y - up, "");
+    table.row("name", right, up - 1.55, double(n), 0.0, cases[n].name);
+    table.row("pace", right, up - 2.0, spin.norm() * cases[n].time_step, 0.0, "");
+  }
 }
 
 /// The plate of problem B after its ten minutes, by the rules that engines have and by ours.
@@ -218,6 +257,7 @@ int main(int argument_count, char** arguments) {
   expect(
       on_all_in_both == std::vector<std::string_view>{"splitting, Blanes-Moan 4", "exact solution"},
       "one composition passes everything in both precisions, and the exact solution");
+  draw_cases(notebook);
   try_default(notebook);
   spin_plate(notebook);
   // What the page lets its readers find.

@@ -13,7 +13,7 @@ namespace {
 
 /// How far a run is off: the norm of q, the energy, |L| and its direction in the world, the phase.
 struct Off {
-  double norm, energy, size, direction, phase;
+  double norm = 0, energy = 0, size = 0, direction = 0, phase = 0;
 };
 
 Off operator|(const Off& a, const Off& b) {  // the worse of each
@@ -117,9 +117,13 @@ int main(int argument_count, char** arguments) {
   report<float>(notebook, "float", in_float, steps);
   Table table = notebook.table(
       "long_run", {"time (s)", "phase, double", "phase, float", "L, double", "L, float"});
-  for (std::size_t n = 0; n < moments; ++n)
-    table.row(double(steps) / 60 * double(n + 1) / moments, in_double[n].phase, in_float[n].phase,
-              in_double[n].direction, in_float[n].direction);
+  Off most_in_double, most_in_float;
+  for (std::size_t n = 0; n < moments; ++n) {
+    most_in_double = most_in_double | in_double[n];
+    most_in_float = most_in_float | in_float[n];
+    table.row(double(steps) / 60 * double(n + 1) / moments, most_in_double.phase,
+              most_in_float.phase, most_in_double.direction, most_in_float.direction);
+  }
 
   // The phase is of second order: half the step for as long leaves a quarter, as long as it is
   // small.

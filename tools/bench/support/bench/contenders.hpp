@@ -193,6 +193,8 @@ void Contest::in_precision() {
   const Setting one{.scene = torqued};
   add<BareBody<Real>>({bare_body, torqued, precision_of<Real>}, 100, one);
   add<OurWorld<Real, OneByOne<Real>>>({our_one_by_one, torqued, precision_of<Real>}, 100, one);
+  add<OurWorld<Real, OneByOne<Real>>>(
+      {our_one_by_one, Scene::everything, precision_of<Real>, count}, 100, Setting{.count = count});
   ours<Real>(torqued, 1, 1);
 }
 

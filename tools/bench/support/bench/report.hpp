@@ -14,6 +14,7 @@ class Report {
   Report(const Measurements& measurements, const Contest& contest, const Extent& extent,
          Notebook& notebook)
       : ratios_(measurements), extent_(extent), notebook_(notebook) {
+    prize();
     aims(contest);
     times();
     against("default_rule", "Our world with its own rule, float: how often as long the others take",
@@ -28,6 +29,13 @@ class Report {
   }
 
  private:
+  /// "1,048,576".
+  static std::string in_groups(std::size_t count) {
+    std::string digits = std::to_string(count);
+    for (std::size_t n = digits.size(); n > 3; n -= 3) digits.insert(n - 3, 1, ',');
+    return digits;
+  }
+
   using Rows = std::vector<std::vector<std::string>>;
 
   template <class Row>
@@ -38,6 +46,25 @@ class Report {
       for (const Maybe value : row(count)) rows.back().push_back(shown(value));
     }
     return rows;
+  }
+
+  /// What packs save, and a second thread.
+  void prize() {
+    const std::size_t n = extent_.count_of_effects;
+    const auto row = [&](const std::string& kept, const std::string& who,
+                         int threads) -> std::vector<std::string> {
+      return {kept, shown(ratios_.time(who, n, threads)),
+              shown(ratios_.time(who, n, threads, "double"))};
+    };
+    show(notebook_, "prize",
+         "ns per body and step of our world, " + std::to_string(n) + " bodies with everything on",
+         {{"kept", "kept"}, {"float", "float"}, {"double", "double"}},
+         {row("one by one", our_one_by_one, 1), row("in packs", our_world, 1),
+          row("in packs, two threads", our_world, 2)});
+    for (const std::string precision : {"float", "double"})
+      notebook_.value("packs_times_in_" + precision,
+                      said(ratio(ratios_.time(our_one_by_one, n, 1, precision),
+                                 ratios_.time(our_world, n, 1, precision))));
   }
 
   void aims(const Contest& contest) const {
@@ -207,7 +234,7 @@ class Report {
                                    : "";
     };
     notebook_.value("peers", peers());
-    notebook_.value("most_of_peers", std::to_string(extent_.most_of_peers));
+    notebook_.value("most_of_peers", in_groups(extent_.most_of_peers));
 #ifdef TUMBLE_OWN_PEERS
     notebook_.value("peers_compiled", "from its own sources, with the same flags");
 #else
@@ -215,8 +242,8 @@ class Report {
         "peers_compiled",
         "by the distribution, which on Debian means for every processor of the architecture");
 #endif
-    notebook_.value("bodies_in_cache", std::to_string(in));
-    notebook_.value("bodies_out_of_cache", std::to_string(out));
+    notebook_.value("bodies_in_cache", in_groups(in));
+    notebook_.value("bodies_out_of_cache", in_groups(out));
     for (const auto& [rule, ours, loop] : {std::tuple{"default", our_world, splitting_loop},
                                            {"cheapest", our_cheapest, cayley_loop}}) {
       const std::string name = std::string(rule) + "_";
