@@ -16,5 +16,6 @@ plot "sphere.tsv" using 1:2 with lines linecolor rgb "#555555" linewidth 1, \
      "pieces_half.tsv" using 1:2 with lines linetype 2 dashtype solid, \
      "pieces_whole.tsv" using 1:2 with lines linetype 3 dashtype solid, \
      "steps.tsv" using 1:2 with points linetype 1 pointtype 7 pointsize 0.7, \
+     "pieces_arrows.tsv" using ($1 - $3 / 2):($2 - $4 / 2):3:4 with vectors head size 0.09,25 filled linecolor rgb "#22303a" dashtype solid linewidth 1.5, \
      "axes.tsv" using 1:2 with points pointtype 7 pointsize 0.6 linecolor rgb "#22303a", \
      "axes.tsv" using 1:2:3 with labels offset 1.1,0 textcolor rgb "#22303a"

@@ -1,5 +1,6 @@
 // The sphere of L with the curves of constant energy, a stepped motion on it, and how long a flip
 // makes one wait.
+#include <array>
 #include <numbers>
 #include <support/polhodes.hpp>
 #include <support/record.hpp>
@@ -110,10 +111,13 @@ void draw_sphere(support::Notebook& notebook, const Handle& handle) {
   support::expect(off < 1e-2, "the stepped points lie on the curve");
 }
 
-/// Turns the top about a body axis, and draws the way of the tip of L.
+constexpr int step_with_arrows = 8;  // one with long pieces, on the near side
+
+/// Turns the top about a body axis, and draws the way of the tip of L. Returns what lies in the
+/// middle of it.
 template <int axis>
-void draw_turn(support::Table& table, const View& view, const Handle& handle, Topd& top,
-               double angle) {
+std::array<Vec3d, 2> draw_turn(support::Table& table, const View& view, const Handle& handle,
+                               Topd& top, double angle) {
   std::vector<Vec3d> arc;
   for (int n = 0; n <= 16; ++n) {
     Topd turned = top;
@@ -122,6 +126,7 @@ void draw_turn(support::Table& table, const View& view, const Handle& handle, To
   }
   view.draw(table, arc);
   turn_about_axis<axis>(top, angle);
+  return {arc[8], arc[10]};
 }
 
 /// Steps of the splitting, so long that one sees their pieces.
@@ -136,12 +141,23 @@ void draw_pieces(support::Notebook& notebook, const Handle& handle) {
                   "the half turns are about axis 2, the whole ones about axis 3");
   const double h = 0.2, i_a = top.inverse_moments[0], energy = kinetic_energy(top);
   double off = 0;
+  // One step has arrows.
+  support::Table arrows = notebook.table("pieces_arrows", {"x", "y", "dx", "dy"});
+  const auto point_along = [&](int step, const std::array<Vec3d, 2>& middle) {
+    const Vec3d way = middle[1] - middle[0];
+    if (step == step_with_arrows)
+      arrows.row(view.right.dot(middle[0]), view.up.dot(middle[0]), view.right.dot(way),
+                 view.up.dot(way));
+  };
   for (int n = 0; n < 13; ++n) {
     const Vec3d& L = top.angular_momentum_body;
     view.draw(ends, {handle.in_order(L).normalized()});
-    draw_turn<1>(half, view, handle, top, h / 2 * (top.inverse_moments[1] - i_a) * L[1]);
-    draw_turn<2>(whole, view, handle, top, h * (top.inverse_moments[2] - i_a) * L[2]);
-    draw_turn<1>(half, view, handle, top, h / 2 * (top.inverse_moments[1] - i_a) * L[1]);
+    point_along(
+        n, draw_turn<1>(half, view, handle, top, h / 2 * (top.inverse_moments[1] - i_a) * L[1]));
+    point_along(n,
+                draw_turn<2>(whole, view, handle, top, h * (top.inverse_moments[2] - i_a) * L[2]));
+    point_along(
+        n, draw_turn<1>(half, view, handle, top, h / 2 * (top.inverse_moments[1] - i_a) * L[1]));
     turn_by_splitting(at_once, h);
     support::expect((L - at_once.angular_momentum_body).norm() < 1e-12 * L.norm(),
                     "the pieces make the step");

@@ -155,7 +155,9 @@ for (const colourScheme of ['light', 'dark']) {
           return element.querySelector('td').getBoundingClientRect().left - element.getBoundingClientRect().left;
         }, share);
         assert.ok(Math.abs(hidden) < 2, `${name}, scrolled by ${share} of its way: the first column stands at ${hidden}`);
-        const shades = await shades_at_edges(box);
+        // A figure that comes to life above moves the table while its picture is taken.
+        let shades = await shades_at_edges(box);
+        for (let n = 0; n < 4 && shades.right > 8 !== goes_on; ++n) shades = await shades_at_edges(box);
         assert.equal(shades.right > 8, goes_on, `${name}, scrolled by ${share} of its way: ${JSON.stringify(shades)}`);
       }
     }
