@@ -383,7 +383,10 @@ export class Blocks {
   /** Where a reader of this book gets the course, if git knows it. */
   #source() {
     const {commit} = this.values.colophon;
-    return commit.startsWith('none') ? '' : `<p><a href="tumble.zip">The whole course</a> is in this book, as commit ${escape(commit.split(',')[0])}. Unpack it, and in its folder:</p>`;
+    if (commit.startsWith('none')) return '';
+    const [name] = escape(commit).split(',');
+    return `<p><span class="on-screen"><a href="tumble.zip">The whole course</a> is in this book, as commit ${name}. Unpack it, and in its folder:</span>` +
+      `<span class="on-paper">In the folder of the course, which is commit ${name}:</span></p>`;
   }
 
   #headers() {

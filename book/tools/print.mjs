@@ -29,6 +29,7 @@ function part_of({file, id, further}) {
     .replace(/ id="([^"]*)"/g, (_, name) => ` id="${id}--${name}"`)
     .replace(/ href="#([^"]*)"/g, (_, name) => ` href="#${id}--${name}"`)
     .replace(/url\(#([^)]*)\)/g, (_, name) => `url(#${id}--${name})`)
+    .replace(/<a href="[^"#:]+\.zip">([\s\S]*?)<\/a>/g, '$1') // which paper has not beside it
     .replace(/<a [^>]*href="([^"#:]+\.html)(?:#([^"]*))?"[^>]*>([\s\S]*?)<\/a>/g, (_, target, name, text) => {
       const page = order.find(each => each.file === target);
       return page ? `<a class="elsewhere" href="#${page.id}${name ? `--${name}` : ''}">${text}</a>` : text;

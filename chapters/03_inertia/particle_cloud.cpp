@@ -45,6 +45,24 @@ void draw_cloud(const Notebook& notebook, const std::vector<Particled>& particle
   table.row("centre", centre.x(), centre.z(), 0.0, 0.0, "");
 }
 
+/// A rod from above that moves and turns: the velocities of five of its particles, in two parts.
+void draw_velocities(const Notebook& notebook) {
+  const Vec3d velocity(0.9, 0, 0), omega(0, 0, 0.8);
+  const Vec3d apart = 0.6 * Vec3d(0.5, std::sqrt(0.75), 0), end = 2 * apart;
+  Table table = notebook.table("velocities", {"kind", "x", "y", "dx", "dy"});
+  table.row("rod", -end.x(), -end.y(), 2 * end.x(), 2 * end.y());
+  for (int n = -2; n <= 2; ++n) {
+    const Vec3d r = n * apart, turning = omega.cross(r);
+    const auto row = [&](const char* kind, const Vec3d& from, const Vec3d& by) {
+      table.row(kind, from.x(), from.y(), by.x(), by.y());
+    };
+    row("particle", r, Vec3d::Zero());
+    row("moving", r, velocity);
+    row("turning", r + velocity, turning);
+    row("both", r, velocity + turning);
+  }
+}
+
 void print_tensor(const char* title, const Mat3d& inertia) {
   std::printf("%s\n", title);
   for (int i = 0; i < 3; ++i)
@@ -61,6 +79,7 @@ int main(int argument_count, char** arguments) {
   const MassPropertiesd solid = mass_properties(Box<double>{size}, 1);
   //! [thousand]
   draw_cloud(notebook, particles, cloud);
+  draw_velocities(notebook);
   print_tensor("1000 random particles, 1 kg in all (kg m^2)", cloud.inertia);
   print_tensor("the integral over the box", solid.inertia);
   const double error = relative_error(cloud.inertia, solid.inertia);

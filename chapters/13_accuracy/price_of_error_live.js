@@ -138,7 +138,7 @@
     const place = value => left + (right - left) * Math.max(0, Math.min(1, Math.log(value / axis.least) / Math.log(axis.most / axis.least)));
     painter.text('order', 6, 12, 'left', palette.ink);
     painter.text(by_time ? 'error' : 'price', size.width - 6, 12, 'right', palette.ink);
-    for (const mark of by_time ? [1e-10, 1e-5, 1] : [1e2, 1e5].filter(ns => ns > axis.least && ns < axis.most)) {
+    for (const mark of by_time ? [1e-10, 1e-5, 1] : (right - left > 120 ? [1e2, 1e5] : [1e3]).filter(ns => ns > axis.least && ns < axis.most)) {
       painter.line([[place(mark), top], [place(mark), top + height * shown.length]], palette.ink, 1, 0.2);
       painter.text(by_time ? live.shown(mark, 1) : time(mark), place(mark), 12, 'center', palette.ink);
     }
@@ -184,7 +184,7 @@
     const steps = first.step === seconds ? 'a single step' : `steps of ${with_unit(first.step, 's', 2)}`;
     return by_time
       ? `${asked}, as measured when this book was made, the most accurate of these rungs is “${first.name}”: with ${steps} it errs by ${with_unit(first.error, 'rad', 2)} after ${with_unit(seconds, 's')}. ${next}`
-      : `${asked} the cheapest of these rungs is “${first.name}”, with ${steps}: ${time(first.price)} for each simulated second, as measured when this book was made. ${next}`;
+      : `${asked} the cheapest rung that steps is “${first.name}”, with ${steps}: ${time(first.price)} for each simulated second, as measured when this book was made. ${next}`;
   }
 
   /** What the lit rung is like. */
