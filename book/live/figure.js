@@ -5,7 +5,8 @@
 // What describes a figure may have, beside panels and knobs: attach(figure), which adds parts of its own to the page;
 // took(figure), after each run; refused(figure), where a run was not to be had; reset(figure), when a reader goes back to the
 // start; progress(figure, said), while a run goes on; and changed(figure, changes), which makes texts of changes that are
-// neither knobs nor texts. duration(run) is how much time it plays, speed(run) how much of it in a second, and clock(state) says the moment in words. A knob may have `also`, what else is set where a reader turns it. A panel may have drag(), or
+// neither knobs nor texts. duration(run) is how much time it plays, speed(run) how much of it in a second, and clock(state)
+// says the moment in words. A knob may have `also`, what else is set where a reader turns it. A panel may have drag(), or
 // press(picture, at, state) for what is only pressed, and key(), each of which says what changes.
 (() => {
   if (typeof document === 'undefined') return; // node draws stills only

@@ -243,7 +243,7 @@ export class Reference {
       // A header that was named for a function of it, whose overloads Doxygen can't tell apart, leads to the first of them.
       const named = !anchor && this.made?.get(file).headings.find(({html}) => html === /^\w+/.exec(text)?.[0]);
       return named ? link.replace(file, `${file}#${named.id}`) : link;
-    }).replace(/<a class="el" href="[^"]*">(world\.(\w+)\([^<]*)<\/a>/g, (link, text, name) => {
+    }).replace(/<a class="el" href="[^"]*"[^>]*>(world\.(\w+)\([^<]*)<\/a>/g, (link, text, name) => {
       // A call of the world's: Doxygen links some function of that name, but a member is meant.
       const member = this.made?.get('world_8hpp.html')?.headings.find(({id, html}) => id.startsWith('world-') && html.replace(/<[^>]*>/g, '') === name);
       return member ? `<a class="el" href="world_8hpp.html#${member.id}">${text}</a>` : text;

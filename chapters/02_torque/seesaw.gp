@@ -1,5 +1,5 @@
 @drawing 520,300
-set title "Two children on a seesaw, one metre and one and a half from its pivot"
+set title "Two children balance on a seesaw"
 unset border
 unset tics
 unset grid

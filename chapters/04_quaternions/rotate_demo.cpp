@@ -29,20 +29,13 @@ void print(const char* what, const Quaterniond& book) {
 /// The faces of a book that a reader sees, `right` of the place where the first one lies.
 void draw(support::Table& poses, int number, const Quaterniond& book, double right) {
   const Vec3d half(0.7, 1, 0.2);  // in its own axes; its spine runs along y, at -x
-  for (int axis = 0; axis < 3; ++axis)
-    for (const double side : {1.0, -1.0}) {
-      if (!support::faces_reader(rotate(book, Vec3d(side * Vec3d::Unit(axis))))) continue;
-      const char* what = axis == 2 && side > 0 ? "cover" : axis == 0 && side < 0 ? "spine" : "page";
-      const int one = (axis + 1) % 3, other = (axis + 2) % 3;
-      for (const auto& [a, b] : {std::array{1, 1}, std::array{1, -1}, std::array{-1, -1},
-                                 std::array{-1, 1}, std::array{1, 1}}) {
-        Vec3d corner = side * half[axis] * Vec3d::Unit(axis);
-        corner += a * half[one] * Vec3d::Unit(one) + b * half[other] * Vec3d::Unit(other);
-        const auto [x, y] = support::on_page(rotate(book, corner));
-        poses.row(std::string(what) + " " + std::to_string(number), x + right, y, 0.0, 0.0);
-      }
-      poses.row("gap", std::nan(""), std::nan(""), 0.0, 0.0);
-    }
+  const auto turned = [&book](const Vec3d& v) { return rotate(book, v); };
+  support::for_each_seen_side(half, turned, [&](int axis, int side, const auto& corners) {
+    const char* what = axis == 2 && side > 0 ? "cover" : axis == 0 && side < 0 ? "spine" : "page";
+    for (const auto& [x, y] : corners)
+      poses.row(std::string(what) + " " + std::to_string(number), x + right, y, 0.0, 0.0);
+    poses.row("gap", std::nan(""), std::nan(""), 0.0, 0.0);
+  });
   // From the foot of the spine to its head, along an edge that is seen.
   const bool is_cover_seen = support::faces_reader(rotate(book, Vec3d(0, 0, 1)));
   const double edge = is_cover_seen ? half.z() : -half.z();

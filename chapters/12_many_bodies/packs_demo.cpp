@@ -68,9 +68,9 @@ void write_select(const support::Notebook& notebook) {
   const Eight z = heights, stiffness = 1000.0f;                                            // N/m
   //! [select]
   const auto is_below = z < 0;
-  const Eight push = select(is_below, -stiffness * z, Eight(0));
-  //! [select]
   const Eight if_below = -stiffness * z;
+  const Eight push = select(is_below, if_below, Eight(0));
+  //! [select]
   support::Table table =
       notebook.table("select", {"lane", "z (m)", "is below", "if below (N)", "push (N)"});
   for (int lane = 0; lane < 8; ++lane)

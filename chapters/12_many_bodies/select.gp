@@ -17,7 +17,6 @@ set label "lane" at 127, 6 right textcolor rgb "#555555"
 number(x) = (x < 0 ? "−" : "") . sprintf("%g", abs(x))
 whole(x) = (x < -0.5 ? "−" : "") . sprintf("%.0f", abs(x))
 # What the mask takes is framed and strong, what it leaves is grey.
-taken(row) = $3 == 1 ? row : row + 1
 plot "select.tsv" using (middle($1)):(bottom[1] + 15):(number($2)) with labels, \
      "" using ($3 == 1 ? middle($1) : NaN):(bottom[2] + 15):("yes") with labels textcolor linetype 2, \
      "" using ($3 == 0 ? middle($1) : NaN):(bottom[2] + 15):("no") with labels textcolor rgb "#555555", \

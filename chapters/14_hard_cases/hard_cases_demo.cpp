@@ -178,31 +178,21 @@ void draw_cases(const Notebook& notebook) {
   for (std::size_t n = 0; n < cases.size(); ++n) {
     const Topd& top = cases[n].top;
     const double right = 3.2 * double(n % 4), up = -3.9 * double(n / 4);
-    const auto at = [&](const Vec3d& v) {
-      const auto [x, y] = on_page(rotate(top.orientation, v));
-      return std::array{x + right, y + up};
-    };
+    const auto turned = [&top](const Vec3d& v) { return rotate(top.orientation, v); };
     // A side's square is proportional to the sum of the two other moments less its own.
     const Vec3d moments = moments_of(top);
     Vec3d half;
     for (int axis = 0; axis < 3; ++axis)
       half[axis] = std::sqrt(std::max(0.0, moments.sum() - 2 * moments[axis]));
     half /= half.maxCoeff();
-    for (int axis = 0; axis < 3; ++axis)
-      for (const double side : {1.0, -1.0}) {
-        if (!faces_reader(rotate(top.orientation, Vec3d(side * Vec3d::Unit(axis))))) continue;
-        const int one = (axis + 1) % 3, other = (axis + 2) % 3;
-        for (const auto& [a, b] : {std::array{1, 1}, std::array{1, -1}, std::array{-1, -1},
-                                   std::array{-1, 1}, std::array{1, 1}}) {
-          Vec3d corner = side * half[axis] * Vec3d::Unit(axis);
-          corner += a * half[one] * Vec3d::Unit(one) + b * half[other] * Vec3d::Unit(other);
-          const auto [x, y] = at(corner);
-          table.row("face " + std::to_string(3 * n + std::size_t(axis)), x, y, 0.0, 0.0, "");
-        }
-      }
-    const Vec3d spin = angular_velocity_body(top), arrow = 1.4 * spin.normalized();
-    const auto [x, y] = at(arrow);
-    table.row("spin", right, up, x - right, y - up, "");
+    for_each_seen_side(half, turned, [&](int axis, int, const auto& corners) {
+      for (const auto& [x, y] : corners)
+        table.row("face " + std::to_string(3 * n + std::size_t(axis)), x + right, y + up, 0.0, 0.0,
+                  "");
+    });
+    const Vec3d spin = angular_velocity_body(top);
+    const auto [dx, dy] = on_page(turned(Vec3d(1.4 * spin.normalized())));
+    table.row("spin", right, up, dx, dy, "");
     table.row("name", right, up - 1.55, double(n), 0.0, cases[n].name);
     table.row("pace", right, up - 2.0, spin.norm() * cases[n].time_step, 0.0, "");
   }

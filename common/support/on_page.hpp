@@ -28,4 +28,24 @@ inline bool faces_reader(const Vec3d& normal) {
          0;
 }
 
+/// Calls `draw(axis, side, corners)` for each side of a box that the reader sees: the axis on which
+/// it lies, 1 or -1, and its corners once around, back to the first, on the page. `half` has half
+/// the box's edges, and `turned` takes a vector of its axes to the world's.
+template <class Turned, class Draw>
+void for_each_seen_side(const Vec3d& half, const Turned& turned, const Draw& draw) {
+  for (int axis = 0; axis < 3; ++axis)
+    for (const int side : {1, -1}) {
+      if (!faces_reader(turned(Vec3d(side * Vec3d::Unit(axis))))) continue;
+      const Vec3d out = side * half[axis] * Vec3d::Unit(axis);
+      const Vec3d one = half[(axis + 1) % 3] * Vec3d::Unit((axis + 1) % 3),
+                  other = half[(axis + 2) % 3] * Vec3d::Unit((axis + 2) % 3);
+      std::array<std::array<double, 2>, 5> corners;
+      corners[0] = corners[4] = on_page(turned(Vec3d(out + one + other)));
+      corners[1] = on_page(turned(Vec3d(out + one - other)));
+      corners[2] = on_page(turned(Vec3d(out - one - other)));
+      corners[3] = on_page(turned(Vec3d(out - one + other)));
+      draw(axis, side, corners);
+    }
+}
+
 }  // namespace tumble::support

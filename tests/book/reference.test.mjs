@@ -89,3 +89,18 @@ test('What is said of one function\'s arguments is said of a function that there
   const gone = Object.keys(of).filter(name => !new RegExp(`\\b${name.split('/').at(-1)}\\b *[({<]`).test(code));
   assert.deepEqual(gone, []);
 });
+
+test('A call of the world\'s, wherever it is written, leads to that member of World.', () => {
+  const members = new Map([...readFileSync(join(book, 'world_8hpp.html'), 'utf8').matchAll(/<h3 id="(world-\w+)">(.*?)<\/h3>/g)]
+    .map(([, id, name]) => [id, name.replace(/<[^>]*>/g, '')]));
+  const wrong = [];
+  let calls = 0;
+  for (const file of readdirSync(book).filter(name => name.endsWith('.html')))
+    for (const [, address, name] of readFileSync(join(book, file), 'utf8').matchAll(/<a [^>]*href="([^"]*)"[^>]*>world\.(\w+)\(/g)) {
+      ++calls;
+      const [page, id] = address.split('#');
+      if ((page || file) !== 'world_8hpp.html' || members.get(id) !== name) wrong.push(`${file}: world.${name}() leads to ${address}`);
+    }
+  assert.deepEqual(wrong, []);
+  assert.ok(calls > 20, `only ${calls} such links were seen`);
+});
