@@ -108,6 +108,13 @@ const parts_of = text =>
     return name ? [{line: n + 1, name}] : [];
   });
 
+/** The parts of a long class, and the functions in each. */
+function overview_of(parts) {
+  if (!parts.length) return '';
+  const row = ({name, links}) => `<tr><td><a href="#${slug(name)}">${escape(name)}</a></td><td>${[...links].map(([each, id]) => `<a href="#${id}"><code>${each}</code></a>`).join(', ')}</td></tr>`;
+  return `<div class="scroll"><table class="given overview"><thead><tr><th scope="col">part</th><th scope="col">functions</th></tr></thead><tbody>${parts.map(row).join('')}</tbody></table></div>`;
+}
+
 /** From a header's name to how it is used: {test, file, line, lines}, what stands between two comments with that name in a file of checks. */
 function examples_in(written) {
   const examples = new Map();
@@ -398,19 +405,23 @@ export class Reference {
     header.fields.push(...[...fields, ...asked].map(row => ({id: row.id, owner: name, name: name_in(row.right)})));
     const parts = parts_of(header.text);
     let part;
+    const overview = [];
     const told = this.#by_description(members).map(group => {
       const [row] = group;
       const line = Number(/#l(\d+)/.exec(this.descriptions.get(row.id)?.line)?.[1]);
       const begun = parts.findLast(each => each.line < line);
       const opens = begun && begun !== part;
       part = begun ?? part;
+      if (opens) overview.push({name: part.name, links: new Map()});
+      const {links} = overview.at(-1) ?? {};
+      if (links && !links.has(name_in(row.right))) links.set(name_in(row.right), row.id);
       if (opens) headings.push({level: 3, id: slug(part.name), html: `<b>${escape(part.name)}</b>`});
       if (headings.at(-1).html !== escape(name_in(row.right))) headings.push({level: 3, id: row.id, html: escape(name_in(row.right))});
       return (opens ? `<h3 class="part" id="${slug(part.name)}">${escape(part.name)}</h3>` : '') + this.#member(group, name, taken, 'h3');
     });
     return (
       `<h2 id="${id}">${escape(name)}</h2>` +
-      `${definition ?? this.#begun(head, header, name, source)}${doc}${fields.length ? this.#fields(fields, asked.length > 0) : ''}${this.#table_of_asked(asked)}${told.join('')}`
+      `${definition ?? this.#begun(head, header, name, source)}${doc}${fields.length ? this.#fields(fields, asked.length > 0) : ''}${this.#table_of_asked(asked)}${overview_of(overview)}${told.join('')}`
     );
   }
 

@@ -41,12 +41,11 @@ double angle_left(int rate, support::Notebook& notebook, support::Table& path) {
   //! [use]
   for (int n = 0; n < 30 * rate; ++n) {
     if (n <= 12 * rate)
-      path.row(double(rate), orbit.time(),
-               rotation_vector_of(orbit.body(satellite).top.orientation).z());
+      path.row(double(rate), orbit.time(), rotation_vector_of(orbit.orientation(satellite)).z());
     orbit.step();
   }
   if (rate == 10) notebook.value("limit", support::number("%.2f s", orbit.step_limit().time_step));
-  return rotation_vector_of(orbit.body(satellite).top.orientation).norm();
+  return rotation_vector_of(orbit.orientation(satellite)).norm();
 }
 
 /// Moments of 1 kg m², a little askew, in steps of 1 s: any other loop on one axis is this one in
@@ -64,7 +63,7 @@ struct Wheel {
     double farthest = 0;
     for (int n = 0; n < steps && farthest < 1; ++n) {
       world.step();
-      farthest = std::max(farthest, rotation_vector_of(world.body(body).top.orientation).norm());
+      farthest = std::max(farthest, rotation_vector_of(world.orientation(body)).norm());
     }
     return farthest;
   }

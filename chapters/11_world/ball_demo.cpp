@@ -37,13 +37,13 @@ int main(int argument_count, char** arguments) {
   auto path = notebook.table(
       "free_kick", {"x with spin (m)", "y with spin (m)", "x without (m)", "y without (m)"});
   for (int n = 0; n < 290; ++n) {
-    const auto a = curved.body(curved.find("ball")).centre.position;
-    const auto b = straight.body(straight.find("ball")).centre.position;
+    const auto a = curved.position(curved.find("ball"));
+    const auto b = straight.position(straight.find("ball"));
     if (n % 4 == 0) path.row(a.x(), a.y(), b.x(), b.y());
     curved.step();
     straight.step();
   }
-  const double bend = curved.body(curved.find("ball")).centre.position.y();
+  const double bend = curved.position(curved.find("ball")).y();
   for (const World<double>* world : {&curved, &straight}) {
     World<double> copy = *world;
     for (const PlanRow& row : copy.plan().rows)
@@ -52,7 +52,7 @@ int main(int argument_count, char** arguments) {
                     row.reason.c_str());
   }
   std::printf("after %.2f s the spinning ball is %.2f m to the side\n", curved.time(), bend);
-  support::expect(std::abs(straight.body(straight.find("ball")).centre.position.y()) == 0,
+  support::expect(std::abs(straight.position(straight.find("ball")).y()) == 0,
                   "without spin it flies straight");
   support::expect(bend > 1, "with spin it bends to the left, as seen from the foot");
   notebook.value("bend", support::number("%.1f m", bend));
@@ -67,10 +67,10 @@ int main(int argument_count, char** arguments) {
   //! [lake]
   auto bobbing = notebook.table("bobbing", {"time (s)", "height (m)"});
   for (int n = 0; n < 240 * 10; ++n) {
-    bobbing.row(lake.time(), lake.body(floating).centre.position.z());
+    bobbing.row(lake.time(), lake.position(floating).z());
     lake.step();
   }
-  const double height = lake.body(floating).centre.position.z();
+  const double height = lake.position(floating).z();
   const double depth = radius - height;
   const double displaced = 1000 * std::numbers::pi * depth * depth * (radius - depth / 3);
   notebook.value("depth", support::number("%.0f mm", 1000 * depth));

@@ -15,6 +15,6 @@ int main() {
   const tumble::BodyHandle handle = world.add("brick", brick.body);
   world.add(tumble::Gravity<double>{});
   for (int n = 0; n < 120; ++n) world.step();
-  std::cout << world.body(handle).centre.position.transpose() << " m\n";
+  std::cout << world.position(handle).transpose() << " m\n";
 }
 //! [whole]

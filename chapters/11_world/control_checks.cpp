@@ -194,7 +194,7 @@ TEST_CASE("Controllers, springs and tension on the same bodies are stable below 
         box.centre.position = {4.0 * n, 0, 0};
         boxes.push_back(world.add("box " + std::to_string(n), box));
       }
-      const auto facing = [&](std::size_t n) { return world.body(boxes[n]).top.orientation; };
+      const auto facing = [&](std::size_t n) { return world.orientation(boxes[n]); };
       const auto gain = [&] { return dice.one_in(3) ? Mat3d::Zero() : random_gain(dice); };
       for (std::size_t n = 0; n < 3; ++n)
         world.add(Steering<double>{gain(), gain(), facing(n)}, {boxes[n]});

@@ -35,6 +35,6 @@ int main(int argument_count, char** arguments) {
       std::printf("%s visits %zu of %zu bodies; %s\n", row.effect.c_str(), row.visited, row.of,
                   row.reason.c_str());
   std::printf("after %g s the leaf is at %s m\n", garden.time(),
-              text_of(garden.body(leaf).centre.position).c_str());
-  support::expect(garden.body(leaf).centre.position.x() > 1, "the breeze has moved the leaf");
+              text_of(garden.position(leaf)).c_str());
+  support::expect(garden.position(leaf).x() > 1, "the breeze has moved the leaf");
 }

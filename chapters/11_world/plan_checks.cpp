@@ -100,9 +100,9 @@ TEST_CASE_TEMPLATE("A first spin changes the plan at once, and the world says so
   REQUIRE(world.change_log().size() == 1);
   CHECK(world.change_log()[0] ==
         "step 3: tumbling: splitting visits 1 of 1, before 0 ('box' got its first spin)");
-  const Quaternion<Real> before = world.body(box).top.orientation;
+  const Quaternion<Real> before = world.orientation(box);
   world.step();
-  CHECK_FALSE(same_bits(world.body(box).top.orientation.imaginary, before.imaginary));
+  CHECK_FALSE(same_bits(world.orientation(box).imaginary, before.imaginary));
 }
 
 TEST_CASE("A plan prints as a table, with a reason in every line") {

@@ -220,8 +220,7 @@ TEST_CASE("Of tops that spin about any axes, joined by springs there, none grows
           const BodyHandle top = world.add("top " + std::to_string(n), body);
           const Vec3d axis = rotate<double>(body.top.orientation, {0, 0, 1});
           const auto end_on = [&](BodyHandle held, const Vec3d& arm) -> Vec3d {
-            return world.body(held).centre.position +
-                   rotate<double>(world.body(held).top.orientation, arm);
+            return world.position(held) + rotate<double>(world.orientation(held), arm);
           };
           const auto join = [&](const Vec3d& arm, BodyHandle other, const Vec3d& other_arm) {
             const double length = (end_on(top, arm) - end_on(other, other_arm)).norm();
@@ -371,7 +370,7 @@ TEST_CASE("Springs that turn with a body make it whirl between two speeds, in an
     double most = 0;
     while (world.time() < 30) {
       world.step();
-      most = std::max(most, world.body(body).centre.velocity.norm());
+      most = std::max(most, world.velocity(body).norm());
     }
     return most / 1e-7;
   };

@@ -244,7 +244,7 @@ TEST_CASE_TEMPLATE(
   world.add_motion(Conveyor{});
   Ledger<Real> books(world);
   books.step(world);
-  CHECK(world.body(world.find("crate")).centre.position.x() == Real(1) / 64);
+  CHECK(world.position(world.find("crate")).x() == Real(1) / 64);
   const std::vector<PlanRow> rows = world.plan().rows;
   const auto row = std::find_if(rows.begin(), rows.end(),
                                 [](const PlanRow& one) { return one.effect == "conveyor"; });

@@ -56,7 +56,7 @@ void play() {
   }
   //! [input]
   try {  // a player's input that can't be
-    const Vec3d centre = game.world.body(game.brick).centre.position;
+    const Vec3d centre = game.world.position(game.brick);
     game.world.push_at(game.brick, {1e308, 0, 0}, centre);
     game.world.push_at(game.brick, {1e308, 0, 0}, centre);
     game.frame(0.02);

@@ -117,7 +117,7 @@ TEST_CASE_TEMPLATE("Time goes on where the step changes, and back to where a sna
   world.step();
   CHECK(world.ticks() == 9);
   CHECK(world.time() == Real(8) / 64 + Real(0.25));
-  CHECK(world.body(world.find("stone")).centre.position.x() == world.time());
+  CHECK(world.position(world.find("stone")).x() == world.time());
   const Snapshot<Real> later = world.save();
   std::stringstream file, old_file;
   write_snapshot(file, later);
@@ -197,12 +197,12 @@ TEST_CASE_TEMPLATE("The plan is made anew where an effect's answer depends on th
   const BodyHandle stone = world.add("stone", make_particle<Real>(1, {0, 0, 0}, {1, 0, 0}));
   const EffectHandle effect = world.add(OfLongSteps<Real>{});
   world.step();
-  CHECK(world.body(stone).centre.velocity.x() == Real(0.5));
+  CHECK(world.velocity(stone).x() == Real(0.5));
   world.set_step_length(steps_per_second(128));
   CHECK(world.plan().rows.back().reason != "every body calls for it");
   CHECK_FALSE(world.template effect<OfLongSteps<Real>>(effect).is_long);
   world.step();
-  CHECK(world.body(stone).centre.velocity.x() == Real(0.5));
+  CHECK(world.velocity(stone).x() == Real(0.5));
   REQUIRE_FALSE(world.change_log().empty());
   CHECK(world.change_log().back() ==
         "step 1: of long steps visits 0 of 1, before 1 (a step of 0.0078125 s was chosen)");
@@ -237,7 +237,7 @@ TEST_CASE_TEMPLATE("A step that cannot be is refused, and so is any inside a ste
   world.set_step_length({0, 1});  // nothing moves, and no time goes by
   world.step();
   CHECK(world.time() == Real(1) / 64);
-  CHECK(world.body(world.find("stone")).centre.position.x() == Real(1) / 64);
+  CHECK(world.position(world.find("stone")).x() == Real(1) / 64);
 }
 
 TEST_CASE_TEMPLATE("Nothing of a world can be changed inside a step", Real, EVERY_PRECISION) {
@@ -298,8 +298,8 @@ TEST_CASE_TEMPLATE("Nothing of a world can be changed inside a step", Real, EVER
   untouched.add(Gravity<Real>{});
   world.step();
   untouched.step();
-  CHECK(world.body(box).centre.velocity == untouched.bodies().centres[0].velocity);
-  CHECK(world.body(box).centre.position == untouched.bodies().centres[0].position);
+  CHECK(world.velocity(box) == untouched.bodies().centres[0].velocity);
+  CHECK(world.position(box) == untouched.bodies().centres[0].position);
   CHECK(world.effects().size() == 1);
   CHECK(world.change_log().empty());
 }

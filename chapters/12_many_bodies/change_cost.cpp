@@ -43,7 +43,7 @@ void step_of_net(benchmark::State& state, int threads) {
   for (BodyIndex n = 0; n < count; ++n)
     ends.insert(ends.end(), {world.handle_at(n), world.handle_at((n + 1000) % count)});
   world.add(SpringBetween<float>{{.stiffness = 1}}, ends);
-  world.backend().use_threads(threads);
+  world.use_threads(threads);
   for (auto _ : state) world.step();
   state.SetItemsProcessed(state.iterations());  // the time by the clock, not that of one thread
 }
@@ -65,7 +65,7 @@ void steps_of_some(benchmark::State& state) {
 }
 void steps_of_two_threads(benchmark::State& state) {
   auto world = boxes(0);
-  world.backend().use_threads(2);
+  world.use_threads(2);
   for (auto _ : state) world.step();
   state.SetItemsProcessed(state.iterations());
 }

@@ -35,9 +35,8 @@ std::vector<double> distances() {
       one.step();
       other.step();
     }
-    found.push_back(double((one.body(one.find("lower")).centre.position -
-                            other.body(other.find("lower")).centre.position)
-                               .norm()));
+    found.push_back(
+        double((one.position(one.find("lower")) - other.position(other.find("lower"))).norm()));
   }
   return found;
 }

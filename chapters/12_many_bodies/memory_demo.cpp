@@ -80,7 +80,7 @@ int main(int argument_count, char** arguments) {
   fill(world);
   fill(packed);
   fill(threaded);
-  threaded.backend().use_threads(2);
+  threaded.use_threads(2);
   support::expect(asked > 1000, "to fill three worlds takes memory, and it is counted");
   const std::array<long, 3> times = {asked_in_steps(world), asked_in_steps(packed),
                                      asked_in_steps(threaded)};

@@ -145,7 +145,7 @@ bool is_same_until_burnt_out(Effect effect) {
     auto packed = made(ManyBodies<Real>(steps_per_second(60)));
     plain.step_by(scheme);
     packed.step_by(scheme);
-    packed.backend().use_threads(threads);
+    packed.use_threads(threads);
     std::string complaint;
     for (int n = 0; n < 81 && complaint.empty(); ++n) {
       complaint = complaint_of_step([&] { plain.step(); });
@@ -241,7 +241,7 @@ std::size_t threads_of_step(int asked_for, std::size_t count) {
     if (n > 0) joined.insert(joined.end(), {points[n - 1], points[n]});
   }
   world.add(witness, EffectOnTwo<Witness, Real> ? joined : points);
-  if (asked_for > 0) world.backend().use_threads(asked_for);
+  if (asked_for > 0) world.use_threads(asked_for);
   world.step();
   return witness.threads->count();
 }

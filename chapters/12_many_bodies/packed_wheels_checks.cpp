@@ -52,7 +52,7 @@ TEST_CASE_TEMPLATE(
       const int count = threads == 1 ? 70 : 1501;
       World<Real> plain = with_wheels<Real>(World<Real>(steps_per_second(60)), scheme, count);
       auto packed = with_wheels<Real>(ManyBodies<Real>(steps_per_second(60)), scheme, count);
-      packed.backend().use_threads(threads);
+      packed.use_threads(threads);
       const Bodies<Real> start = plain.bodies();
       for (int n = 0; n < 12; ++n) {
         plain.step(), packed.step();

@@ -122,7 +122,7 @@ int main(int argument_count, char** arguments) {
 
   //! [use]
   auto world = falling_boxes<ManyBodies<float>>(2000);  // ManyBodies in place of World
-  world.backend().use_threads(2);
+  world.use_threads(2);
   //! [use]
   //! [three_worlds]
   const Bodies<float> one_by_one = after_a_minute(falling_boxes<World<float>>(2000));

@@ -102,7 +102,7 @@ TEST_CASE_TEMPLATE("In packs too a copy is a way back over bodies and effects th
     CAPTURE(seed);
     RandomGenerator dice(seed);
     ManyBodies<Real> world = random_world<Real, InPacks<Real>>(dice, 40);
-    world.backend().use_threads(1 + static_cast<int>(seed % 2));
+    world.use_threads(1 + static_cast<int>(seed % 2));
     world.step();
     const ManyBodies<Real> then = world;
     ManyBodies<Real> untouched = world;
@@ -248,7 +248,7 @@ TEST_CASE_TEMPLATE("What an effect throws comes through packs and threads, and n
   };
   for (const int threads : {1, 2}) {
     CAPTURE(threads);
-    world.backend().use_threads(threads);
+    world.use_threads(threads);
     refused(RefusalOfCentre<Real, Phase::kick>{});
     refused(RefusalOfCentre<Real, Phase::drift>{});
     refused(RefusalOfTop<Real, Phase::kick>{});

@@ -35,7 +35,7 @@ TEST_CASE_TEMPLATE("Thousands of bodies shared among threads move as one by one,
   for (const int threads : {2, 3, 5}) {
     CAPTURE(threads);
     auto packed = crowd(World<Real, InPacks<Real>>(steps_per_second(60)));
-    packed.backend().use_threads(threads);
+    packed.use_threads(threads);
     for (int step = 0; step < 10; ++step) packed.step();
     CHECK(same_motion(plain.bodies(), packed.bodies()));
   }
@@ -71,7 +71,7 @@ TEST_CASE_TEMPLATE("Thousands of springs shared among threads pull as one by one
   for (int step = 0; step < 4; ++step) plain.step();
   auto packed = net(World<Real, InPacks<Real>>(steps_per_second(60)));
   for (const int threads : {1, 2, 3, 2}) {
-    packed.backend().use_threads(threads);
+    packed.use_threads(threads);
     packed.step();
   }
   CHECK(same_motion(plain.bodies(), packed.bodies()));

@@ -101,8 +101,7 @@ void chain(Notebook& notebook) {
     } catch (const SimulationError& error) {
       sentence = error.what();
     }
-    for (const BodyHandle handle : handles)
-      lost_of_ours += !is_finite(world.body(handle).centre.position);
+    for (const BodyHandle handle : handles) lost_of_ours += !is_finite(world.position(handle));
     expect(lost_of_ours == 0, "the world loses nobody");
     table.row(double(n), double(lost), double(lost_of_ours));
   }

@@ -39,7 +39,7 @@ void print_digests(const std::filesystem::path& path) {
     bits::print<Real>(what + " with " + std::string(name_of(scheme)), run(std::move(world), plan));
   }
   auto packed = read_scene_file<Real, InPacks<Real>>(path);
-  packed.world.backend().use_threads(1);
+  packed.world.use_threads(1);
   bits::print<Real>(what + ", in packs", run(packed.world, plan));
 }
 

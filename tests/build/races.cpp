@@ -48,7 +48,7 @@ SomeWorld net(std::size_t count) {
 template <class Real>
 void step() {
   auto world = net<ManyBodies<Real>>(3001);
-  world.backend().use_threads(2);
+  world.use_threads(2);
   for (int n = 0; n < 3; ++n) world.step();
 }
 

@@ -16,7 +16,7 @@ TEST_CASE_TEMPLATE(
     CAPTURE(path.stem().string());
     World<Real> plain = read_scene_file<Real>(path).world;
     auto packed = read_scene_file<Real, InPacks<Real>>(path).world;
-    packed.backend().use_threads(2);
+    packed.use_threads(2);
     const int steps = plain.body_count() > 10'000 ? 20 : 240;
     for (int n = 0; n < steps; ++n) {
       plain.step();

@@ -18,7 +18,7 @@ ExitCode check_plan(const Options& options) {
   planned.on_warning([](const std::string&) {});
   support::settle(planned);
   ManyBodies<Real> exhaustive = planned;
-  planned.backend().use_threads(options.threads);
+  planned.use_threads(options.threads);
   std::printf("%s", table_of(planned.plan()).c_str());
   const Comparison comparison = compared(planned, exhaustive, steps);
   std::printf("%s", comparison.said.c_str());

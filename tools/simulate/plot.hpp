@@ -66,7 +66,7 @@ class Plot {
       const auto body = static_cast<BodyIndex>(count <= most_paths ? k : k * count / most_paths);
       const BodyHandle handle = scene.world.handle_at(body);
       if (energies_.size() == 1) paths_.push_back({scene.world.name_of(handle), {}});
-      paths_[k].points.push_back(scene.world.body(handle).centre.position.template cast<double>());
+      paths_[k].points.push_back(scene.world.position(handle).template cast<double>());
     }
   }
 

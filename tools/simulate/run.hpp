@@ -174,7 +174,7 @@ ExitCode run(const Options& options) {
   Outputs outputs(options, scene, steps);
   print_scene(scene, options, steps, approaches);
   const World<Real, Backend> start = scene.world;
-  scene.world.backend().use_threads(options.threads);
+  scene.world.use_threads(options.threads);
   Ledger<Real> ledger(scene.world);
   std::string failure;
   const ExitCode code = take_steps(scene, ledger, options, steps, outputs, approaches, failure);

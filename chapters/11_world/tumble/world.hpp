@@ -130,18 +130,9 @@ class World {
   BodyIndex index_of(BodyHandle body) const { return registry_.index_of(body); }
   /// Whether it has no orientation.
   bool is_point(BodyHandle body) const { return named_bodies().is_point(registry_.index_of(body)); }
-
-  /// The body as it is now; a point has a top that is locked about every axis. The orientation is
-  /// that of its principal axes: drawn_pose() has that of the model.
-  RigidBody<Real> body(BodyHandle body) const { return backend_.body(registry_.index_of(body)); }
   /// All of them. Of a World a reference, const Bodies<Real>&, to its own arrays, which go on with
   /// it and hold as long as it does; of ManyBodies a copy, Bodies<Real>, that each call makes anew.
   decltype(auto) bodies() const { return backend_.bodies(); }
-  /// What keeps and steps the bodies, for instance to set the number of threads.
-  Backend& backend() { return backend_; }
-  const Backend& backend() const { return backend_; }
-
-  // --- Changes while it runs --------------------------------------------------------------------
 
   /// Puts another body in the place of one that is not a point, or another point in the place of a
   /// point: with another mass, say. It keeps its name and its effects. A top holds L and not ω:
@@ -163,6 +154,29 @@ class World {
     check_body(name_of(body), by);
     require_kind(body, true);
     put_in_place(body, {.centre = by, .top = {}});
+  }
+
+  // --- Where a body is, and how it moves --------------------------------------------------------
+
+  /// The body as it is now; a point has a top that is locked about every axis. The orientation is
+  /// that of its principal axes: drawn_pose() has that of the model.
+  RigidBody<Real> body(BodyHandle body) const { return backend_.body(registry_.index_of(body)); }
+  /// Where its centre of mass is (m), in world axes. This and the three after it read one body
+  /// alone, in ManyBodies too, so that a loop over all needs no copy of them.
+  Vec3<Real> position(BodyHandle body) const { return this->body(body).centre.position; }
+  /// How fast its centre of mass moves (m/s), in world axes.
+  Vec3<Real> velocity(BodyHandle body) const { return this->body(body).centre.velocity; }
+  /// How its principal axes stand, from body to world axes: drawn_pose() has those of the model.
+  /// @throws std::invalid_argument if the body is a point.
+  Quaternion<Real> orientation(BodyHandle body) const {
+    require_top(body);
+    return this->body(body).top.orientation;
+  }
+  /// How fast it turns, and about which axis (rad/s), in world axes.
+  /// @throws std::invalid_argument if the body is a point.
+  Vec3<Real> angular_velocity(BodyHandle body) const {
+    require_top(body);
+    return angular_velocity_world(this->body(body).top);
   }
 
   /// Puts the centre of mass there.
@@ -198,6 +212,8 @@ class World {
       set_checked_angular_velocity(name_of(body), changed.top, angular_velocity);
     });
   }
+
+  // --- Pushes and blows -------------------------------------------------------------------------
 
   /// A blow of `impulse` N s at `point` m, world axes, between two steps.
   /// @throws std::invalid_argument if the body's velocity or angular momentum would not be finite.
@@ -305,6 +321,11 @@ class World {
     planner_.replace_effect(handle.number, std::move(erased), named_bodies());
   }
 
+  /// The effects of the scene, in the order in which they came, until one comes or goes.
+  const std::vector<EffectInstance<Real>>& effects() const { return step_plan().effects; }
+
+  // --- How it steps -----------------------------------------------------------------------------
+
   /// From now on the bodies whose moments differ turn by `rule`: one of turning_methods.hpp or of
   /// turning_rungs.hpp, or one of the user's own.
   template <TurningRule<Real> Rule>
@@ -340,12 +361,19 @@ class World {
     planner_.add_motion({.effect = Backend::erased(motion)}, named_bodies());
   }
 
-  /// The effects of the scene, in the order in which they came, until one comes or goes.
-  const std::vector<EffectInstance<Real>>& effects() const { return step_plan().effects; }
   /// The name of the rule by which bodies turn whose moments differ.
   std::string turning_method() const { return turning_method_of(step_plan()); }
   /// By which scheme all bodies are stepped.
   Scheme scheme() const { return step_plan().scheme; }
+  /// From now on so many threads take part in each step, of ManyBodies alone; without a call, one.
+  /// Where each has fewer bodies than InPacks::smallest_share, one does all.
+  /// @throws std::invalid_argument if it is not from 1 to 1024, and std::system_error if the system
+  /// has no more; as many as before then take part.
+  void use_threads(int count) requires requires(Backend& backend) { backend.use_threads(count); }
+  {
+    require_between_steps("the number of threads can't be changed");
+    backend_.use_threads(count);
+  }
 
   // --- Time -------------------------------------------------------------------------------------
 
@@ -433,11 +461,6 @@ class World {
     return tumble::step_limit(step_plan(), named_bodies(), time());
   }
 
-  /// What the steps go through.
-  const StepPlan<Real>& step_plan() const { return planner_.step_plan(); }
-  /// What is known of each body, in the order of the arrays.
-  const std::vector<BodyFlags>& flags() const { return planner_.flags(); }
-
   /// What has changed the plan since the world began, a sentence each; the last hundred of them.
   std::vector<std::string> change_log() const {
     ChangeLog now = change_log_;
@@ -448,7 +471,15 @@ class World {
   /// From now on a warning is given to this function, and not to standard error.
   void on_warning(std::function<void(const std::string&)> tell) { tell_ = std::move(tell); }
 
-  // --- Other runs ------------------------------------------------------------------------------
+  // --- Inside: for checks and benches -----------------------------------------------------------
+
+  /// What keeps and steps the bodies.
+  Backend& backend() { return backend_; }
+  const Backend& backend() const { return backend_; }
+  /// What the steps go through.
+  const StepPlan<Real>& step_plan() const { return planner_.step_plan(); }
+  /// What is known of each body, in the order of the arrays.
+  const std::vector<BodyFlags>& flags() const { return planner_.flags(); }
 
   /// The same step without members: each effect is asked about each body anew. See other_runs.hpp.
   void step_by_reference() {

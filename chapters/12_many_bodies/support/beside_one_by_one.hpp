@@ -22,7 +22,7 @@ void compare_with_one_by_one(std::uint64_t first_seed, int count, int threads) {
     RandomGenerator dice(seed), same_dice(seed);
     World<Real> plain = random_world<Real>(dice, 40);
     auto packed = random_world<Real, InPacks<Real, width>>(same_dice, 40);
-    packed.backend().use_threads(threads);
+    packed.use_threads(threads);
     const Bodies<Real> start = plain.bodies();
     for (int n = 0; n < 16; ++n) {
       if (n % 4 == 3) {

@@ -20,13 +20,6 @@ class InPacks final : public BodyStore<Real> {
 
   /// All bodies, copied out of the packs.
   Bodies<Real> bodies() const { return unpacked(state_.bodies); }
-  /// The same as they lie, for whoever reads them without copying all. They go on with the world.
-  /// The centre of the body with index i, which is `world.index_of(handle)`, is in
-  /// `centres.packs()[i / width]`, in lane `i % width`: its x is `position.x()[i % width]`. So in
-  /// memory stand `width` x, `width` y, `width` z, then as many of each of the velocity, the force
-  /// and the inverse mass. If the body is not a point, its top is in the same way number
-  /// `top_of[i]` of `tops`.
-  const PackedBodies<Real, width>& packed_bodies() const { return state_.bodies; }
   /// Other bodies in their place.
   void set_bodies(const Bodies<Real>& bodies) { state_.bodies = packed<Real, width>(bodies); }
 
@@ -46,10 +39,7 @@ class InPacks final : public BodyStore<Real> {
     return shared_as<PackedEffectOf<Real, width, Effect>, Real>(effect);
   }
 
-  /// So many threads take part in each step from now on; without a call, one.
-  /// Where each thread has fewer than `smallest_share` bodies, one does all.
-  /// @throws std::invalid_argument if it is not from 1 to 1024, and std::system_error if the system
-  /// has no more; as many as before then take part.
+  /// See World::use_threads().
   void use_threads(int count) {
     pool_ = ThreadPool(count);
     schedule_ = {};  // for several threads it knows more than for one

@@ -12,7 +12,7 @@
 
 namespace tumble {
 
-/// `width` answers yes or no, one for each body of a pack.
+/// `width` answers yes or no, one for each body of a pack; &&, || and ! are of each by itself.
 //! [mask]
 template <class Real, int width>
 struct PackMask {
@@ -20,6 +20,7 @@ struct PackMask {
   using Lanes __attribute__((vector_size(width * sizeof(Bits)))) = Bits;
   Lanes lanes;  ///< −1, which is all bits, for yes; 0 for no
 
+  /// The answer for one of the bodies.
   bool operator[](int lane) const { return lanes[lane] != 0; }
   friend PackMask operator&&(PackMask a, PackMask b) { return {a.lanes & b.lanes}; }
   friend PackMask operator||(PackMask a, PackMask b) { return {a.lanes | b.lanes}; }
@@ -34,14 +35,16 @@ inline constexpr std::size_t pack_alignment = std::min(
     width * sizeof(Real), std::max<std::size_t>(EIGEN_MAX_STATIC_ALIGN_BYTES, alignof(Real)));
 
 /// `width` numbers, one for each of as many bodies. It stands where the chapters say `Real`: what
-/// they wrote for one body then works on `width` of them at once.
+/// they wrote for one body then works on `width` of them at once. Its operators, abs() and sqrt()
+/// take each number by itself; a comparison gives a PackMask, by which select() chooses, since an
+/// `if` can't go both ways.
 //! [pack]
 template <class Real, int width>
 struct Pack {
   static constexpr std::size_t bytes = width * sizeof(Real);
   static constexpr std::size_t alignment = pack_alignment<Real, width>;
   using Lanes __attribute__((vector_size(bytes), aligned(alignment))) = Real;  // the compilers' own
-  Lanes lanes;
+  Lanes lanes;  ///< all of them, for the processor
 
   friend Pack operator+(Pack a, Pack b) { return a.lanes + b.lanes; }
   friend Pack operator*(Pack a, Pack b) { return a.lanes * b.lanes; }
@@ -53,6 +56,7 @@ struct Pack {
   requires std::is_arithmetic_v<Number> Pack(Number number)  // the same for every body
       : lanes(static_cast<Real>(number) - Lanes{}) {}
 
+  /// The number of one of the bodies.
   Real operator[](int lane) const { return lanes[lane]; }
 
   friend Pack operator-(Pack a, Pack b) { return a.lanes - b.lanes; }

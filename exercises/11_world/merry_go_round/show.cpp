@@ -42,7 +42,7 @@ int main(int, char** arguments) {
     const int frames = 90;
     std::vector<Vec3d> on_board;
     for (int frame = 0; frame <= frames; ++frame) {
-      on_board.push_back(world.body(ball).centre.position);
+      on_board.push_back(world.position(ball));
       for (int n = 0; n < steps_in_a_frame; ++n) world.step();
     }
 

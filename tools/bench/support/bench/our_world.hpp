@@ -33,8 +33,7 @@ class OurWorld {
         world_.add(body.centre);
     }
     add_effects(setting.scene, vector_of<Real>(torque));
-    if constexpr (requires { world_.backend().use_threads(1); })
-      world_.backend().use_threads(setting.threads);
+    if constexpr (requires { world_.use_threads(1); }) world_.use_threads(setting.threads);
   }
 
   void run(int steps) {
