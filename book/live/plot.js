@@ -131,10 +131,12 @@
 
     /** Points; a large one marks a place, and paper around it sets it off from what lies below. */
     points(xs, ys, colour, radius = 2.5) {
-      this.painter.clipped(this.box, () => {
+      const {left, top, width, height} = this.box, beyond = radius + 1.5; // a point on the frame is drawn whole
+      this.painter.clipped({left: left - beyond, top: top - beyond, width: width + 2 * beyond, height: height + 2 * beyond}, () => {
         for (let n = 0; n < xs.length; ++n)
           if (Number.isFinite(xs[n]) && Number.isFinite(ys[n])) {
             const at = this.place([xs[n], ys[n]]);
+            if (at[0] < left - 0.5 || at[0] > left + width + 0.5 || at[1] < top - 0.5 || at[1] > top + height + 0.5) continue;
             if (radius >= 4) this.painter.disc(...at, radius + 1.5, this.palette.paper);
             this.painter.disc(...at, radius, colour);
           }

@@ -168,13 +168,18 @@ export class Blocks {
     return {caption: `${source_link(path, first + 1, code(shown))}, line ${first + 1}${reference}`, command: `\\snippet ${path} ${match[2]}`};
   }
 
+  /** What a program printed: all of it, or one of the parts that empty lines divide it into. */
   #output(page, argument) {
-    const [chapter, program] = this.#of(page, argument);
-    const text = this.results.text(chapter, program, '.txt', 'output of program');
+    const [, called, part] = /^(.*?)(?:\s+(\d+))?$/.exec(argument);
+    const [chapter, program] = this.#of(page, called);
+    const text = this.results.text(chapter, program, '.txt', 'output of program').trimEnd();
     if (!text.trim()) throw new BookError(`the program ${program} printed nothing`);
+    const parts = text.split(/\n{2,}/);
+    if (part && !(part >= 1 && part <= parts.length)) throw new BookError(`{{output ${argument}}}: empty lines divide what ${program} prints into ${parts.length} parts`);
+    const shown = part ? parts[part - 1] : text;
     this.quoted.add(`${chapter}/${program}`);
-    return `<figure class="listing output"><figcaption>What ${this.#program_link(chapter, program)} prints</figcaption>` +
-      `<pre class="unindexed${text.trimEnd().split('\n').length > 15 ? ' long' : ''}">${escape(text.trimEnd())}</pre></figure>${this.#complaint(chapter, program)}`;
+    return `<figure class="listing output"><figcaption>What ${this.#program_link(chapter, program)} prints${part > 1 ? ' then' : ''}</figcaption>` +
+      `<pre class="unindexed${shown.split('\n').length > 15 ? ' long' : ''}">${escape(shown)}</pre></figure>${part > 1 ? '' : this.#complaint(chapter, program)}`;
   }
 
   /** A file of the tree as it is, such as what a test knows that a tool prints. */

@@ -92,7 +92,7 @@
       const q0 = columns.one[0];
       const sign = values.sign ? 'With −q both bricks are where they were: ' : '';
       const back = values.first >= 359 && values.first <= 361 ? ' After 360° about x the real part has the other sign; 720° bring it back.' : '';
-      return `${sign ? `${sign}the` : 'The'} two orders end ${shown(apart)}° apart.${small} The real part of the first quaternion is ${shown(q0)}.${back}`;
+      return `${sign ? `${sign}the` : 'The'} two orders end ${apart < 1e-6 ? 0 : shown(apart)}° apart.${small} The real part of the first quaternion is ${shown(q0)}.${back}`;
     },
   };
 })();

@@ -24,9 +24,12 @@
           plot.line([0, 3], [0, 0], palette.ink, {width: 1});
           plot.line([0, 3], [-1, -1], palette.ink, {width: 1, dash: [4, 4]});
           ['exponential', 'linear', 'fractional'].forEach((name, n) => plot.line(columns['k h'], columns[name], palette.bodies[n]));
-          plot.points([Math.min(3, values.rate * values.h)], columns.fraction, palette.bodies[Math.min(3, values.form)], 6);
+          const kh = values.rate * values.h, colour = palette.bodies[Math.min(3, values.form)];
+          if (values.form === 3) plot.line([0, 3], [columns.fraction[0], columns.fraction[0]], colour);
+          if (kh <= 3) plot.points([kh], columns.fraction, colour, 6);
+          else plot.note(`*k h* = ${live.shown(kh)} →`, [3, Math.max(-1.35, Math.min(0.9, columns.fraction[0]))], colour, 'right');
           plot.guess('damping', 0.05); // the question's step
-          plot.legend(forms.slice(0, 3).map((words, n) => [words, palette.bodies[n]]));
+          plot.legend([...forms.slice(0, 3), ...(values.form === 3 ? ['the same part'] : [])].map((words, n) => [words, palette.bodies[n]]));
         },
         drag: (plot, at, {values}) => ({h: plot.value_at(at)[0] / values.rate}),
         key: ([right], {values}) => ({h: values.h * 1.1 ** right}),

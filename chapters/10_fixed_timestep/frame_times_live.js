@@ -100,7 +100,7 @@
           block(1, level, waits, palette.grid);
           block(2, 0, lost, palette.bodies[1]);
           const say = (column, words, below, colour) => painter.text(words, (column + 0.5) * wide, bottom + 13 + 16 * below, 'center', colour);
-          say(0, 'paid in', 0, palette.ink);
+          say(0, 'the frame took', 0, palette.ink);
           say(0, `${Math.round(paid)} ms`, 1, paid_in);
           say(1, steps === 1 ? '1 step' : `${steps} steps`, 0, palette.ink);
           say(1, `${waits.toFixed(1)} ms wait`, 1, palette.ink);

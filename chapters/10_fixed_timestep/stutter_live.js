@@ -67,7 +67,9 @@
       const [least, most_moved] = [Math.min(...leaps), Math.max(...leaps)];
       const a = most_moved - least < 0.01 ? `moves ${with_unit(most_moved, 'cm')} in every frame`
         : `moves ${with_unit(least < 1e-6 ? 0 : least, 'cm')} in one frame and ${with_unit(most_moved, 'cm')} in another`;
-      return `${start}. Drawn at its last state the ball ${a}; drawn between two, and so one step late, it moves ${shown(Math.max(...even))} cm in every frame.`;
+      const beats = Math.floor(values.rate) === Math.floor(values.frames) && most_moved - least >= 0.01
+        ? ' Both last equally long, but a frame is measured in whole nanoseconds and comes out a little shorter than a step: now and then one has no step, and a later one has two.' : '';
+      return `${start}.${beats} Drawn at its last state the ball ${a}; drawn between two, and so one step late, it moves ${shown(Math.max(...even))} cm in every frame.`;
     },
   };
 })();

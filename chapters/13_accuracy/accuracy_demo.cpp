@@ -80,8 +80,9 @@ void write_runs(const Notebook& notebook, const std::string& table,
 
 /// A row a problem: what meets the tolerance at what price. A library that never does has no
 /// column.
-void write_prices(const Notebook& notebook, const std::vector<Measurement>& all,
-                  const std::vector<std::string>& problems, double wanted) {
+void write_prices(const Notebook& notebook, const std::string& name,
+                  const std::vector<Measurement>& all, const std::vector<std::string>& problems,
+                  double wanted) {
   using Row = std::vector<std::string>;
   std::vector<Row> columns = {{"problem"},
                               {"cheapest"},
@@ -106,7 +107,7 @@ void write_prices(const Notebook& notebook, const std::vector<Measurement>& all,
     return std::all_of(column.begin() + 1, column.end(), [](auto& cell) { return cell == "–"; });
   };
   columns.erase(std::remove_if(columns.begin() + 5, columns.end(), is_empty), columns.end());
-  std::ofstream file(notebook.file_in_folder("prices_" + power_of_ten(wanted) + ".tsv"));
+  std::ofstream file(notebook.file_in_folder(name + ".tsv"));
   for (std::size_t n = 0; n < columns[0].size(); ++n)
     for (const Row& column : columns)
       file << column[n] << (&column == &columns.back() ? '\n' : '\t');
@@ -361,8 +362,10 @@ int main(int argument_count, char** arguments) {
   write_runs(notebook, "runs_rod", all, problems[2]);
   write_runs(notebook, "runs_driven", all, "driven top");
   write_runs(notebook, "runs_orbit", all, "eccentric orbit");
-  for (const int digits : {2, 4, 6, 8, 10})
-    write_prices(notebook, all, problems, std::pow(10, -digits));
+  const std::vector<std::string> few = {problems[0], problems[2], "driven top", "eccentric orbit"};
+  write_prices(notebook, "prices_few", all, few, 1e-6);
+  for (const double wanted : {1e-2, 1e-6, 1e-10})
+    write_prices(notebook, "prices_" + power_of_ten(wanted), all, problems, wanted);
 
   std::printf("The cheapest for an error of 1e-6 rad or m (double):\n\n%-17s %-30s %9s  %s\n",
               "problem", "cheapest", "per s", "cheapest that steps");

@@ -3,7 +3,7 @@ set title "The error of Runge–Kutta rules grows with time, and in the end pass
 set xlabel "time"
 stats "energy.tsv" using 1 nooutput # before the axes are logarithmic
 last = STATS_max
-set ylabel "relative error of the energy"
+set ylabel "largest relative error of the energy so far"
 set logscale xy
 set format y "10^{%T}"
 set xrange [1:50000]

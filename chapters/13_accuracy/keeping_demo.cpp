@@ -31,21 +31,18 @@ int main(int argument_count, char** arguments) {
                               turn_by_implicit_midpoint<double>};
   std::array<Topd, 5> tops;
   tops.fill(start);
-  std::array<double, 5> worst_energy{}, worst_momentum{}, shown_energy{}, shown_momentum{};
+  std::array<double, 5> worst_energy{}, worst_momentum{}, shown_momentum{};
   long steps = 0;
   double drawn = 1;  // s, up to which the energy is drawn: its axis is logarithmic
   const auto step_all = [&](std::size_t count) {
     ++steps;
     for (std::size_t m = 0; m < count; ++m) {
       methods[m](tops[m], 1.0 / steps_per_second);
-      const double off = energy_error(tops[m], E);
-      shown_energy[m] = std::max(shown_energy[m], off);
-      worst_energy[m] = std::max(worst_energy[m], off);
+      worst_energy[m] = std::max(worst_energy[m], energy_error(tops[m], E));
     }
     const double time = static_cast<double>(steps) / steps_per_second;
-    if (time < drawn) return;  // the largest since the last row is drawn
-    energy.row(time, shown_energy[0], shown_energy[1], shown_energy[2], shown_energy[3]);
-    shown_energy.fill(0);
+    if (time < drawn) return;
+    energy.row(time, worst_energy[0], worst_energy[1], worst_energy[2], worst_energy[3]);
     drawn = std::max(time + 1, 1.05 * time);
   };
   constexpr long seconds = 600;

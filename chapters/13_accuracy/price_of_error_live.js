@@ -61,10 +61,11 @@
   }
 
   /** Lines of words, the first from `x` and `y` on, moved so far that they stay in the picture. */
-  function write({painter, size}, lines, [x, y], colour) {
+  function write({painter, plot, size}, lines, [x, y], colour) {
     const width = Math.max(...lines.map(words => painter.width_of(words)));
     const left = Math.max(4, Math.min(size.width - width - 4, x));
-    lines.forEach((words, n) => painter.text(words, left, Math.max(4, y) + 8 + 16 * n, 'left', colour));
+    const lowest = plot.box.top + plot.box.height - 16 * lines.length - 2; // above the numbers of the axis
+    lines.forEach((words, n) => painter.text(words, left, Math.max(4, Math.min(lowest, y)) + 8 + 16 * n, 'left', colour));
   }
 
   /** Words at an upright line, to the right of it where there is room. */

@@ -126,7 +126,7 @@ void fly(support::Live& live, std::size_t which, std::size_t rung, double factor
 }  // namespace
 
 void tumble::support::run_live(Live& live) {
-  const auto which = static_cast<std::size_t>(live.choice("case", 2, 8));
+  const auto which = static_cast<std::size_t>(live.choice("case", 3, 8));
   const auto rung = static_cast<std::size_t>(live.choice("rung", 18, 21));
   const bool single = live.choice("precision", 0, 2) == 1;
   const double factor = live.knob("step", "", 1, 0.125, 4);

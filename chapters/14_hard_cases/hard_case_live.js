@@ -37,7 +37,7 @@
     plot.line(columns[time], columns[column], palette.bodies[n]);
     plot.points(columns[time].slice(-1), columns[column].slice(-1), palette.bodies[n], 4);
     const last = columns[time].at(-1);
-    if (n === 2 && last < 0.9 * columns.time.at(-1)) plot.note('judged until here', [last, columns[column].at(-1)], palette.bodies[n], last > Math.sqrt(x.least * x.most) ? 'right' : 'left');
+    if (n === 2 && last < 0.9 * columns.time.at(-1)) plot.note('judged until here', [last, Math.max(1e-14, columns[column].at(-1) / 300)], palette.bodies[n], last > Math.sqrt(x.least * x.most) ? 'right' : 'left');
     if (columns.diverged[0] > 0 && n === 0) plot.note('diverged', [columns.time.at(-1), 1e3], palette.bodies[n]);
   }
 

@@ -171,13 +171,41 @@ void try_default(Notebook& notebook) {
   notebook.value("fourth_turns", turns_of<BlanesMoanFourth>());
 }
 
-/// The eight bodies as boxes of their moments, with the axis of their spin.
+/// The sides of a cylinder about z that the reader sees: its cap, and the band below it.
+template <class Turned, class Draw>
+void for_each_seen_side_of_disc(double radius, double half_height, const Turned& turned,
+                                const Draw& draw) {
+  const int parts = 96;
+  const auto outwards = [](int n) {
+    const double angle = 2 * std::numbers::pi * n / parts;
+    return Vec3d(std::cos(angle), std::sin(angle), 0);
+  };
+  const auto is_seen = [&](int n) { return faces_reader(turned(outwards(n))); };
+  const double above = faces_reader(turned(Vec3d(0, 0, 1))) ? half_height : -half_height;
+  const auto rim = [&](int n, double height) {
+    return on_page(turned(Vec3d(radius * outwards(n) + height * Vec3d::Unit(2))));
+  };
+  int first = 0;
+  while (is_seen(first) || !is_seen(first + 1)) ++first;
+  std::vector<std::array<double, 2>> cap, band;
+  for (int n = 0; n <= parts; ++n) cap.push_back(rim(n, above));
+  int last = first;
+  do band.push_back(rim(last, above));
+  while (is_seen(++last));
+  band.push_back(rim(last, above));
+  for (int n = last; n >= first; --n) band.push_back(rim(n, -above));
+  draw(0, band);
+  draw(2, cap);
+}
+
+/// The five bodies as boxes of their moments, one of them a disc, with the axis of their spin, and
+/// for each of the eight cases the angle of the spin in a step.
 void draw_cases(const Notebook& notebook) {
-  Table table = notebook.table("cases", {"kind", "x", "y", "dx", "dy", "text"});
+  Table table = notebook.table("cases", {"kind", "x", "y", "dx", "dy"});
   const std::array<HardCase<double>, 8> cases = hard_cases<double>();
-  for (std::size_t n = 0; n < cases.size(); ++n) {
+  for (std::size_t n = 0; n < 5; ++n) {
     const Topd& top = cases[n].top;
-    const double right = 3.2 * double(n % 4), up = -3.9 * double(n / 4);
+    const double right = n == 0 ? 0 : 3.2 * double(n - 1), up = n == 0 ? 0 : -3.9;
     const auto turned = [&top](const Vec3d& v) { return rotate(top.orientation, v); };
     // A side's square is proportional to the sum of the two other moments less its own.
     const Vec3d moments = moments_of(top);
@@ -185,17 +213,24 @@ void draw_cases(const Notebook& notebook) {
     for (int axis = 0; axis < 3; ++axis)
       half[axis] = std::sqrt(std::max(0.0, moments.sum() - 2 * moments[axis]));
     half /= half.maxCoeff();
-    for_each_seen_side(half, turned, [&](int axis, int, const auto& corners) {
+    const auto draw = [&](int side, const auto& corners) {
       for (const auto& [x, y] : corners)
-        table.row("face " + std::to_string(3 * n + std::size_t(axis)), x + right, y + up, 0.0, 0.0,
-                  "");
-    });
+        table.row("face " + std::to_string(3 * n + std::size_t(side)), x + right, y + up, 0.0, 0.0);
+    };
+    if (n == 4)
+      for_each_seen_side_of_disc(half.x(), half.z(), turned, draw);
+    else
+      for_each_seen_side(half, turned,
+                         [&](int axis, int, const auto& corners) { draw(axis, corners); });
     const Vec3d spin = angular_velocity_body(top);
     const auto [dx, dy] = on_page(turned(Vec3d(1.4 * spin.normalized())));
-    table.row("spin", right, up, dx, dy, "");
-    table.row("name", right, up - 1.55, double(n), 0.0, cases[n].name);
-    table.row("pace", right, up - 2.0, spin.norm() * cases[n].time_step, 0.0, "");
+    table.row("spin", right, up, dx, dy);
+    table.row("name", right, up - 1.5, double(n), 0.0);
   }
+  const std::array<double, 8> right = {4.7, 0, 3.2, 6.4, 9.6, 9.7, 2.2, 7.2};
+  for (std::size_t n = 0; n < 8; ++n)
+    table.row("dial", right[n], n == 0 || n > 4 ? 0.0 : -6.2, double(n),
+              angular_velocity_body(cases[n].top).norm() * cases[n].time_step);
 }
 
 /// The plate of problem B after its ten minutes, by the rules that engines have and by ours.

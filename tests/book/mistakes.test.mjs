@@ -50,6 +50,7 @@ const mistakes = [
   ['one player where two are announced', '{{players stick | A stick rises by a metre.}}', /should read \{\{players one recording, the other \|/],
   ['two recordings in one player', '{{player stick, stick | A stick rises by a metre.}}', /should read \{\{player recording \|/],
   ['an unknown table', '{{table circle}}', /no table "circle".*line/],
+  ['a part that a program did not print', '{{output tiny_demo 9}}', /\{\{output tiny_demo 9\}\}: empty lines divide what tiny_demo prints into \d+ parts/],
   ['an unknown program', '{{output big_demo}}', /no output of program "big_demo".*tiny_demo/],
   ['an unknown directive', '{{photograph line}}', /unknown directive \{\{photograph\}\}/],
   ['an unknown directive within a sentence', 'See {{photograph line}} here.', /unknown directive \{\{photograph\}\}/],

@@ -13,12 +13,10 @@ namespace tumble::support {
 
 /// The exact motion of a free top for `time_step` seconds, as a rung: whatever it costs to find the
 /// solution that goes through the present state is paid in every step.
-//! [turn_exactly]
 template <class Real>
 void turn_exactly(Top<Real>& top, Same<Real> time_step) {
   top = exact::FreeTop<Real>(top).at(time_step);
 }
-//! [turn_exactly]
 
 /// Where each problem's body is `time` seconds after `start`.
 template <class Real>
