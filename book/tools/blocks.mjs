@@ -307,7 +307,7 @@ export class Blocks {
     const asked = [...this.predictions].filter(([, each]) => each.page === page);
     for (const [name, {place, is_gated}] of asked)
       if (!is_gated) complaints.push(`${place}: the prediction "${name}" has no gate; what answers it stands between {{gate ${name}}} and {{end}}`);
-    return asked.length ? answers(asked.map(([, each]) => each)) : '';
+    return asked.length ? answers(page.name, asked.map(([, each]) => each)) : '';
   }
 
   /** {{set NAME knob=value&other=value | words}} inside a sentence. */

@@ -18,15 +18,16 @@ export function prediction(name, question, choices, answer) {
 /** [opening, closing] of what answers the prediction: shut by the script alone, so that it is open without, and in no search. */
 export function gate(name, question, is_near) {
   const asked = is_near ? '' : `: <i>${escape(question)}</i>`;
+  const guess = '<p class="on-paper guess">Guess before you read on. The <a class="elsewhere" href="#answers_of_page">answer</a> stands upside down.</p>';
   return [
-    `<div class="gate${is_near ? '' : ' far'} unindexed" data-gate="${name}"><p class="shut"><a href="#predict_${name}">Answer first</a>${asked || ', then look.'} ` +
+    `<div class="gate${is_near ? '' : ' far'} unindexed" data-gate="${name}">${is_near ? guess : ''}<p class="shut"><a href="#predict_${name}">Answer first</a>${asked || ', then look.'} ` +
       '<button type="button">Just show me</button></p><div class="gated" tabindex="-1">',
     '</div></div>',
   ];
 }
 
-/** For paper, where nothing folds: what happens, at the page's end. */
-export function answers(predictions) {
+/** For paper, where nothing folds: what happens, at the end of the page that is called `name`. */
+export function answers(name, predictions) {
   const told = predictions.map(({question, answer}) => `<li>${escape(question)} <b>${escape(answer)}</b></li>`);
-  return `<div class="on-paper answers unindexed"><p><b>Answers</b></p><ol>${told.join('')}</ol></div>`;
+  return `<div class="on-paper answers unindexed" id="answers_of_page"><p><b>Answers to ${escape(name)}</b></p><ol>${told.join('')}</ol></div>`;
 }

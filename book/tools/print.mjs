@@ -37,6 +37,13 @@ function part_of({file, id, further}) {
   return {id, title, body, further, sections: [...body.matchAll(/<h2 id="([^"]*)">([\s\S]*?)<a class="anchorlink"/g)]};
 }
 
+/** Titles that so many pages have say nothing in a list of contents. */
+const common_titles = parts => {
+  const count = new Map();
+  for (const {sections} of parts) for (const [, , text] of sections) count.set(plain(text), (count.get(plain(text)) ?? 0) + 1);
+  return new Set([...count].filter(([, n]) => n > 4).map(([text]) => text));
+};
+
 /** Above each sheet stands what it belongs to; a chapter's further pages follow its first one on the same sheets. */
 const running_head = ({id, title}) =>
   `@page ${id} { @top-left { content: ${JSON.stringify(plain(title))}; font: 8.5pt Lato, sans-serif; color: #444; } }`;
@@ -62,8 +69,13 @@ function ends_in_a_few_lines([{id}], places) {
 const with_pages = (html, page_numbers) =>
   html.replace(/<a class="elsewhere" href="#([^"]*)"/g, (link, id) => `${link} data-page="${page_numbers.get(id)?.page ?? '000'}"`);
 
+/** The title and the first paragraph in one block, since Chromium may part a heading from what follows it. */
+const with_title = ({id, title, body}) => body.replace(/<div class="textblock">(<p>[\s\S]*?<\/p>)?/, (_, first = '') =>
+  `<div class="textblock"><div class="opening"><h1 id="${id}">${title}</h1>${first}</div>`);
+
 function whole(groups, page_numbers, tight) {
-  const parts = groups.flat();
+  const parts = groups.flat(), common = common_titles(parts);
+  const told = ([, id, text]) => !common.has(plain(text)) && !id.endsWith('--read_find');
   const line = (id, html, kind) =>
     `<li class="${kind}"><a href="#${id}"><span>${html}</span><span>${page_numbers.get(id)?.page ?? ''}</span></a></li>`;
   return `<!DOCTYPE html><html lang="en-GB" class="light-mode"><head><meta charset="utf-8"><title>${escape(settings.book.name)}</title>
@@ -74,11 +86,11 @@ ${['doxygen.css', 'fonts.css', 'katex/katex.min.css', 'book.css', 'contents.css'
 <main><section class="title-page"><h1>${escape(settings.book.name)}</h1><p>${escape(settings.book.brief)}</p>
 <p class="edition">Built on ${escape(date)}, commit ${escape(commit)}</p></section>
 <section class="printed-contents"><h1>Contents</h1><ul>
-${parts.map(part => line(part.id, part.title, 'page') + part.sections.map(([, id, text]) => line(id, escape(plain(text)), 'section')).join('')).join('\n')}
+${parts.map(part => line(part.id, part.title, 'page') + part.sections.filter(told).map(([, id, text]) => line(id, escape(plain(text)), 'section')).join('')).join('\n')}
 </ul>${groups.map(([{id}]) => `<a class="to-end" href="#${id}--end">&#8203;</a>`).join('')}</section>
 ${groups.map(group => {
   const [{id}] = group;
-  const section = part => `<section class="page${part.further ? ' further' : ''}${tight.has(id) ? ' tight' : ''}" style="page: ${id}"><h1 id="${part.id}">${part.title}</h1>${part.body}`;
+  const section = part => `<section class="page${part.further ? ' further' : ''}${tight.has(id) ? ' tight' : ''}" style="page: ${id}">${with_title(part)}`;
   return `${with_pages(group.map(section).join('</section>\n'), page_numbers)}<span class="end" id="${id}--end">&#8203;</span></section>`;
 }).join('\n')}
 </main></body></html>`;
