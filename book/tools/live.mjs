@@ -65,7 +65,7 @@ export function live_figure({name, file, printed, module, says, source}) {
     return `${symbols(label)}: ${symbols(value)}`;
   });
   const knobs = set.length ? `<p class="on-paper">${set.join('; ')}.</p>` : '';
-  const html = `<figure class="live${live.asks ? ' asks' : ''} unindexed" id="live_${name}" data-live="${name}"${script ? ` data-script="live_${name}.js"` : ''}>` +
+  const html = `<figure class="live${live.asks ? ' asks' : ''}${figure.timeline ? ' timeline' : ''} unindexed" id="live_${name}" data-live="${name}"${script ? ` data-script="live_${name}.js"` : ''}>` +
     `<figcaption>${escape(figure.title)}</figcaption>` +
     `<div class="live-picture" role="img" aria-label="${escape(says)}">${still}</div>${knobs}${absent}</figure>`;
   return {html, script, card};

@@ -10,11 +10,17 @@ import {escape, plain} from './text.mjs';
 const settings = JSON.parse(readFileSync(process.argv[2], 'utf8'));
 const {date, commit} = JSON.parse(readFileSync(settings.colophon, 'utf8'));
 const order = JSON.parse(readFileSync(join(settings.folder, 'reading_order.json'), 'utf8')).filter(
-  page => !['reference', 'names'].includes(page.id),
+  page => !['reference', 'names', 'handbook'].includes(page.id), // the last is for instructors, and not for what they hand out
 );
 
 /** On paper the landing page follows the title page, which has said what it begins with. */
 const at_a_glance = 'At a glance';
+
+/** What the list of contents tells of a page: the sections of a chapter within the parts that all chapters have, and the parts of another page. */
+function sections_of(body, id) {
+  const level = id.startsWith('chapter_') ? 'h3' : 'h2';
+  return [...body.matchAll(new RegExp(`<${level} id="([^"]*)">([\\s\\S]*?)<a class="anchorlink"`, 'g'))].filter(([, name]) => !/--(exercise_|read_find)/.test(name));
+}
 
 /** A page's title and contents; what had an address of its own gets one that is unique in the whole. */
 function part_of({file, id, further}) {
@@ -34,15 +40,8 @@ function part_of({file, id, further}) {
       const page = order.find(each => each.file === target);
       return page ? `<a class="elsewhere" href="#${page.id}${name ? `--${name}` : ''}">${text}</a>` : text;
     });
-  return {id, title, body, further, sections: [...body.matchAll(/<h2 id="([^"]*)">([\s\S]*?)<a class="anchorlink"/g)]};
+  return {id, title, body, further, sections: sections_of(body, id)};
 }
-
-/** Titles that so many pages have say nothing in a list of contents. */
-const common_titles = parts => {
-  const count = new Map();
-  for (const {sections} of parts) for (const [, , text] of sections) count.set(plain(text), (count.get(plain(text)) ?? 0) + 1);
-  return new Set([...count].filter(([, n]) => n > 4).map(([text]) => text));
-};
 
 /** Above each sheet stands what it belongs to; a chapter's further pages follow its first one on the same sheets. */
 const running_head = ({id, title}) =>
@@ -70,12 +69,11 @@ const with_pages = (html, page_numbers) =>
   html.replace(/<a class="elsewhere" href="#([^"]*)"/g, (link, id) => `${link} data-page="${page_numbers.get(id)?.page ?? '000'}"`);
 
 /** The title and the first paragraph in one block, since Chromium may part a heading from what follows it. */
-const with_title = ({id, title, body}) => body.replace(/<div class="textblock">(<p>[\s\S]*?<\/p>)?/, (_, first = '') =>
+const with_title = ({id, title, body}) => body.replace(/<div class="textblock">(<p\b[\s\S]*?<\/p>)?/, (_, first = '') =>
   `<div class="textblock"><div class="opening"><h1 id="${id}">${title}</h1>${first}</div>`);
 
 function whole(groups, page_numbers, tight) {
-  const parts = groups.flat(), common = common_titles(parts);
-  const told = ([, id, text]) => !common.has(plain(text)) && !id.endsWith('--read_find');
+  const parts = groups.flat();
   const line = (id, html, kind) =>
     `<li class="${kind}"><a href="#${id}"><span>${html}</span><span>${page_numbers.get(id)?.page ?? ''}</span></a></li>`;
   return `<!DOCTYPE html><html lang="en-GB" class="light-mode"><head><meta charset="utf-8"><title>${escape(settings.book.name)}</title>
@@ -86,7 +84,7 @@ ${['doxygen.css', 'fonts.css', 'katex/katex.min.css', 'book.css', 'contents.css'
 <main><section class="title-page"><h1>${escape(settings.book.name)}</h1><p>${escape(settings.book.brief)}</p>
 <p class="edition">Built on ${escape(date)}, commit ${escape(commit)}</p></section>
 <section class="printed-contents"><h1>Contents</h1><ul>
-${parts.map(part => line(part.id, part.title, 'page') + part.sections.filter(told).map(([, id, text]) => line(id, escape(plain(text)), 'section')).join('')).join('\n')}
+${parts.map(part => line(part.id, part.title, part.further ? 'further' : 'page') + (part.further ? [] : part.sections).map(([, id, text]) => line(id, escape(plain(text)), 'section')).join('')).join('\n')}
 </ul>${groups.map(([{id}]) => `<a class="to-end" href="#${id}--end">&#8203;</a>`).join('')}</section>
 ${groups.map(group => {
   const [{id}] = group;

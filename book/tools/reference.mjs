@@ -439,7 +439,9 @@ export class Reference {
     const used = new Set(this.headers.filter(({file, name}) => linked.includes(file) || of.names.includes(name.split('/').at(-1))).map(({name}) => name));
     const needed = [...used].filter(name => ![...used].some(other => other !== name && this.#brought_by(other).has(name))).sort();
     const line = html => `<div class="line">${html}</div>`;
-    const includes = [...needed.map(name => line(`<span class="preprocessor">#include &lt;${name}&gt;</span>`)), line('')];
+    const text = plain(of.lines.join('\n'));
+    const standard = ['map', 'sstream'].filter(name => text.includes({map: 'std::map', sstream: 'std::stringstream'}[name]));
+    const includes = [...standard.map(name => line(`<span class="preprocessor">#include &lt;${name}&gt;</span>`)), ...needed.map(name => line(`<span class="preprocessor">#include &lt;${name}&gt;</span>`)), line('')];
     const caption = `<figcaption>${escape(of.test)}: <a href="${of.file}#${of.line}"><code>${escape(this.written[of.file].title.replace(/ Source File$/, '').split('/').at(-1))}</code></a></figcaption>`;
     return `<figure class="listing">${caption}<div class="fragment">${includes.join('\n')}\n${at_left_edge(`${of.lines.map(line).join('\n')}</div>`)}</figure>`;
   }

@@ -40,7 +40,7 @@
         label: 'A globe with the world’s axis and the places of the body’s nose after each step.',
         turns: true,
         view: {azimuth: 0.61, elevation: 0.35},
-        draw(picture, {columns}) {
+        draw(picture, {columns, values}) {
           const {painter, palette, size, view} = picture;
           const {right, up, back} = player.picture_axes(view);
           const scale = Math.min(size.width, size.height) * 0.36;
@@ -57,6 +57,13 @@
           live.arrow(painter, place([0, 0, 0]), place([0, 0, 1.35]), palette.ink);
           painter.text('*ω*', place([0, 0, 1.35])[0] + 10, place([0, 0, 1.35])[1], 'left', palette.ink);
           const noses = Array.from(columns['nose x'], (x, n) => [x, columns['nose y'][n], columns['nose z'][n]]);
+          const [[first_x, first_y]] = noses;
+          noses.forEach((_, n) => { // where the exact turn takes the nose
+            const [cosine, sine] = [Math.cos(n * values.asked), Math.sin(n * values.asked)];
+            const there = [first_x * cosine - first_y * sine, first_x * sine + first_y * cosine, height];
+            painter.disc(...place(there), 5.5, palette.bodies[0]);
+            painter.disc(...place(there), 3.8, palette.paper);
+          });
           noses.forEach((nose, n) => {
             const behind = player.dot(nose, back) < 0;
             if (n) painter.line([place(noses[n - 1]), place(nose)], palette.bodies[1], 1, behind ? 0.3 : 0.7);
@@ -64,7 +71,7 @@
           });
           painter.text('start', place(noses[0])[0] + 8, place(noses[0])[1] - 10, 'left', palette.ink);
           painter.text('the nose after each step', 10, 10, 'left', palette.bodies[1]);
-          painter.text('and its true circle', 10, 26, 'left', palette.bodies[0]);
+          painter.text('and where it should be', 10, 26, 'left', palette.bodies[0]);
         },
       },
     ],

@@ -127,13 +127,14 @@
       middle: {label: 'Middle moment'},
     },
     duration: ({columns}) => columns.time.at(-1),
+    timeline: true,
     still_time: 8,
     panels: [
-      {label: 'The body in the world, with its angular momentum L and its angular velocity as arrows.', turns: true,
+      {label: 'The body in the world, with its angular momentum L and its angular velocity as arrows.', turns: true, aspect: 1.15,
         view: {azimuth: -0.8, elevation: 0.4}, draw: draw_body},
-      {label: 'The sphere of L with the curves of equal energy, and the path of the tip of L.', turns: true,
+      {label: 'The sphere of L with the curves of equal energy, and the path of the tip of L.', turns: true, aspect: 1.15,
         view: {azimuth: 0.9, elevation: 0.38}, draw: draw_sphere},
-      {label: 'Against time and relative to the start: the energy, the length of L, and the part of L along the axis of the spin, whose sign changes with each flip.', draw: draw_constants},
+      {label: 'Against time and relative to the start: the energy, the length of L, and the part of L along the axis of the spin, whose sign changes with each flip.', aspect: 3.2, draw: draw_constants},
     ],
     finding({columns, values}) {
       const {shown, with_unit} = live;

@@ -293,6 +293,27 @@ TEST_CASE_TEMPLATE(
   CHECK(same_motion(plain, packed));
 }
 
+TEST_CASE_TEMPLATE("A body's numbers are those of its lane, and no reference into a copy is given",
+                   Real, EVERY_PRECISION) {
+  const auto packed = crowd(ManyBodies<Real>(), [](auto&) {});
+  const auto has_state = [](const auto& world) {
+    return requires {
+      state_of(world.bodies(), 0);
+    };
+  };
+  CHECK(has_state(World<Real>()));
+  CHECK_FALSE(has_state(packed));
+  const Bodies<Real> all = packed.bodies();
+  for (const BodyHandle body : packed.handles()) {
+    const BodyState<Real> state = state_of(all, packed.index_of(body));
+    CHECK(same_bits(packed.position(body), state.centre.position));
+    CHECK(same_bits(packed.velocity(body), state.centre.velocity));
+    if (packed.is_point(body)) continue;
+    CHECK(same_bits(packed.orientation(body).imaginary, state.top.orientation.imaginary));
+    CHECK(same_bits(packed.angular_velocity(body), angular_velocity_world(state.top)));
+  }
+}
+
 TEST_CASE_TEMPLATE("A row of passes takes the blocks in which it has members, and no others", Real,
                    EVERY_PRECISION) {
   constexpr int width = 2;

@@ -230,7 +230,7 @@ TEST_CASE("A step that would not be finite is taken back") {
 }
 
 TEST_CASE("A world is saved to a file and read back, and a checkpoint goes back a few frames") {
-  //! [snapshot_file.hpp snapshot.hpp checkpoints.hpp]
+  //! [snapshot_file.hpp snapshot.hpp]
   World<double> world;
   const BodyHandle ball = world.add("ball", make_particle<double>(1, {0, 0, 5}, {1, 0, 0}));
   std::stringstream file;
@@ -242,7 +242,31 @@ TEST_CASE("A world is saved to a file and read back, and a checkpoint goes back 
   world.step();
   world.restore(read_snapshot<double>(file));
   CHECK(world.position(ball) == Vec3d(0, 0, 5));
-  //! [snapshot_file.hpp snapshot.hpp checkpoints.hpp]
+  //! [snapshot_file.hpp snapshot.hpp]
+}
+
+TEST_CASE("A push that arrives late is played in the frame that it was meant for") {
+  //! [checkpoints.hpp]
+  World<double> world(steps_per_second(64));
+  const BodyHandle ball = world.add("ball", make_particle<double>(1));  // kg
+  std::map<std::int64_t, Vec3d> pushes;                                 // N, by the tick
+  std::map<std::int64_t, Checkpoint<double>> frames;
+  const auto play_to = [&](std::int64_t tick) {
+    while (world.ticks() < tick) {
+      frames.insert_or_assign(world.ticks(), world.checkpoint());
+      if (const auto push = pushes.find(world.ticks()); push != pushes.end())
+        world.push(ball, {.force = push->second});
+      world.step();
+    }
+  };
+  play_to(60);
+  pushes[40] = {0, 0, 32};  // what another player did twenty frames ago
+  world.restore(frames.at(40));
+  play_to(60);
+  CHECK(world.velocity(ball).z() == 0.5);  // m/s
+  CHECK(world.position(ball).z() == 0.5 * 20 / 64);
+  frames.erase(frames.begin(), frames.find(50));  // older than anything that may still come
+  //! [checkpoints.hpp]
 }
 
 TEST_CASE("Two bodies hang on springs, one below the other") {
@@ -257,12 +281,13 @@ TEST_CASE("Two bodies hang on springs, one below the other") {
   CHECK(world.step_limit().time_step > 1.0 / 240);  // s; no spring feeds on itself
   for (int n = 0; n < 240 * 20; ++n) world.step();
   CHECK(std::abs(world.position(upper).z() + 1 + 3 * 9.81 / 400) < 1e-3);  // m
-  const auto state = [&](BodyHandle body) {
-    return state_of(world.bodies(), world.index_of(body));
-  };
-  const PairPush<double> pull =
-      world.effect<SpringBetween<double>>(link).push(state(upper), state(lower), world.time());
+  const auto& all = world.bodies();
+  const auto state = [&](BodyHandle body) { return state_of(all, world.index_of(body)); };
+  SpringBetween<double> spring_between = world.effect<SpringBetween<double>>(link);
+  const auto pull = spring_between.push(state(upper), state(lower), world.time());
   CHECK(std::abs(pull.force_on_first.z() + 2 * 9.81) < 1e-3);  // N: it bears the lower body
+  spring_between.spring.stiffness = 800;
+  world.change(link, spring_between);  // from the next step on
   //! [springs.hpp]
 }
 
@@ -296,12 +321,20 @@ TEST_CASE("The books of a world close, and its energy is told by kinds") {
 TEST_CASE("A drawing shows the bodies between two steps") {
   //! [drawing.hpp]
   World<double> world(steps_per_second(10));
-  const BodyHandle ball = world.add("ball", make_particle<double>(1, {0, 0, 0}, {1, 0, 0}));
+  // A hammer, modelled from the middle of its handle: its centre of mass lies elsewhere.
+  const auto handle = mass_properties(Box<double>{{0.03, 0.03, 0.3}}, 0.2);  // m; kg
+  const auto head = mass_properties(Box<double>{{0.12, 0.04, 0.04}}, 0.8);
+  const auto moved_head = moved(head, Mat3d::Identity(), {0, 0, 0.17});
+  const auto both = combined<double>({handle, moved_head});
+  const auto made = make_rigid_body("hammer", both, {}, Vec3d(1, 0, 0));  // m/s
+  const BodyHandle hammer = world.add("hammer", made.body);
   Drawing<double> drawing;
+  drawing.set_model(hammer, made.model_in_body);
   drawing.note(world);
   world.step();
-  drawing.note(world);                                                   // after each step
-  CHECK(std::abs(drawing.pose(ball, 0.5).position.x() - 0.05) < 1e-12);  // m, halfway
+  drawing.note(world);  // after each step
+  // Halfway the model's origin has gone half as far, and not the centre of mass from it.
+  CHECK((drawing.pose(hammer, 0.5).position - Vec3d(0.05, 0, 0)).norm() < 1e-12);  // m
   //! [drawing.hpp]
 }
 

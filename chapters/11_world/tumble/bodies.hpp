@@ -43,13 +43,18 @@ inline bool is_point(const BodyMap& map, BodyIndex body) {
   return map.top_of[body] == no_index;
 }
 
-/// What effects see of the body.
+/// What effects see of the body. It refers into `bodies`, which must last as long; so one that
+/// would be gone at once, such as the copy that ManyBodies gives, is refused by the compiler.
 template <class Real>
 BodyState<Real> state_of(const Bodies<Real>& bodies, BodyIndex body) {
   static const Top<Real> none;
   const BodyIndex top = bodies.top_of[body];
   return {bodies.centres[body], top == no_index ? none : bodies.tops[top]};
 }
+/// @cond no declaration of its own
+template <class Real>
+BodyState<Real> state_of(Bodies<Real>&& bodies, BodyIndex body) = delete;
+/// @endcond
 
 /// Appends a body; `top` is null for a point. `bodies` is a Bodies, or like one. @return its index
 template <class AnyBodies, class Real>

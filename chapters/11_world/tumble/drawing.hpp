@@ -13,7 +13,8 @@ template <class Real>
 class Drawing {
  public:
   /// Notes where all bodies are, at rest or not. To be called before the first step and after each.
-  /// Of very many bodies one may rather read World::bodies() and interpolate those that are drawn.
+  /// It visits every body: who draws few of very many keeps the poses of those itself, and
+  /// interpolates them as pose() does, by interpolated().
   template <class Backend>
   void note(const World<Real, Backend>& world) {
     for (const BodyHandle handle : world.handles()) {
@@ -33,6 +34,10 @@ class Drawing {
 
   /// The body is about to be put elsewhere: it is not drawn on the way there.
   void cut(BodyHandle body) { drawn_of(body).is_noted = false; }
+  /// The same of all bodies, as before World::restore().
+  void cut() {
+    for (Drawn& drawn : drawn_) drawn.is_noted = false;
+  }
 
   /// The pose of the model's axes in the world, at `fraction` (0 to 1, unchecked: beyond, it is led
   /// on) of the way from the step before the last to the last. Between, its centre of mass keeps to

@@ -10,7 +10,8 @@ namespace tumble {
 
 /// What an effect's function can give: a force, N, world axes. It is const and sees everything as
 /// const, so what it gives is all that it can change. `Seen` is what it sees: a Particle, a Top, or
-/// a BodyState, which is both.
+/// a BodyState, which is both. `time`, here and below, is when its kick happens, s, by the clock of
+/// World::time(): when the step begins, or by Verlet's scheme at its middle.
 //! [forms]
 template <class Effect, class Seen, class Real>
 concept GivesForce = requires(const Effect& effect, const Seen& seen, const Real& time) {

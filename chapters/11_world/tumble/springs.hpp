@@ -82,6 +82,7 @@ struct SpringToPoint {
     require_finite("anchor of a spring", anchor, "m");
     require_finite("attachment of a spring", attachment, "m");
   }
+  /// Whether it pulls beside the centre of mass, so that its body must not be a point.
   bool needs_top() const { return attachment != Vec3<Real>::Zero(); }
   bool depends_on_speed() const { return spring.damping != 0; }
   int smoothness() const { return smoothness_of(spring); }
@@ -128,7 +129,9 @@ struct SpringBetween {
     require_finite("first attachment of a spring", attachment_first, "m");
     require_finite("second attachment of a spring", attachment_second, "m");
   }
+  /// Whether it pulls beside the first one's centre of mass, so that the first must not be a point.
   bool needs_top() const { return attachment_first != Vec3<Real>::Zero(); }
+  /// The same of the second.
   bool needs_second_top() const { return attachment_second != Vec3<Real>::Zero(); }
   bool depends_on_speed() const { return spring.damping != 0; }
   int smoothness() const { return smoothness_of(spring); }

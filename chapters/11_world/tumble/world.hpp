@@ -51,9 +51,10 @@ class World {
 
   /// One step. `watch` is called when all warnings are told, and before anything moves; it may look
   /// at the world, and not change it.
-  /// @throws SimulationError if a number would become infinite or NaN, and whatever an effect
-  /// throws; the world is then as it was before the step. What push_at() gave is kept too, and acts
-  /// in the next step that can be taken; restore() drops it.
+  /// If it throws, the world is as it was before the step. What push_at() gave is kept too, and
+  /// acts in the next step that can be taken; restore() drops it. What an effect throws comes
+  /// through.
+  /// @throws SimulationError if a number would become infinite or NaN.
   void step(const std::function<void()>& watch = {}) {
     require_between_steps("another step can't be taken");
     if (change_log_.is_pending()) report_changes();
@@ -252,7 +253,7 @@ class World {
   /// Adds an effect for every body, including those that are added later. An effect is a value with
   /// one of the functions of forms.hpp, and with those members that it needs of the table on the
   /// page \ref effects.
-  /// @throws whatever the effect's check() throws.
+  /// What the effect's check() throws comes through.
   template <class Effect>
   EffectHandle add(Effect effect) {
     static_assert(
@@ -265,10 +266,10 @@ class World {
   }
 
   /// Adds an effect for some bodies; for one that joins two, each first followed by its second.
-  /// @throws whatever the effect's check() throws, and std::invalid_argument if there are no
-  /// bodies, if the effect joins two and their number is odd or a body would be joined to itself,
-  /// if it is for one and a body is named twice, or if it needs an orientation and a body is a
-  /// point.
+  /// What its check() throws comes through.
+  /// @throws std::invalid_argument if there are no bodies, if the effect joins two and their number
+  /// is odd or a body would be joined to itself, if it is for one and a body is named twice, or if
+  /// it needs an orientation and a body is a point.
   template <class Effect>
   EffectHandle add(Effect effect, const std::vector<BodyHandle>& bodies) {
     static_assert(EffectForSome<Effect, Real>,
@@ -306,8 +307,9 @@ class World {
     return found->effect();
   }
 
-  /// Puts another effect of the same type in its place, for the same bodies.
-  /// @throws whatever its check() throws, and std::invalid_argument if the type is another, or if
+  /// Puts another effect of the same type in its place, for the same bodies: take effect(), change
+  /// the copy, and give it here. What its check() throws comes through.
+  /// @throws std::invalid_argument if the type is another, or if
   /// it needs an orientation now and a body is a point.
   template <class Effect>
   void change(EffectHandle handle, Effect by) {
@@ -367,8 +369,9 @@ class World {
   Scheme scheme() const { return step_plan().scheme; }
   /// From now on so many threads take part in each step, of ManyBodies alone; without a call, one.
   /// Where each has fewer bodies than InPacks::smallest_share, one does all.
-  /// @throws std::invalid_argument if it is not from 1 to 1024, and std::system_error if the system
-  /// has no more; as many as before then take part.
+  /// If it throws, as many as before take part.
+  /// @throws std::invalid_argument if it is not from 1 to 1024.
+  /// @throws std::system_error if the system has no more.
   void use_threads(int count) requires requires(Backend& backend) { backend.use_threads(count); }
   {
     require_between_steps("the number of threads can't be changed");
@@ -391,8 +394,8 @@ class World {
 
   /// From now on each step lasts so long. Effects that prepare for a step do so anew, and the next
   /// step warns of what may go wrong. A StepClock has a step of its own: make a new one.
-  /// @throws std::invalid_argument if the step is negative or longer than an hour, and
-  /// std::logic_error if an effect asks for it inside a step; nothing has changed then.
+  /// @throws std::invalid_argument if the step is negative or longer than an hour.
+  /// @throws std::logic_error if an effect asks for it inside a step.
   void set_step_length(const StepLength& step) {
     require_step_length(step, 0);
     require_between_steps("the time step can't be changed");
@@ -412,7 +415,8 @@ class World {
   // --- Save and go back -------------------------------------------------------------------------
 
   /// How all bodies move now, and the time: with restore() a step, or a thousand, can be taken
-  /// back. Effects, masses, names, the length of a step and pushes for the next one are not in it.
+  /// back. Effects, masses, names and pushes for the next step are not in it. It knows how long a
+  /// step was, so as to tell the time; restore() leaves the world the step that it has.
   /// \ref world_changes shows this and the other ways back.
   Snapshot<Real> save() const { return snapshot_of(named_bodies(), planner_, time_); }
   /// All bodies move as they did when the snapshot was saved, and the steps from there on have the
@@ -468,7 +472,10 @@ class World {
     return now.sentences();
   }
 
-  /// From now on a warning is given to this function, and not to standard error.
+  /// From now on a warning is given to this function, and not to standard error; an empty function
+  /// gives it back. It is called at the beginning of step(), once for each warning, in the first
+  /// step and after changes of bodies, effects, scheme or step that could have led to one. What it
+  /// throws comes through, before anything has moved. A copy of the world calls it too.
   void on_warning(std::function<void(const std::string&)> tell) { tell_ = std::move(tell); }
 
   // --- Inside: for checks and benches -----------------------------------------------------------

@@ -125,7 +125,10 @@ class NystromSteps {
   std::array<Three, stage_count> rates_ = {};
 };
 
-/// Like integrate(), by a Nyström pair, where the force depends on time and place alone.
+/// Like integrate(), by a Nyström pair such as DormandPrinceNystrom86, where the force depends on
+/// time and place alone.
+/// @throws std::invalid_argument as integrate().
+/// @throws StepError if no step meets the tolerance.
 template <class Pair, class Forces, class Real>
 StepCounts integrate_by_nystrom(Particle<Real>& particle, const Forces& evaluate_forces, Real time,
                                 Same<Real> seconds, ParticleTolerance<Same<Real>> tolerance,
