@@ -24,7 +24,7 @@ test('The chapter without a mistake is made, and holds what its directives stand
   for (const expected of ['The stick is 1.25 m long.', 'stick_length', '<b>passed</b>', 'rises from zero to 1.25',
     'The other 2 checks of this chapter: <span class="verdict"><b>all passed</b>', 'class="verdict-of-all">✓ 3 checks of this chapter: <b>all passed</b>',
     '<summary>Why so short?</summary>', 'The line ends at the stick',
-    'data-gate="rising"><p class="shut">', '<li>How far does it rise? <b>By a metre.</b></li>', '<script src="predict.js" defer>',
+    'data-gate="rising"><p class="on-paper guess">', '<li>How far does it rise? <b>By a metre.</b></li>', '<script src="predict.js" defer>',
     'The stick rises</p><svg class="player-still"', '"cylinder":[0.05,1.25]', 'A stick of 1.25', '<script src="player.js" defer>']) {
     assert.ok(page.includes(expected), expected);
   }
