@@ -68,7 +68,8 @@
     live.is_told = of_card ? figure.card?.is_told ?? false : true;
     const pictures = shown.map(panel => {
       const aspect = of_card ? 1.7 : panel.aspect ?? 1;
-      const width = of_card ? 300 : figure.panels.length === 1 ? 600 : 330, height = Math.round(width / aspect);
+      const has_a_row = shown.length === 1 || (figure.timeline && panel === shown.at(-1));
+      const width = of_card ? 300 : has_a_row ? 670 : 330, height = Math.round(width / aspect);
       const painter = Object.assign(new SvgPainter(palette), {is_silent: of_card});
       panel.draw({painter, palette, size: {width, height}, view: {...panel.view}}, state);
       return `<svg viewBox="0 0 ${width} ${height}" style="--aspect: ${aspect}">${painter.svg}</svg>`;

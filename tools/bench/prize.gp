@@ -7,11 +7,11 @@ set ytics scale 0
 set yrange [2.7:-0.6]
 set grid noytics
 set xrange [0:*]
-set xtics 50
+set rmargin 12
+set xtics 100
 ns(x) = x < 10 ? sprintf("%.1f", x) : sprintf("%.0f", x)
-set label 1 "float" at 3, -0.19 left front textcolor rgb "#fffffe"
-set label 2 "double" at 3, 0.19 left front textcolor rgb "#fffffe"
+named(n, words) = n == 0 ? " in ".words : "" # beside the first two bars
 plot "prize.tsv" using (0.5 * $2):($0 - 0.19):(0.5 * $2):(0.17):ytic(1) with boxxyerror linetype 1 dashtype solid fillstyle solid 0.85 noborder, \
      "" using (0.5 * $3):($0 + 0.19):(0.5 * $3):(0.17) with boxxyerror linetype 2 dashtype solid fillstyle solid 0.85 noborder, \
-     "" using 2:($0 - 0.19):(sprintf("  %s", ns($2))) with labels left textcolor linetype 1, \
-     "" using 3:($0 + 0.19):(sprintf("  %s", ns($3))) with labels left textcolor linetype 2
+     "" using 2:($0 - 0.19):(sprintf("  %s%s", ns($2), named($0, "float"))) with labels left textcolor linetype 1, \
+     "" using 3:($0 + 0.19):(sprintf("  %s%s", ns($3), named($0, "double"))) with labels left textcolor linetype 2
