@@ -50,7 +50,7 @@ void tumble::support::run_live(Live& live) {
   // Both turns made smaller together: how far apart the two orders end.
   std::vector<double>&parts = live.column("part", ""), &reals = live.column("apart real", ""),
   &sizes = live.column("apart size", "");
-  for (int n = 0; n <= 480; ++n) {  // whole degrees and a half of two whole turns
+  for (int n = 0; n <= 480; ++n) {  // of two whole turns each degree and a half
     const double part = n / 480.0;
     const Quaterniond a = about_x(part * first), b = about_z(part * second);
     const Quaterniond apart = conjugate(b * a) * (a * b);

@@ -267,4 +267,14 @@ TEST_CASE_TEMPLATE("A warning reaches the function that one gives, once for each
   world.add("other", make_particle<Real>(1));  // no spring holds it
   world.step();
   CHECK(told.size() == 1);
+  // A copy tells the same function, and what that throws comes before anything moves.
+  const SpringToPoint<Real> stiff{.spring = {.stiffness = 500}};
+  World<Real> copy = world;
+  copy.add(stiff, {copy.find("other")});
+  copy.step();
+  CHECK(told.size() > 1);
+  world.on_warning([](const std::string& warning) { throw std::runtime_error(warning); });
+  world.add(stiff, {world.find("other")});
+  CHECK_THROWS_AS(world.step(), std::runtime_error);
+  CHECK(world.ticks() == 4);
 }

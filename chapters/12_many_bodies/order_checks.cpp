@@ -314,6 +314,15 @@ TEST_CASE_TEMPLATE("A body's numbers are those of its lane, and no reference int
   }
 }
 
+TEST_CASE_TEMPLATE("The number of threads is not changed inside a step", Real, EVERY_PRECISION) {
+  ManyBodies<Real> world;
+  world.add(make_particle<Real>(1));
+  CHECK_THROWS_AS(world.step([&] { world.use_threads(2); }), std::logic_error);
+  world.use_threads(2);
+  world.step();
+  CHECK(world.ticks() == 1);
+}
+
 TEST_CASE_TEMPLATE("A row of passes takes the blocks in which it has members, and no others", Real,
                    EVERY_PRECISION) {
   constexpr int width = 2;

@@ -333,7 +333,7 @@ TEST_CASE("A drawing shows the bodies between two steps") {
   drawing.note(world);
   world.step();
   drawing.note(world);  // after each step
-  // Halfway the model's origin has gone half as far, and not the centre of mass from it.
+  // Halfway in time the model's origin is halfway there; the centre of mass lies beside it.
   CHECK((drawing.pose(hammer, 0.5).position - Vec3d(0.05, 0, 0)).norm() < 1e-12);  // m
   //! [drawing.hpp]
 }

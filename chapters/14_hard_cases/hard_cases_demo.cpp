@@ -231,6 +231,10 @@ void draw_cases(const Notebook& notebook) {
   for (std::size_t n = 0; n < 8; ++n)
     table.row("dial", right[n], n == 0 || n > 4 ? 0.0 : -6.2, double(n),
               angular_velocity_body(cases[n].top).norm() * cases[n].time_step);
+  // The axis of a body with two equal moments goes round L at |L| over one of the two.
+  const Topd& disc = cases[4].top;
+  table.row("axis", right[4], -6.2, angular_velocity_body(disc).norm() * cases[4].time_step,
+            disc.angular_momentum_body.norm() * disc.inverse_moments.x() * cases[4].time_step);
 }
 
 /// The plate of problem B after its ten minutes, by the rules that engines have and by ours.
